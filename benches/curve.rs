@@ -1,7 +1,8 @@
-//! The cost of enclosing the energy and the length of a polygon of `N = 10⁴` chords, beside the
-//! same in floats. Expect 2 to 8 µs a chord for both enclosures: 15 to 20 times the cost of both
-//! quadratures, and about 350 times that of one discrete energy, whose enclosure takes 30 to 50
-//! times as long as its value. The kernel matters little: the four operations take the time.
+//! The cost of enclosing the energy and the length of a polygon of `N = 10⁴` chords, compared with
+//! the same computation in floats. Expect 2 to 8 µs per chord for both enclosures. This is 15 to 20
+//! times the cost of both quadratures, and about 350 times the cost of one discrete energy.
+//! Enclosing the discrete energy takes 30 to 50 times as long as computing it. The kernel matters
+//! little, since most of the time is spent in the four operations.
 
 use std::hint::black_box;
 
@@ -24,7 +25,7 @@ fn measure(c: &mut Criterion, name: &str, metric: &impl Metric<2>) {
     };
     let sequence = PointSequence::new((0..=N).map(at).collect()).expect("finite");
     let mut group = c.benchmark_group(name);
-    // Per chord.
+    // The throughput is given per chord.
     group.throughput(Throughput::Elements(N as u64)).sample_size(20);
     let polygon = Polygon::new(&sequence);
     group.bench_function("enclosures", |b| {

@@ -1,7 +1,9 @@
-//! The cost of operations on intervals, beside the same on `f64`, for both kernels.
+//! The cost of operations on intervals, for both kernels, compared with the same operations on
+//! `f64`.
 //!
-//! Each measurement is one pass over 1024 arguments, or pairs of them, in `[0.1, 3]`; intervals
-//! have the width `10⁻³`, as after some subdivision. Divide by 1024 for one operation.
+//! Each measurement is one pass over 1024 arguments, or pairs of arguments, in `[0.1, 3]`. The
+//! intervals have the width `10⁻³`, as after some subdivision. Divide by 1024 for the time of one
+//! operation.
 
 use std::hint::black_box;
 
@@ -9,7 +11,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use tautline_scalar::{Enclosure, Fast, Kernel, Rigorous, Scalar};
 
 fn numbers() -> Vec<f64> {
-    // The fractions of multiples of the golden ratio fill the range evenly.
+    // Fractional parts of multiples of the golden ratio fill the range evenly.
     (1..=1024).map(|i| 0.1 + 2.9 * (f64::from(i) * 0.618_033_988_749_895).fract()).collect()
 }
 

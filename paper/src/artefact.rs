@@ -13,9 +13,9 @@ use crate::{
 /// A figure or a table.
 #[derive(Clone, Copy, Debug)]
 pub struct Artefact {
-    /// The name of its files.
+    /// The name of its files, without the extension.
     pub id: &'static str,
-    /// What it shows, in a sentence.
+    /// What it shows, in one sentence.
     pub shows: &'static str,
     /// Where its random numbers come from.
     pub seed: Seed,
@@ -25,30 +25,31 @@ pub struct Artefact {
     pub data: fn(Sweep) -> Result<Data, Failure>,
     /// Makes the other files.
     pub form: Form,
-    /// Writes pages of Markdown from the data: their names in the folder above, and their texts.
+    /// Writes pages of Markdown from the data. Each entry is the name of a file in the parent
+    /// folder, and its text.
     pub pages: Pages,
 }
 
-/// Writes pages.
+/// A function that writes pages.
 pub type Pages = fn(&Data) -> Vec<(&'static str, String)>;
 
-/// How data are shown.
+/// How the data are shown.
 #[derive(Clone, Copy, Debug)]
 pub enum Form {
-    /// Drawn.
+    /// Drawn as a figure.
     Figure(fn(&Data) -> Result<Scene, Failure>),
     /// Set as a table.
     Table(fn(&Data) -> Result<Layout, Failure>),
 }
 
-/// Where random numbers come from.
+/// Where the random numbers come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seed {
     /// Nothing is random.
     None,
-    /// One seed for all.
+    /// One seed for all random numbers.
     One(u64),
-    /// Each check of the suite has its own, in its source.
+    /// Each check of the suite has its own seed, which is in its source.
     Suite,
 }
 
@@ -93,25 +94,25 @@ impl Artefact {
         Artefact { id, shows, seed: Seed::None, timed: false, data, form, pages }
     }
 
-    /// The same with random numbers.
+    /// Returns the same artefact with random numbers.
     #[must_use]
     pub const fn seeded(self, seed: Seed) -> Artefact {
         Artefact { seed, ..self }
     }
 
-    /// The same table with measured times.
+    /// Returns the same table with measured times.
     #[must_use]
     pub const fn timed(self) -> Artefact {
         Artefact { timed: true, ..self }
     }
 
-    /// The same table with pages.
+    /// Returns the same table with pages.
     #[must_use]
     pub const fn with_pages(self, pages: Pages) -> Artefact {
         Artefact { pages, ..self }
     }
 
-    /// Returns the data file, relative to the package.
+    /// Returns the name of the data file, relative to the package.
     #[must_use]
     pub fn data_file(&self) -> String {
         match self.form {
@@ -120,7 +121,7 @@ impl Artefact {
         }
     }
 
-    /// Returns the comment above the data: what they are, and how to make them.
+    /// Returns the comment above the data, which says what they are and how to reproduce them.
     #[must_use]
     pub fn comment(&self) -> String {
         let Artefact { id, shows, seed, .. } = self;
@@ -138,7 +139,7 @@ impl Artefact {
     ///
     /// # Errors
     ///
-    /// Data that cannot be drawn or set.
+    /// If the data cannot be drawn or set.
     pub fn files(&self, data: &Data) -> Result<Vec<(String, Vec<u8>)>, Failure> {
         let figure = |ending: &str| format!("figures/{}.{ending}", self.id);
         let table = |ending: &str| format!("tables/{}.{ending}", self.id);

@@ -1,7 +1,7 @@
 //! Leading constants of the errors, predicted and measured.
 //!
-//! The prediction reads one geodesic; the measurement subtracts `d²` from minimal energies. They
-//! share no formula.
+//! The prediction is computed from a geodesic. The measurement subtracts `d²` from minimal
+//! energies. The two share no formula.
 
 use std::{
     f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI},
@@ -22,21 +22,22 @@ use tautline::{
 
 use crate::{Failure, case::Reference};
 
-/// Chords of the finest measurement. The next order is about `(10/N)²` of the first, and rounding
-/// is `N² ε d²`, both below `10⁻⁴`.
+/// The number of chords of the finest measurement. The next order is about `(10/N)²` times the
+/// first, and the rounding error is `N² ε d²`. Both are below `10⁻⁴`.
 pub const N: usize = 2048;
 
-/// Chords of the geodesics that the prediction reads. Their error is of second order, so two grids
-/// give the prediction to fourth order. Where `d²` is not known, it is extrapolated from the
-/// coarser grids of the last solve.
+/// The numbers of chords of the geodesics from which the prediction is computed. Their error is of
+/// second order, so two grids give the prediction to fourth order. If `d²` is not known, it is
+/// extrapolated from the coarser grids of the last solve.
 const READ: [usize; 2] = [2048, 4096];
 
-/// A prediction below this part of the largest of the six counts as 0, by symmetry or in one
-/// dimension: two grids leave at most `(4π/4096)⁴` of the terms of a sum that cancels. The measured
-/// value is then compared with `d²`. No other prediction here is below `10⁻³` of the largest.
+/// A prediction below this fraction of the largest of the six counts as 0, which it is by symmetry
+/// or in one dimension. If a sum cancels, two grids leave at most `(4π/4096)⁴` times its terms. The
+/// measured value is then compared with `d²`. No other prediction here is below `10⁻³` times the
+/// largest.
 const ZERO: f64 = 1e-8;
 
-/// A smooth problem with a unique minimiser, as far as known.
+/// A smooth problem whose minimiser is unique, as far as is known.
 pub struct Smooth {
     /// Its name in the data files.
     pub name: &'static str,
@@ -44,14 +45,14 @@ pub struct Smooth {
     energies: Computed<usize, [f64; 3]>,
 }
 
-/// A computation on a problem, with its metric and dimension hidden.
+/// A computation on a problem that hides its metric and its dimension.
 type Computed<A, B> = Box<dyn Fn(A) -> Result<B, Failure> + Send + Sync>;
 
-/// The six constants, in `m²`, both ways.
+/// The six constants, in `m²`, predicted and measured.
 pub struct Limits {
     predicted: [f64; 6],
-    /// Those measured: of `E_tra,N`, of `E_l,N`, and of `E(γᵖˡ)` and `L(γᵖˡ)²` for both rules in
-    /// turn.
+    /// The measured constants: of `E_tra,N`, of `E_l,N`, and of `E(γᵖˡ)` and `L(γᵖˡ)²` for one rule
+    /// after the other.
     pub measured: [f64; 6],
     /// The square of the distance.
     pub d_squared: f64,
@@ -60,7 +61,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Returns the predictions, with 0 for those that are 0 up to rounding.
+    /// Returns the predictions. Those that are 0 up to rounding are replaced by 0.
     pub fn predictions(&self) -> [f64; 6] {
         let largest = self.predicted.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
         self.predicted.map(|value| if value.abs() <= ZERO * largest { 0.0 } else { value })
@@ -100,7 +101,7 @@ impl Smooth {
         (self.energies)(n)
     }
 
-    /// Between two points whose distance the metric knows.
+    /// Returns the problem between two points whose distance the metric knows.
     fn known<M, const D: usize>(
         name: &'static str,
         metric: M,
@@ -143,7 +144,7 @@ fn limits<M: Metric<D>, const D: usize>(
     let trapezoidal = scaled_errors(problem, Trapezoidal, N, d_squared)?;
     let coarse = scaled_errors(problem, LeftEndpoint, N / 2, d_squared)?;
     let left = scaled_errors(problem, LeftEndpoint, N, d_squared)?;
-    // The next term of the left rule has one more power of 1/N, which two grids eliminate.
+    // The next term of the left rule has one more power of 1/N, which the two grids eliminate.
     let left: [f64; 3] = std::array::from_fn(|i| 2.0 * left[i] - coarse[i]);
     Ok(Limits {
         predicted,

@@ -20,9 +20,9 @@ use crate::{Failure, observation::Observation};
 /// The source of `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reference {
-    /// A closed form, or a quadrature to rounding, with a proof of minimality.
+    /// A closed form, or a quadrature accurate to rounding, with a proof of minimality.
     Exact,
-    /// Richardson extrapolation from grids up to 65 536 chords: an estimate.
+    /// An estimate by Richardson extrapolation from grids with up to 65 536 chords.
     Extrapolated,
 }
 
@@ -44,7 +44,7 @@ pub(crate) struct Case {
     pub(crate) distance_squared: f64,
     /// The source of this value.
     pub(crate) reference: Reference,
-    /// The data of the bounds.
+    /// The data from which the bounds are computed.
     pub(crate) setting: Setting,
     /// The orders in `1/N` of `E_N − d²` for both rules; see [`Orders`].
     pub(crate) orders: Orders,
@@ -52,20 +52,20 @@ pub(crate) struct Case {
     gaps: Gaps,
 }
 
-/// The orders in `1/N` of `E_tra,N − d²` and of `E_l,N − d²`, where they can be observed.
+/// The orders in `1/N` of `E_tra,N − d²` and of `E_l,N − d²`, if they can be observed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Orders {
-    /// 2 and 1: the general case.
+    /// The general case: 2 and 1.
     General,
-    /// 2 for the trapezoidal rule; the first-order coefficient of the left rule,
+    /// 2 for the trapezoidal rule. The first-order coefficient of the left rule,
     /// `∫ DH[γ̇](γ̇, γ̇) dt`, vanishes by symmetry, or the second order hides it on these grids.
     LeftHidden,
-    /// Neither: the discrete energies attain `d²` exactly.
+    /// No order: the discrete energies attain `d²` exactly.
     Exact,
 }
 
 impl Orders {
-    /// Returns the order for a rule; `None` if there is none to observe.
+    /// Returns the order for a rule, or `None` if there is none to observe.
     pub(crate) fn of(self, rule: PaperRule) -> Option<f64> {
         match (self, rule) {
             (Orders::Exact, _) | (Orders::LeftHidden, PaperRule::LeftEndpoint) => None,
@@ -79,9 +79,9 @@ type Solve = Box<dyn Fn(PaperRule, usize) -> Result<Observation, Failure>>;
 type Gaps = Box<dyn Fn(usize) -> Result<[Evidence; 2], Failure>>;
 
 impl Case {
-    /// Minimises the discrete energy of `rule` with `n` subintervals, and checks Theorems 1.1 and
-    /// 1.2, or 1.3 and 1.4, and the sharper theorems on the result. It fails if the solver does not
-    /// converge to a local minimum, or if a hypothesis or an inequality fails.
+    /// Minimises the discrete energy of `rule` with `n` subintervals. On the result it checks
+    /// Theorems 1.1 and 1.2, or 1.3 and 1.4, and the sharper theorems. It fails if the solver does
+    /// not converge to a local minimum, or if a hypothesis or an inequality is violated.
     pub(crate) fn solve(&self, rule: PaperRule, n: usize) -> Result<Observation, Failure> {
         (self.solve)(rule, n).map_err(|reason| {
             let (case, rule) = (self.name, rule.name());
@@ -89,15 +89,15 @@ impl Case {
         })
     }
 
-    /// Minimises the trapezoidal energy with `n` subintervals, and evaluates Proposition 7.9 and
-    /// Lemma S.2 on the result: the gap between the energy of the curve and the discrete one. It
-    /// fails as [`solve`](Case::solve) does.
+    /// Minimises the trapezoidal energy with `n` subintervals. On the result it evaluates
+    /// Proposition 7.9 and Lemma S.2, which bound the gap between the energy of the curve and the
+    /// discrete energy. It fails for the same reasons as [`solve`](Case::solve).
     pub(crate) fn gaps(&self, n: usize) -> Result<[Evidence; 2], Failure> {
         (self.gaps)(n)
     }
 
-    /// Encloses `d²` by one observed minimiser, taken for a global one, without the known distance
-    /// (Proposition S.6).
+    /// Encloses `d²` by one observed minimiser, which is taken for a global one, without using the
+    /// known distance (Proposition S.6).
     pub(crate) fn enclose(
         &self,
         rule: PaperRule,
@@ -145,7 +145,7 @@ impl Case {
         Ok(Case { name, distance_squared: d2, reference, setting, orders, solve, gaps })
     }
 
-    /// A case between two points whose distance the metric knows.
+    /// Returns a case between two points whose distance the metric knows.
     pub(crate) fn between<M, const D: usize>(
         name: &'static str,
         metric: M,
@@ -218,11 +218,11 @@ fn holds(evidence: &Evidence) -> Result<(), Failure> {
     }
 }
 
-/// Returns `C/√N`, in `m²`, with the `C` of Theorem 1.1, or of Theorem 1.3 for the left-endpoint
-/// rule.
+/// Returns `C/√N`, in `m²`, with the constant `C` of Theorem 1.1, or of Theorem 1.3 for the
+/// left-endpoint rule.
 ///
-/// By the proofs of these theorems it bounds `E(γᵖˡ) − d²`; by Theorems 1.2 and 1.4 it bounds
-/// `L(γᵖˡ)² − d²`.
+/// It bounds `E(γᵖˡ) − d²` by the proofs of these theorems, and `L(γᵖˡ)² − d²` by Theorems 1.2 and
+/// 1.4.
 pub(crate) fn paper_bound(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let constant = match rule {
         PaperRule::Trapezoidal => theorem_1_1_constant(setting),
@@ -231,7 +231,7 @@ pub(crate) fn paper_bound(setting: Setting, rule: PaperRule, n: NonZeroUsize) ->
     constant / (n.get() as f64).sqrt()
 }
 
-/// Returns `N ≥ 1` as the bounds take it.
+/// Returns `N ≥ 1` in the type that the bounds take.
 pub(crate) fn subintervals(n: usize) -> Result<NonZeroUsize, Failure> {
     NonZeroUsize::new(n).ok_or_else(|| Failure::Data("N = 0".to_owned()))
 }

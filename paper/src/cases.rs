@@ -44,7 +44,7 @@ pub(crate) fn cases() -> Result<Vec<Case>, Failure> {
             "valleys_ball",
             Valleys,
             Ends::new(ball, HalfSpace::at_least([1.0, 0.0], 3.0)?)?,
-            // |∇u| = f for u = 2x₁ − sin x₁, and the ball reaches to x₁ = ½.
+            // ∇u| = f for u = 2x₁ − sin x₁, and the ball extends to x₁ = ½.
             Some(5.0 - 3_f64.sin() + 0.5_f64.sin()),
             Orders::General,
         )?,
@@ -53,9 +53,9 @@ pub(crate) fn cases() -> Result<Vec<Case>, Failure> {
             "shear_ball",
             shear,
             Ends::new(ball, HalfSpace::at_least([0.0, 1.0], 3.0)?)?,
-            // Flattening keeps x₂, and the ball reaches to x₂ = ½.
+            // Flattening keeps x₂, and the ball extends to x₂ = ½.
             Some(2.5),
-            // Both rules can follow β₁ = −½ cos(x₂) β₂ exactly, x₁ being free at the end.
+            // Both rules can follow β₁ = −½ cos(x₂) β₂ exactly, since x₁ is free at the end.
             Orders::Exact,
         )?,
         Case::between(

@@ -1,4 +1,4 @@
-//! The gallery, with a search for the constants that its formulas prove.
+//! The gallery, with a search for the constants that can be proved from its formulas.
 
 use std::time::{Duration, Instant};
 
@@ -10,15 +10,16 @@ use tautline::{
 
 use crate::Failure;
 
-/// A metric of the gallery and its stated constants.
+/// A metric of the gallery with its stated constants.
 pub(crate) struct Certified {
     /// Its name.
     pub(crate) metric: &'static str,
     /// The dimension.
     pub(crate) d: usize,
-    /// Where its constants are proved.
+    /// The domain on which its constants are proved.
     pub(crate) on: String,
-    /// The stated constants in the order of [`Quantity::ALL`], and whether each is the best one.
+    /// The stated constants in the order of [`Quantity::ALL`], and whether each is the best
+    /// constant.
     pub(crate) stated: [(f64, bool); 4],
     search: Search,
 }
@@ -26,13 +27,13 @@ pub(crate) struct Certified {
 /// The result of a search, without its point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Found {
-    /// The bound from below.
+    /// The lower bound.
     pub(crate) lower: f64,
-    /// The bound from above.
+    /// The upper bound.
     pub(crate) upper: f64,
     /// The number of boxes.
     pub(crate) boxes: usize,
-    /// How long it took.
+    /// The time that the search took.
     pub(crate) time: Duration,
 }
 
@@ -68,7 +69,7 @@ impl Certified {
     }
 }
 
-/// All of space, by periods or because the metric settles; the cell, if it does neither.
+/// Returns all of space if the metric is periodic or settles, and the cell otherwise.
 fn domain<const D: usize>(
     metric: &impl Metric<D>,
     [low, high]: [[f64; D]; 2],
@@ -84,7 +85,7 @@ fn domain<const D: usize>(
     Ok((label, Domain::cell(Cell::new(low, high)?)))
 }
 
-/// A metric with constants on all of space.
+/// Returns a metric with constants on all of space.
 fn global<M: Bounded<D> + 'static, const D: usize>(
     name: &'static str,
     metric: M,
@@ -95,7 +96,7 @@ fn global<M: Bounded<D> + 'static, const D: usize>(
     Ok(Certified::new(name, metric, domain, constants, exact))
 }
 
-/// A metric with constants on balls, all exact, in a ball about the origin.
+/// Returns a metric with constants on balls, all of them exact, in a ball about the origin.
 fn local<M: LocallyBounded<2> + 'static>(
     name: &'static str,
     metric: M,
@@ -108,7 +109,7 @@ fn local<M: LocallyBounded<2> + 'static>(
     Ok(Certified::new(name, metric, (on, ball), constants, [true; 4]))
 }
 
-/// Returns the accuracy of a search: a thousandth, and a hundredth for `M_H`, which costs most.
+/// Returns the accuracy of a search: a thousandth, or a hundredth for `M_H`, which costs most.
 pub(crate) fn accuracy(quantity: Quantity) -> Accuracy {
     let tolerance = if quantity == Quantity::MH { 1e-2 } else { 1e-3 };
     Accuracy { tolerance, ..Accuracy::default() }
@@ -121,7 +122,7 @@ macro_rules! rows {
     )*) => { vec![$(global::<_, $D>($name, $metric?, $cell, $exact)?),*] };
 }
 
-/// Returns the samples of the gallery, and the metrics with constants on balls before their patches.
+/// Returns the samples of the gallery. Metrics with constants on balls come before their patches.
 pub(crate) fn gallery() -> Result<Vec<Certified>, Failure> {
     let mut gallery = for_each_sample!(rows);
     let balls = [

@@ -23,11 +23,11 @@ enum Mode {
     List,
 }
 
-/// Runs one command with the arguments after the name of the program.
+/// Runs one command, given the arguments that follow the name of the program.
 ///
 /// # Errors
 ///
-/// Bad arguments, a failed computation, a violated inequality or a difference.
+/// If the arguments are wrong, a computation fails, an inequality is violated or a file differs.
 pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
     let mut arguments = lexopt::Parser::from_args(arguments);
     let usage = |reason: String| Failure::Usage(format!("{reason}\n\n{USAGE}"));
@@ -76,7 +76,8 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
         chosen.for_each(|artefact| println!("{:24} {}", artefact.id, artefact.shows));
         return Ok(());
     }
-    // Measured times alone on the machine, after all others.
+    // Artefacts with measured times come last, one at a time, so that nothing else runs on the
+    // machine.
     let (timed, others): (Vec<_>, Vec<_>) = chosen.partition(|artefact| artefact.timed);
     let results = parallel::map(&others, |&artefact| make_and_tell(artefact, mode));
     results.into_iter().collect::<Result<(), Failure>>()?;
@@ -91,7 +92,7 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
 
 fn make_and_tell(artefact: &Artefact, mode: Mode) -> Result<(), Failure> {
     let begun = Instant::now();
-    // Printed at once: others go on meanwhile, and may fail as well.
+    // It is printed at once, since others are still running and may fail as well.
     let files =
         make(artefact, mode).inspect_err(|failure| eprintln!("{}: {failure}", artefact.id))?;
     let (done, folder) = match mode {
@@ -125,7 +126,7 @@ fn make(artefact: &Artefact, mode: Mode) -> Result<Vec<String>, Failure> {
         let bytes = data.to_csv(&comment)?;
         (data.read(&bytes)?, bytes)
     };
-    // Everything is made before anything is written.
+    // All files are made before any is written.
     let mut files = vec![(data_file, bytes)];
     files.extend(artefact.files(&printed)?);
     for (file, bytes) in &files {

@@ -1,7 +1,7 @@
-//! How the error falls as `N` grows: the data of the convergence figure and table.
+//! How the error decreases as `N` grows: the data of the convergence figure and table.
 //!
-//! Every row is one solve, on which Theorems 1.1 to 1.4 and the sharper ones are checked before its
-//! numbers are used; at the end the observed orders are checked.
+//! Every row is one solve. Theorems 1.1 to 1.4 and the sharper theorems are checked on it before
+//! its numbers are used. At the end, the observed orders are checked.
 
 use indicatif::ProgressBar;
 use tautline::{
@@ -19,16 +19,16 @@ use crate::{
     sweep::Sweep,
 };
 
-/// Energies are printed with 13 digits, of which 12 are the same on every machine.
+/// Energies are printed with 13 digits, 12 of which are the same on every machine.
 const ENERGY: Tolerance = Tolerance::relative(1e-11);
 
-/// An excess is a difference of energies up to 700 with an error of 1e-12 each.
+/// An excess is a difference of energies up to 700, each with an error of 1e-12.
 const EXCESS: Tolerance = Tolerance::Close { relative: 1e-6, absolute: 2e-10 };
 
-/// Grids from here on are in the asymptotic range, where the orders are fitted.
+/// From this `N` on, grids are in the asymptotic range, in which the orders are fitted.
 const ASYMPTOTIC: usize = 256;
 
-/// How far a fitted order may be from the predicted one.
+/// How far a fitted order may deviate from the predicted order.
 const ORDER: f64 = 0.05;
 
 /// Runs all cases with both rules for `N = 1, 2, 4, …, 4096`, and checks theorems and orders.
@@ -42,7 +42,7 @@ pub(crate) fn data(sweep: Sweep) -> Result<Data, Failure> {
         ("residual", Tolerance::AtMost(1e-6)),
         ("residual_floor", Tolerance::relative(1e-2)),
         ("paper_bound first_order_bound second_order_bound", ENERGY),
-        // A difference of such energies too, and never less than the excess of the length.
+        // This is also a difference of energies, and never less than the excess of the length.
         ("a_posteriori_bound", EXCESS),
         ("reference curvature", Tolerance::Exact),
     ]);
@@ -98,7 +98,7 @@ fn row(case: &Case, rule: PaperRule, seen: &Observation) -> Result<Vec<String>, 
     ])
 }
 
-/// Checks each series against its order; the theorems were checked row by row.
+/// Checks the order of each series. The theorems have been checked row by row.
 fn check(data: &Data, cases: &[Case]) -> Result<(), Failure> {
     for case in cases {
         for rule in PaperRule::BOTH {
@@ -139,7 +139,7 @@ fn expect_order(
     Err(Failure::Violated(format!("{case}, {rule}: {quantity} falls with the slope {slope:.3}")))
 }
 
-/// Returns the rows of one case and rule, by growing `N`.
+/// Returns the rows of one case and rule, in the order of increasing `N`.
 pub(crate) fn series<'a>(data: &'a Data, case: &str, rule: PaperRule) -> Vec<Row<'a>> {
     data.rows_with("case", case).filter(|row| row.text("rule") == rule.name()).collect()
 }

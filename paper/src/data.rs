@@ -2,28 +2,28 @@
 
 use crate::Failure;
 
-/// How a column is compared with what is committed.
+/// How the cells of a column are compared with the committed ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tolerance {
-    /// To the letter.
+    /// The texts must be equal.
     Exact,
-    /// `|a − b| ≤ relative · |b| + absolute`: what differs between machines is the last bits
-    /// of elementary functions and what the formulas make of them.
+    /// `|a − b| ≤ relative · |b| + absolute`. Machines differ in the last bits of elementary
+    /// functions, and in what the formulas make of these bits.
     Close {
-        /// Relative part.
+        /// The relative part.
         relative: f64,
-        /// Absolute part, in the unit of the column.
+        /// The absolute part, in the unit of the column.
         absolute: f64,
     },
-    /// Nothing but rounding: both nonnegative, and at most this.
+    /// Both numbers are nothing but rounding: they must be nonnegative and at most this.
     AtMost(f64),
-    /// Not compared: what may differ on another machine without being wrong, such as the place of a
-    /// flat minimum.
+    /// The cells are not compared. This is for values that may differ on another machine without
+    /// being wrong, such as the place of a flat minimum.
     Free,
 }
 
 impl Tolerance {
-    /// `|a − b| ≤ relative · |b|`.
+    /// Returns the tolerance `|a − b| ≤ relative · |b|`.
     #[must_use]
     pub const fn relative(relative: f64) -> Tolerance {
         Tolerance::Close { relative, absolute: 0.0 }
@@ -39,8 +39,8 @@ pub struct Column {
 
 /// A table of cells as they are printed, under a comment that says what they are.
 ///
-/// Figures are drawn, and tables set, from the printed cells: a picture shows what its data
-/// file says, and bits that are not printed cannot move it.
+/// Figures are drawn, and tables are set, from the printed cells. A picture therefore shows what
+/// its data file says, and bits that are not printed cannot change it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Data {
     columns: Vec<Column>,
@@ -48,7 +48,7 @@ pub struct Data {
 }
 
 impl Data {
-    /// Begins an empty table. Each entry names columns of one tolerance, separated by spaces.
+    /// Begins an empty table. Each entry names the columns with one tolerance, separated by spaces.
     #[must_use]
     pub fn new(columns: &[(&'static str, Tolerance)]) -> Data {
         let named = |&(names, tolerance): &(&'static str, Tolerance)| {
@@ -61,7 +61,7 @@ impl Data {
     ///
     /// # Panics
     ///
-    /// Unless it has one cell for each column.
+    /// Unless there is one cell for each column.
     pub fn push(&mut self, row: impl IntoIterator<Item = String>) {
         let row: Vec<String> = row.into_iter().collect();
         assert_eq!(row.len(), self.columns.len(), "one cell for each column");
@@ -78,17 +78,17 @@ impl Data {
         self.rows().filter(move |row| row.text(column) == text)
     }
 
-    /// Returns the greatest number of a column, and 1 if there is none above.
+    /// Returns the largest number in a column, or 1 if none exceeds 1.
     #[must_use]
     pub fn greatest(&self, column: &str) -> f64 {
         self.rows().map(|row| row.number(column)).fold(1.0, f64::max)
     }
 
-    /// Returns the file, under a comment of one line for each line of `comment`.
+    /// Returns the data file, under a comment with one line for each line of `comment`.
     ///
     /// # Errors
     ///
-    /// If the writer fails, which it does not in memory.
+    /// If the writer fails, which does not happen in memory.
     pub fn to_csv(&self, comment: &str) -> Result<Vec<u8>, Failure> {
         let mut bytes = Vec::new();
         for line in comment.lines() {
@@ -107,7 +107,7 @@ impl Data {
     ///
     /// # Errors
     ///
-    /// If the columns are others, or the file is none.
+    /// If the columns differ, or if the bytes are not a data file.
     pub fn read(&self, bytes: &[u8]) -> Result<Data, Failure> {
         let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
         let unread = |error: csv::Error| Failure::Data(error.to_string());
@@ -122,11 +122,11 @@ impl Data {
         Ok(Data { columns: self.columns.clone(), rows })
     }
 
-    /// Compares with what is committed.
+    /// Compares the data with the committed data.
     ///
     /// # Errors
     ///
-    /// The first cell that differs by more than its tolerance.
+    /// Reports the first cell that differs by more than its tolerance.
     pub fn compare(&self, committed: &Data) -> Result<(), Failure> {
         if self.rows.len() != committed.rows.len() {
             let (ours, theirs) = (self.rows.len(), committed.rows.len());
@@ -185,23 +185,23 @@ impl<'a> Row<'a> {
     ///
     /// # Panics
     ///
-    /// If one of them does not exist.
+    /// If one of the columns does not exist.
     #[must_use]
     pub fn texts(&self, columns: &str) -> Vec<String> {
         columns.split(' ').map(|column| self.text(column).to_owned()).collect()
     }
 
-    /// Returns the numbers of two columns, to be drawn.
+    /// Returns the numbers of two columns, as a point to be drawn.
     ///
     /// # Panics
     ///
-    /// If one of them does not exist.
+    /// If one of the columns does not exist.
     #[must_use]
     pub fn point(&self, x: &str, y: &str) -> (f64, f64) {
         (self.number(x), self.number(y))
     }
 
-    /// Returns the number in the cell; NaN for an empty one.
+    /// Returns the number in the cell, or NaN if the cell is empty.
     ///
     /// # Panics
     ///

@@ -2,7 +2,7 @@
 
 use std::{error::Error, path::PathBuf};
 
-/// The reason of a failure.
+/// Why a figure or table could not be made.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Failure {
@@ -18,7 +18,7 @@ pub enum Failure {
     /// Observations violate an inequality or an order.
     #[error("{0}")]
     Violated(String),
-    /// A check of the project's own suite fails.
+    /// A check of the project's own suite failed.
     #[cfg(feature = "tables")]
     #[error("a check fails: {0}")]
     Check(#[from] tautline_suite::battery::Failure),
@@ -33,12 +33,12 @@ pub enum Failure {
     /// Data cannot be read back, drawn or set.
     #[error("{0}")]
     Data(String),
-    /// What is committed differs from what was computed.
+    /// A committed file differs from what was computed.
     #[error("{0}")]
     Differs(String),
 }
 
-/// Makes `?` turn errors of the libraries into failures.
+/// Makes `?` convert errors of the libraries into failures.
 macro_rules! from_libraries {
     ($($error:ty),* $(,)?) => {$(
         impl From<$error> for Failure {

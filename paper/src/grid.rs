@@ -1,24 +1,24 @@
-//! `Grid`: numbers on a rectangular grid, and a smooth function through them.
+//! `Grid`: numbers on a rectangular grid, and a smooth function that interpolates them.
 
 use crate::Failure;
 
-/// Values at the crossings of equidistant lines, at least four in each direction.
+/// Values at the crossings of equidistant lines, with at least four lines in each direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid {
     x: Lines,
     y: Lines,
-    /// `values[j * x.count + i]` at the `i`-th `x` and the `j`-th `y`.
+    /// The value at the `i`-th `x` and the `j`-th `y` is `values[j * x.count + i]`.
     values: Vec<f64>,
 }
 
-/// Equidistant lines.
+/// A family of equidistant lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines {
     /// The first line.
     pub from: f64,
     /// The last line.
     pub to: f64,
-    /// Their number.
+    /// The number of lines.
     pub count: usize,
 }
 
@@ -34,10 +34,10 @@ impl Lines {
         (0..self.count).map(move |k| self.at(k))
     }
 
-    /// Returns the first of the four lines about `place`, and the weights of the four.
+    /// Returns the first of the four lines around `place`, and the weights of the four.
     ///
-    /// The weights are those of Lagrange's cubic, exact for polynomials of degree 3; near the edge,
-    /// and a little beyond it, it is the cubic through the last four.
+    /// The weights are those of Lagrange's cubic, which is exact for polynomials of degree 3. Near
+    /// the edge and slightly beyond it, the cubic through the last four lines is used.
     fn weights(&self, place: f64) -> (usize, [f64; 4]) {
         let s = (place - self.from) / (self.to - self.from) * (self.count - 1) as f64;
         let first = (s.floor() - 1.0).clamp(0.0, (self.count - 4) as f64);
@@ -57,7 +57,7 @@ impl Grid {
     ///
     /// # Errors
     ///
-    /// [`Failure::Data`] unless there are four lines each way and one finite value at each
+    /// [`Failure::Data`] unless there are four lines in each direction and one finite value at each
     /// crossing.
     pub fn new(x: Lines, y: Lines, values: Vec<f64>) -> Result<Grid, Failure> {
         let complete = x.count >= 4 && y.count >= 4 && values.len() == x.count * y.count;
@@ -68,7 +68,8 @@ impl Grid {
         Err(Failure::Data(format!("{} values for a grid of {columns} × {rows}", values.len())))
     }
 
-    /// Returns the function at a point: cubic in each direction, continuous.
+    /// Returns the value of the function at a point. The function is continuous, and cubic in each
+    /// direction.
     #[must_use]
     pub fn at(&self, x: f64, y: f64) -> f64 {
         let ((i, across), (j, up)) = (self.x.weights(x), self.y.weights(y));
@@ -76,7 +77,7 @@ impl Grid {
         (0..4).map(|q| up[q] * (0..4).map(|p| across[p] * value(p, q)).sum::<f64>()).sum()
     }
 
-    /// Returns the point of the grid with the least value, and that value.
+    /// Returns the grid point with the smallest value, and that value.
     #[must_use]
     pub fn least(&self) -> ((f64, f64), f64) {
         let all = self.values.iter().enumerate();

@@ -2,16 +2,16 @@
 
 /// A table with heads and cells, ready to be set.
 ///
-/// Heads and cells are plain text with mathematics between dollar signs, which both formats
-/// understand.
+/// Heads and cells are plain text with mathematics between dollar signs, which works in both
+/// formats.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     caption: String,
     heads: Vec<&'static str>,
     rows: Vec<Vec<String>>,
-    /// Rows before which a new group begins.
+    /// The rows before which a new group begins.
     groups: Vec<usize>,
-    /// What the rows of the last group have in common.
+    /// The key that the rows of the last group have in common.
     key: String,
 }
 
@@ -27,7 +27,7 @@ impl Layout {
     ///
     /// # Panics
     ///
-    /// Unless it has one cell for each head.
+    /// Unless there is one cell for each head.
     pub fn push(&mut self, row: impl IntoIterator<Item = String>) {
         let row: Vec<String> = row.into_iter().collect();
         assert_eq!(row.len(), self.heads.len(), "one cell for each head");
@@ -41,7 +41,8 @@ impl Layout {
         }
     }
 
-    /// Begins a new group if `key` is not that of the rows before, and returns whether it did.
+    /// Begins a new group if `key` differs from the key of the previous rows, and returns whether
+    /// it did.
     pub fn group_by(&mut self, key: &str) -> bool {
         let new = self.key != key;
         if new {
@@ -55,7 +56,7 @@ impl Layout {
     #[must_use]
     pub fn markdown(&self) -> String {
         let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
-        // A bar inside of mathematics would end the cell.
+        // A bar inside mathematics would end the cell.
         let escape = |cell: &str| cell.replace('|', "\\|");
         let mut text = format!("{}\n\n", self.caption);
         text += &line(self.heads.iter().map(|head| escape(head)).collect());
@@ -66,7 +67,8 @@ impl Layout {
         text
     }
 
-    /// Returns the table for LaTeX, to be `\input` where the package `booktabs` is loaded.
+    /// Returns the table for LaTeX. It can be included by `\input` if the package `booktabs` is
+    /// loaded.
     #[must_use]
     pub fn latex(&self) -> String {
         let line = |cells: Vec<String>| format!("  {} \\\\\n", cells.join(" & "));
@@ -85,7 +87,7 @@ impl Layout {
     }
 }
 
-/// Escapes what LaTeX would misread outside of mathematics.
+/// Escapes what LaTeX would misread outside mathematics.
 fn escape_latex(cell: &str) -> String {
     cell.split('$')
         .enumerate()
@@ -105,8 +107,8 @@ pub fn or_dash(text: &str) -> String {
     if text.is_empty() { "–" } else { text }.to_owned()
 }
 
-/// Returns a number as mathematics: `1.23e-4` becomes `$1.23\cdot 10^{-4}$`, an empty cell or
-/// NaN a dash.
+/// Returns a number as mathematics: `1.23e-4` becomes `$1.23\cdot 10^{-4}$`. An empty cell or NaN
+/// becomes a dash.
 #[must_use]
 pub fn scientific(value: f64, digits: usize) -> String {
     if value.is_nan() {

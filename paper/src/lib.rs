@@ -1,9 +1,9 @@
 //! The figures and tables of the paper, computed, checked and drawn.
 //!
 //! `cargo xtask figures` and `cargo xtask tables` run [`command::run`]. An [`artefact::Artefact`]
-//! is two functions: from a sweep over `N` to [`data::Data`], and from the data to a scene or a
-//! table. The data carry a tolerance for each column, by which `--check` compares recomputed with
-//! committed numbers. The tables need the feature `tables`, which is on by default.
+//! consists of two functions: one from a sweep over `N` to [`data::Data`], and one from the data to
+//! a scene or a table. The data have a tolerance for each column, with which `--check` compares
+//! recomputed and committed numbers. The tables need the feature `tables`, which is on by default.
 
 pub mod artefact;
 pub mod asymptotics;

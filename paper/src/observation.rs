@@ -2,7 +2,7 @@
 
 use tautline::{Curvature, Integral};
 
-/// The numbers of one solve: one case, one rule, one `N`.
+/// The numbers of one solve, for one case, one rule and one `N`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Observation {
     /// The number of subintervals.
@@ -17,7 +17,7 @@ pub(crate) struct Observation {
     pub(crate) decrement: f64,
     /// The relative residual of the discrete geodesic equation.
     pub(crate) residual: f64,
-    /// The predicted rounding of the residual.
+    /// The predicted rounding error of the residual.
     pub(crate) residual_floor: f64,
     /// The signature of the Hessian.
     pub(crate) curvature: Curvature,

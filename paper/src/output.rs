@@ -1,4 +1,4 @@
-//! `Output`: a folder in which files are written whole or not at all.
+//! `Output`: a folder in which every file is written completely or not at all.
 
 use std::{
     fs,
@@ -14,30 +14,30 @@ pub struct Output {
 }
 
 impl Output {
-    /// The folder of this package, whose files are committed.
+    /// Returns the folder of this package, whose files are committed.
     #[must_use]
     pub fn committed() -> Output {
         Output { root: PathBuf::from(env!("CARGO_MANIFEST_DIR")) }
     }
 
-    /// The folder of a quick run, which must not overwrite what is committed.
+    /// Returns the folder of a quick run, which must not overwrite committed files.
     #[must_use]
     pub fn quick() -> Output {
         Output { root: Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/quick") }
     }
 
-    /// Any other folder.
+    /// Returns any other folder.
     #[must_use]
     pub fn at(root: impl Into<PathBuf>) -> Output {
         Output { root: root.into() }
     }
 
-    /// Writes a file under a temporary name and renames it, so that an interrupted run leaves
-    /// the old one.
+    /// Writes a file under a temporary name and renames it, so that an interrupted run leaves the
+    /// old file intact.
     ///
     /// # Errors
     ///
-    /// If the system refuses.
+    /// If the system reports an error.
     pub fn write(&self, file: &str, bytes: &[u8]) -> Result<(), Failure> {
         let path = self.root.join(file);
         let temporary = path.with_extension(format!("{}.part", std::process::id()));
@@ -47,7 +47,7 @@ impl Output {
             fs::rename(&temporary, &path)
         };
         attempt().map_err(|source| {
-            // A failure to remove what is left adds nothing to the one reported.
+            // An error in removing the temporary file adds nothing to the error reported.
             let _ = fs::remove_file(&temporary);
             Failure::File { path: path.clone(), source }
         })
@@ -67,7 +67,7 @@ impl Output {
     ///
     /// # Errors
     ///
-    /// If it does not exist, or differs in a byte.
+    /// If the file does not exist, or if a byte differs.
     pub fn compare(&self, file: &str, bytes: &[u8]) -> Result<(), Failure> {
         if self.read(file)? == bytes {
             return Ok(());

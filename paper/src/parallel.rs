@@ -1,15 +1,15 @@
-//! One function of many values, on all cores, with the results in order.
+//! Applies one function to many values, on all cores, and returns the results in order.
 
 use std::{
     sync::atomic::{AtomicUsize, Ordering},
     thread,
 };
 
-/// Returns `f` of each of the values, in their order, whatever the number of threads.
+/// Returns `f` of each value, in the order of the values, whatever the number of threads.
 ///
 /// # Panics
 ///
-/// If `f` does.
+/// If `f` panics.
 pub fn map<T: Sync, R: Send>(values: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let threads = thread::available_parallelism().map_or(1, usize::from).min(values.len());
     let next = AtomicUsize::new(0);

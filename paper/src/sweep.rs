@@ -3,12 +3,12 @@
 /// The range of `N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sweep {
-    /// Whether it is cut short, for a quick look.
+    /// Whether the range is cut short, for a quick run.
     pub quick: bool,
 }
 
 impl Sweep {
-    /// Returns `1, 2, 4, …` up to `full`, or to a sixteenth of it if quick.
+    /// Returns `1, 2, 4, …` up to `full`, or up to a sixteenth of it in a quick run.
     #[must_use]
     pub fn powers_of_two(self, full: usize) -> Vec<usize> {
         let last = if self.quick { full / 16 } else { full };

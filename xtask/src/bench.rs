@@ -1,4 +1,4 @@
-//! `cargo xtask bench`: the cost of a solve, part by part and on large problems.
+//! `cargo xtask bench`: measures the cost of a solve, part by part and on large problems.
 
 use std::{
     fs,
@@ -33,13 +33,13 @@ const BENCHES: [(&str, &str); 3] = [
     ),
 ];
 
-/// The parts that can run alone: problems, numbers of chords, and rows of the second table.
+/// The parts that can run separately: problems, numbers of chords, and rows of the second table.
 const PARTS: [&str; 14] = [
     "P1", "P2", "P3", "P4", "P5", "P6", "64", "1000", "10000", "100000", "1000000", "batch",
     "by gram", "programs",
 ];
 
-/// Runs the benchmarks. Complete tables go to `paper/tables`, parts only to the terminal.
+/// Runs the benchmarks. Complete tables are written to `paper/tables`, parts only to the terminal.
 pub(crate) fn bench(root: &Path, rest: &[&str]) -> Result<(), String> {
     if let Some(other) = rest.iter().find(|word| !PARTS.contains(word)) {
         return Err(format!("{other}: parts are {}", PARTS.join(", ")));
@@ -56,7 +56,7 @@ pub(crate) fn bench(root: &Path, rest: &[&str]) -> Result<(), String> {
     Ok(())
 }
 
-/// Runs one benchmark and returns what it prints.
+/// Runs one benchmark, and returns its output.
 fn run(root: &Path, name: &str, rest: &[&str]) -> Result<String, String> {
     let arguments = ["bench", "--package", "tautline", "--bench", name, "--"];
     eprintln!("$ cargo {} {}", arguments.join(" "), rest.join(" "));
@@ -75,7 +75,7 @@ fn run(root: &Path, name: &str, rest: &[&str]) -> Result<String, String> {
     Ok(rows)
 }
 
-/// The comment above the rows.
+/// Returns the comment above the rows.
 fn header(name: &str, what: &str) -> String {
     let processor = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let processor = processor

@@ -1,4 +1,5 @@
-//! `cargo xtask <task>`: the commands of the repository, beyond building and testing one crate.
+//! `cargo xtask <task>`: the commands of the repository that go beyond building and testing one
+//! crate.
 
 mod bench;
 mod nightly;
@@ -57,23 +58,23 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs the package that computes and draws, with the profile of the tests, so that little is
-/// compiled twice. The figures do without the feature `tables`, whose dependencies take longer to
-/// compile than everything the figures need.
+/// Runs the package that computes and draws. It uses the profile of the tests, so that little is
+/// compiled twice. The figures do not use the feature `tables`, whose dependencies take longer to
+/// compile than everything that the figures need.
 fn paper(what: &[&str], rest: &[&str]) -> Result<(), String> {
     cargo(&[&["run", "--package", "paper"], what, rest].concat(), &[])
 }
 
-/// Unit and integration tests, then documentation tests. `--tests` includes the libraries and
-/// programs with unit tests; `--lib` would also compile those without any. That the examples
-/// compile is checked by the lints, which generate no machine code.
+/// Runs unit and integration tests, then documentation tests. `--tests` includes the libraries and
+/// programs with unit tests, whereas `--lib` would also compile those without any. The lints check
+/// that the examples compile, without generating machine code.
 fn test(rest: &[&str]) -> Result<(), String> {
     cargo(&[&["test", "--workspace", "--tests"], rest].concat(), &[])?;
     cargo(&[&["test", "--workspace", "--doc"], rest].concat(), &[])
 }
 
-/// Formatting, lints, documentation, tests, and whether the committed figures and tables are what
-/// the code computes. The cheapest check comes first.
+/// Checks the formatting, lints, documentation and tests, and whether the committed figures and
+/// tables are what the code computes. The cheapest check comes first.
 fn ci() -> Result<(), String> {
     cargo(&["fmt", "--all", "--check"], &[])?;
     let lints = ["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"];
@@ -84,9 +85,9 @@ fn ci() -> Result<(), String> {
     check("tables")
 }
 
-/// Compares what is committed, with the program that the tests have built. `cargo run` would
-/// compile it and its libraries again, since test dependencies enable more features of shared
-/// crates.
+/// Compares the committed files with recomputed ones, using the program that the tests have built.
+/// `cargo run` would compile the program and its libraries again, since test dependencies enable
+/// more features of shared crates.
 fn check(what: &str) -> Result<(), String> {
     let program =
         env::current_exe().map_err(|error| format!("the path of this program: {error}"))?;

@@ -1,4 +1,4 @@
-//! `cargo xtask nightly`: all random tests with another seed and more cases.
+//! `cargo xtask nightly`: runs all random tests with another seed and more cases.
 
 use std::{
     path::Path,
@@ -6,24 +6,25 @@ use std::{
     time::{SystemTime, UNIX_EPOCH},
 };
 
-/// The factor for the cases of a test.
+/// The factor by which the number of cases of a test is multiplied.
 const CASES: &str = "100";
 
 /// The variables that the tests read: see `crates/tautline-chance`.
 const VARIABLES: [&str; 2] = ["TAUTLINE_SEED", "TAUTLINE_CASES"];
 
-/// Tests that no seed changes.
+/// Tests that do not depend on the seed.
 const SKIPPED: [&str; 2] = ["committed_data", "tidiness"];
 
-/// Runs the tests with a seed from the clock and a hundred times the cases, unless the environment
-/// sets them; `rest` goes to `cargo test`. A failure does not stop the other tests.
+/// Runs the tests with a seed from the clock and a hundred times as many cases, unless the
+/// environment sets these. The arguments `rest` are passed to `cargo test`. A failure does not stop
+/// other tests.
 pub(crate) fn nightly(root: &Path, rest: &[&str]) -> Result<(), String> {
     let clock = SystemTime::now().duration_since(UNIX_EPOCH).map_or(1, |since| since.as_secs());
     let chosen = chosen(|name| std::env::var(name).ok(), clock);
     let arguments = arguments(rest);
     let set: String = chosen.iter().map(|(name, value)| format!("{name}={value} ")).collect();
     let line = format!("{set}cargo {}", arguments.join(" "));
-    // Before anything else, so that an interrupted night can be repeated.
+    // The line is printed first, so that an interrupted run can be repeated.
     println!("$ {line}");
     let status =
         Command::new(env!("CARGO")).args(&arguments).envs(chosen).current_dir(root).status();
@@ -37,21 +38,22 @@ pub(crate) fn nightly(root: &Path, rest: &[&str]) -> Result<(), String> {
     }
 }
 
-/// The variables with their values: from the environment, or else the clock and [`CASES`].
+/// Returns the variables with their values, from the environment or else from the clock and
+/// [`CASES`].
 fn chosen(set: impl Fn(&str) -> Option<String>, clock: u64) -> [(&'static str, String); 2] {
     let [seed, cases] = VARIABLES;
     let or = |name, otherwise: String| (name, set(name).unwrap_or(otherwise));
     [or(seed, clock.to_string()), or(cases, CASES.to_owned())]
 }
 
-/// The arguments for cargo: the whole workspace, unless packages are named; after `--` the skipped
-/// tests.
+/// Returns the arguments for cargo: the whole workspace unless packages are named, and the skipped
+/// tests after `--`.
 fn arguments<'a>(rest: &[&'a str]) -> Vec<&'a str> {
     let (cargo, test) = match rest.iter().position(|argument| *argument == "--") {
         Some(at) => (&rest[..at], &rest[at + 1..]),
         None => (rest, &rest[..0]),
     };
-    // `-p tests`, `-ptests`, `--package tests` and `--package=tests` all name one.
+    // `-p tests`, `-ptests`, `--package tests` and `--package=tests` all name a package.
     let named = cargo
         .iter()
         .any(|argument| argument.starts_with("--package") || argument.starts_with("-p"));

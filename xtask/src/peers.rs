@@ -1,7 +1,7 @@
-//! `cargo xtask peers`: Tautline beside its alternatives.
+//! `cargo xtask peers`: compares Tautline with its alternatives.
 //!
-//! Installs the Python packages into `target/peers`, compiles the peers in Rust, and leaves the
-//! rest to `peers/compare.py`. A peer that cannot be installed gets a row that says so.
+//! It installs the Python packages into `target/peers` and compiles the peers in Rust. Everything
+//! else is done by `peers/compare.py`. A peer that cannot be installed gets a row that says so.
 
 use std::{env, fs, path::Path, process::Command};
 
@@ -11,10 +11,10 @@ use crate::run::{self, cargo};
 const ENVIRONMENTS: [(&str, &str); 2] =
     [("main", "requirements.txt"), ("geomstats", "requirements-geomstats.txt")];
 
-/// Installs, compiles, compares. Arguments go to the comparison.
+/// Installs, compiles and compares. The arguments are passed to the comparison.
 pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
     let scripts = root.join("peers");
-    // All build output goes below the folder that cargo uses.
+    // All build output is written below the folder that cargo uses.
     let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()));
     let folder = target.join("peers");
     let [python, geomstats] = ENVIRONMENTS.map(|(name, requirements)| {
@@ -27,7 +27,7 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
 
     let example = ["build", "--release", "--package", "tautline", "--example", "peers"];
     cargo(&example, &[])?;
-    // A workspace of its own, with a lock file and a folder of its own.
+    // The peer is a separate workspace, with its own lock file and its own folder.
     let manifest = scripts.join("argmin/Cargo.toml").display().to_string();
     let argmin = folder.join("argmin").display().to_string();
     let build = ["build", "--release", "--manifest-path", &manifest, "--target-dir", &argmin];
@@ -35,7 +35,7 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
         eprintln!("{message}; argmin gets a row that says so");
     }
 
-    // A part of the table does not replace the whole.
+    // A part of the table does not replace the whole table.
     let place =
         if rest.is_empty() { root.join("paper/tables") } else { target.join("quick/tables") };
     let paths = [
@@ -53,7 +53,7 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
     run(compare.args(rest).env("PYTHONDONTWRITEBYTECODE", "1"))
 }
 
-/// Makes a virtual environment, unless it exists, and installs the requirements.
+/// Makes a virtual environment unless it exists, and installs the requirements.
 fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
     let python = environment.join("bin/python");
     if !python.exists() {
@@ -65,7 +65,7 @@ fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
         command
     };
     run(pip().arg("--requirement").arg(requirements)).or_else(|_| {
-        // One failure keeps pip from installing anything: so one at a time.
+        // If one package fails, pip installs none of them, so they are installed one at a time.
         let text = fs::read_to_string(requirements).map_err(|error| error.to_string())?;
         let missing = text
             .lines()
@@ -79,7 +79,7 @@ fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
     })
 }
 
-/// Runs a command, printed with its quotes.
+/// Runs a command, and prints it with its quotes.
 fn run(command: &mut Command) -> Result<(), String> {
     let line = format!("{command:?}");
     run::run(command, &line)

@@ -1,4 +1,4 @@
-//! Commands in the root of the workspace.
+//! Runs commands in the root of the workspace.
 
 use std::{
     env,
@@ -6,7 +6,7 @@ use std::{
     process::Command,
 };
 
-/// The root of the workspace.
+/// Returns the root of the workspace.
 pub(crate) fn root() -> PathBuf {
     let xtask = Path::new(env!("CARGO_MANIFEST_DIR"));
     xtask.parent().unwrap_or(xtask).to_owned()
@@ -21,8 +21,8 @@ pub(crate) fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<
     run(command.args(arguments).envs(environment.iter().copied()), &line)
 }
 
-/// Runs a command in the root of the workspace, and first prints it as `line`, so that a failure
-/// can be pasted and run again.
+/// Runs a command in the root of the workspace. It first prints the command as `line`, so that a
+/// failing command can be pasted and run again.
 pub(crate) fn run(command: &mut Command, line: &str) -> Result<(), String> {
     eprintln!("$ {line}");
     match command.current_dir(root()).status() {

@@ -13,7 +13,7 @@ use tautline_adversary::SplitMix;
 
 use crate::Failure;
 
-/// A metric of `R^K` for the first coordinates, and the Euclidean one for the others.
+/// A metric of `R^K` in the first coordinates, combined with the Euclidean metric in the others.
 #[derive(Clone, Copy, Debug)]
 pub struct Beside<M, const K: usize>(M);
 
@@ -31,7 +31,7 @@ impl<M: Metric<K>, const K: usize, const D: usize> Metric<D> for Beside<M, K> {
     }
 }
 
-/// A recorded metric of the gallery; one of a fixed dimension `K < D` is extended by [`Beside`].
+/// A recorded metric of the gallery. A metric of fixed dimension `K < D` is extended by [`Beside`].
 #[derive(Clone, Debug)]
 pub struct Drawn<const D: usize> {
     /// The name of the metric in the gallery.
@@ -40,11 +40,11 @@ pub struct Drawn<const D: usize> {
     pub formula: Formula<D>,
 }
 
-/// Half the side of the cube about the origin that contains the ends, in `ℓ`, for metrics without a
-/// radius of their own: a wave or two of most.
+/// Half the side of the cube about the origin that contains the ends, in `ℓ`. It is used for
+/// metrics without a radius of their own, and spans one or two waves of most of them.
 const REACH: f64 = 3.0;
 
-/// A vector of the cube `[−size, size]^D`.
+/// Returns a random vector in the cube `[−size, size]^D`.
 pub(super) fn vector<const D: usize>(random: &mut SplitMix, size: f64) -> SVector<f64, D> {
     SVector::from_fn(|_, _| random.between(-size, size))
 }
@@ -55,17 +55,17 @@ impl<const D: usize> Drawn<D> {
     }
 
     /// Returns a metric, and half the side of the cube about the origin in which its ends are
-    /// drawn, in `ℓ`: about the radius of a patch, 3 for all others.
+    /// drawn, in `ℓ`. This is about the radius for a patch, and 3 for all other metrics.
     ///
-    /// All 13 metrics of every dimension are equally likely, for `D ≥ 2` also the 8 of the plane,
-    /// and for `D ≥ 3` the one of space. Each has `c₁ > 0` on all of `R^D`, so that a discrete
-    /// minimiser exists. Otherwise it may not: under the metric of the whole sphere one chord over
-    /// infinity costs nothing, and likewise for hyperbolic space and the normal distributions;
-    /// their patches represent these three.
+    /// The metrics are equally likely: the 13 that exist in every dimension, for `D ≥ 2` also the 8
+    /// of the plane, and for `D ≥ 3` also the one of space. Each has `c₁ > 0` on all of `R^D`, so
+    /// that a discrete minimiser exists. Without this, there might be none: under the metric of the
+    /// whole sphere, one chord across infinity costs nothing. The same holds for hyperbolic space
+    /// and the normal distributions. The patches of these three represent them.
     ///
     /// # Errors
     ///
-    /// None: the parameters are admissible, and no formula compares numbers.
+    /// There are none: the parameters are admissible, and no formula compares numbers.
     pub fn new(random: &mut SplitMix) -> Result<(Self, f64), Failure> {
         let known = match D {
             1 => 13,

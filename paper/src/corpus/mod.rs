@@ -1,4 +1,4 @@
-//! The corpus: random problems over the gallery, and the outcome of the solver on each.
+//! The corpus: random problems from the gallery, and the outcome of the solver on each.
 
 mod metrics;
 mod outcome;
@@ -24,21 +24,21 @@ pub const SEED: u64 = 6;
 /// The largest number of subintervals, a power of two.
 const LARGEST: usize = 4096;
 
-/// The first `count` problems of the corpus.
+/// Returns the first `count` problems of the corpus.
 #[must_use]
 pub fn corpus(count: usize) -> Vec<Case> {
     let mut seeds = SplitMix::new(SEED);
     (0..count).map(|index| Case { index, seed: seeds.bits() }).collect()
 }
 
-/// One of the problems, before it is drawn.
+/// One of the problems, before its data are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Case {
     index: usize,
     seed: u64,
 }
 
-/// A drawn problem.
+/// A problem whose data have been drawn.
 struct Drawing<const D: usize> {
     metric: Drawn<D>,
     ends: Ends<D>,
@@ -47,7 +47,7 @@ struct Drawing<const D: usize> {
     trapezoidal: bool,
 }
 
-/// Draws the dimension and calls a function for it.
+/// Draws the dimension, and calls a function for it.
 macro_rules! in_its_dimension {
     ($case:ident.$function:ident($($argument:expr),*)) => {{
         let mut random = SplitMix::new($case.seed);
@@ -67,7 +67,7 @@ macro_rules! in_its_dimension {
 /// A problem, and how the searches for its solution ended.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// The place of the problem in the corpus, from 0 on.
+    /// The index of the problem in the corpus, from 0.
     pub index: usize,
     /// The metric.
     pub metric: &'static str,
@@ -81,33 +81,32 @@ pub struct Outcome {
     pub n: usize,
     /// The search from the default starts.
     pub default: Search,
-    /// The search from one straight line alone, for each pair of pieces of the sets.
+    /// The search that starts only from one straight line for each pair of pieces of the sets.
     pub straight: Search,
 }
 
 impl Case {
     /// Draws the problem and solves it.
     ///
-    /// `D` is uniform in 1 to 8, the rule is either with equal chance, and `N` is log-uniform in 1
-    /// to
+    /// `D` is uniform in 1 to 8, both rules are equally likely, and `N` is log-uniform in 1 to
     /// 4096.
     ///
     /// # Errors
     ///
-    /// None: what is drawn is admissible, and a refusal of the solver is an outcome.
+    /// There are none: the drawn data are admissible, and a refusal of the solver is an outcome.
     pub fn outcome(self) -> Result<Outcome, Failure> {
         in_its_dimension!(self.outcome_in())
     }
 
-    /// Draws the problem and times its solution from the default starts with each of these numbers
-    /// of subintervals: the least time of several runs, in seconds.
+    /// Draws the problem, and times its solution from the default starts for each of these numbers
+    /// of subintervals. Returns the smallest time of several runs, in seconds.
     ///
     /// It runs on one thread and reuses memory. The metric is a recorded formula, which takes
     /// longer at a single point than a compiled one.
     ///
     /// # Errors
     ///
-    /// None: the parameters are admissible. A refusal of the solver is timed as well.
+    /// There are none: the parameters are admissible. A refusal of the solver is timed as well.
     pub fn seconds(self, ns: &[usize], runs: usize) -> Result<Vec<f64>, Failure> {
         in_its_dimension!(self.seconds_in(ns, runs))
     }
@@ -115,7 +114,7 @@ impl Case {
     fn draw<const D: usize>(self, mut random: SplitMix) -> Result<Drawing<D>, Failure> {
         let (metric, reach) = Drawn::<D>::new(&mut random)?;
         let Pair { ends, kinds } = Pair::<D>::new(&mut random, reach)?;
-        // An octave, then a number in it: integers are the same on every machine.
+        // An octave is drawn first, then a number in it: integers are the same on every machine.
         let octave = 1 << random.below(LARGEST.ilog2() as usize);
         let n = octave + random.below(octave + 1);
         let trapezoidal = random.below(2) == 0;
@@ -132,7 +131,7 @@ impl Case {
         let problem = Problem::new(metric.formula, ends);
         let options = Options { threads: 1, ..Options::default() };
         let mut least = vec![f64::INFINITY; ns.len()];
-        // In turn, so that other load on the machine affects all alike.
+        // The values of `N` take turns, so that other load on the machine affects all of them alike.
         for _ in 0..runs {
             for (least, &n) in least.iter_mut().zip(ns) {
                 let begin = Instant::now();

@@ -5,69 +5,71 @@ use tautline::{Curvature, Minimum, SolveError, Stop};
 /// The outcome of one search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Search {
-    /// Whether it reached the goal, and if not, why.
+    /// Whether the search reached the goal, and if not, why.
     pub end: End,
-    /// The Newton steps over all grids from the start that led to the result; the final check on
-    /// each grid counts as one.
+    /// The Newton steps on all grids, from the start that led to the result. The final check on
+    /// each grid counts as one step.
     pub iterations: usize,
 }
 
 /// Whether a search reached the goal.
 #[derive(Clone, Debug, PartialEq)]
 pub enum End {
-    /// The sets have a point in common, and there is nothing to search for.
+    /// The sets have a point in common, so that there is nothing to search for.
     Touch,
-    /// It converged to rounding: see [`Search::new`].
+    /// The search converged to rounding accuracy: see [`Search::new`].
     Reached,
-    /// It reports convergence, but both of these exceed rounding: the decrement, relative to the
-    /// energy, and the residual as a multiple of its floor.
+    /// The search reports convergence, but two numbers exceed rounding: the decrement relative to
+    /// the energy, and the ratio of the residual to its floor.
     Above {
-        /// The decrement.
+        /// The relative decrement.
         decrement: f64,
-        /// The residual over its floor.
+        /// The residual divided by its floor.
         residual: f64,
     },
-    /// It converged to a saddle.
+    /// The search converged to a saddle.
     Saddle {
         /// The number of negative eigenvalues of the Hessian.
         negative: usize,
     },
-    /// It reports that it did not converge.
+    /// The search reports that it did not converge.
     Stopped(Stop),
-    /// It returned an error.
+    /// The search returned an error.
     Refused(SolveError),
-    /// A number of the result is NaN.
+    /// One of the numbers of the result is NaN.
     NotANumber,
 }
 
-/// The relative decrement at which a search may stop, by [`Stop::Converged`]: a hundredth of
-/// the rounding of an energy in `f64`, so that the energy cannot tell the result from a minimiser.
+/// The relative decrement at which a search may stop with [`Stop::Converged`]. It is a hundredth of
+/// the rounding of an energy in `f64`, so that the energy cannot distinguish the result from a
+/// minimiser.
 const DECREMENT: f64 = 1e-18;
 
-/// On fine grids rounding of the points alone leaves a larger decrement, and shows in the residual.
+/// On fine grids, rounding of the points alone leaves a larger decrement, and shows in the
+/// residual.
 ///
-/// A coordinate is rounded by `u/2` at most, `u ≤ ε max |x|`, with the variance `u²/12`. In
-/// `ρₙ = (N/2) ∂E/∂xₙ`, about `N² H (xₙ₋₁ − 2xₙ + xₙ₊₁)`, three of them have the variance
-/// `N⁴ c² u²/2`, and `D` coordinates `D` times as much: about the floor of the residual. Twice that
-/// is granted for matrices `H` with entries above their mean `c`.
+/// A coordinate is rounded by at most `u/2`, where `u ≤ ε max |x|`, with the variance `u²/12`. The
+/// residual `ρₙ = (N/2) ∂E/∂xₙ` is about `N² H (xₙ₋₁ − 2xₙ + xₙ₊₁)`. Three rounded coordinates give
+/// it the variance `N⁴ c² u²/2`, and `D` coordinates `D` times as much, which is about the floor of
+/// the residual. Twice the floor is allowed, for matrices `H` with entries above their mean `c`.
 const FLOORS: f64 = 2.0;
 
 impl Search {
     /// Judges a result. It reaches the goal if the search reports convergence, no eigenvalue of the
-    /// Hessian is negative beyond rounding, and the decrement is at most `10⁻¹⁸` of the energy or
-    /// the residual at most twice its floor.
+    /// Hessian is negative beyond rounding, and either the decrement is at most `10⁻¹⁸` times the
+    /// energy or the residual is at most twice its floor.
     #[must_use]
     pub fn new<const D: usize>(minimum: &Minimum<D>) -> Self {
         Self { end: End::of(minimum), iterations: minimum.own_iterations }
     }
 
-    /// The outcome of a problem without a result.
+    /// Returns the outcome of a problem without a result.
     #[must_use]
     pub fn refused(error: SolveError) -> Self {
         Self { end: End::Refused(error), iterations: 0 }
     }
 
-    /// Returns whether the goal is reached within this number of steps.
+    /// Returns whether the goal was reached within this number of steps.
     #[must_use]
     pub fn reached_within(&self, iterations: usize) -> bool {
         matches!(self.end, End::Touch | End::Reached) && self.iterations <= iterations
@@ -80,7 +82,7 @@ impl End {
         let numbers = [energy, decrement, residual, residual_floor].into_iter();
         let numbers = numbers.chain(minimum.levels.iter().map(|level| level.energy));
         let mut numbers = numbers.chain(minimum.local_minima.iter().copied());
-        // The points are finite: a sequence has no others.
+        // The points are finite, since a sequence has no others.
         if numbers.any(f64::is_nan) {
             return Self::NotANumber;
         }

@@ -1,4 +1,4 @@
-//! Two sets at random, one of them bounded.
+//! Two random sets, at least one of which is bounded.
 
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The bounded ones first.
+    /// All kinds, the bounded ones first.
     const ALL: [Kind; 9] = [
         Kind::Point,
         Kind::FiniteSet,
@@ -39,7 +39,7 @@ impl Kind {
         Kind::AffineSubspace,
     ];
     const BOUNDED: usize = 7;
-    /// How many of them may be members of a union.
+    /// How many of the kinds may be members of a union.
     const SIMPLE: usize = 6;
 }
 
@@ -53,16 +53,16 @@ pub struct Pair<const D: usize> {
 }
 
 impl<const D: usize> Pair<D> {
-    /// Returns two sets about random places of the cube `[−reach, reach]^D`, with sizes up to a
-    /// third of `reach`: two points in a quarter of the cases, otherwise a bounded set and any set,
-    /// in either order.
+    /// Returns two sets about random places in the cube `[−reach, reach]^D`, with sizes up to a
+    /// third of `reach`. In a quarter of the cases they are two points. Otherwise they are a
+    /// bounded set and any set, in either order.
     ///
-    /// A half-space lies beyond its place, as seen from the other set; the others may be disjoint
-    /// or not.
+    /// A half-space lies beyond its place, as seen from the other set. The other sets may be
+    /// disjoint or not.
     ///
     /// # Errors
     ///
-    /// None: the parameters are admissible.
+    /// There are none: the parameters are admissible.
     pub fn new(random: &mut SplitMix, reach: f64) -> Result<Self, SetError> {
         let places: [SVector<f64, D>; 2] = [vector(random, reach), vector(random, reach)];
         if random.below(4) == 0 {
@@ -87,7 +87,7 @@ struct Draw<'a> {
 }
 
 impl Draw<'_> {
-    /// A set of this kind about `place`; `other` is where the other set is.
+    /// Returns a set of this kind about `place`, where `other` is the place of the other set.
     fn set<const D: usize>(
         &mut self,
         kind: Kind,

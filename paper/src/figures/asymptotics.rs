@@ -26,8 +26,8 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
     draw,
 );
 
-/// Both rules with their general orders in the plane, with a curve that turns; on a sphere; both
-/// ends on curved sets; an axis of symmetry.
+/// Cases: both rules with their general orders in the plane, with a curve that turns; a sphere;
+/// both ends on curved sets; an axis of symmetry.
 const CASES: [(&str, &str, Colour, Marker); 5] = [
     ("valleys_oblique", "valleys", palette::VERMILLION, Marker::Disc),
     ("shear_points", "shear", palette::BLUE, Marker::Square),
@@ -45,16 +45,17 @@ const QUANTITIES: [(&str, &str, i32); 3] = [
 
 const N: usize = 2048;
 
-/// The error of an energy and of `d²`, relative to `d²`: some roundings each.
+/// The error of an energy and of `d²`, relative to `d²`, which is a few roundings each.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// A value is drawn if rounding changes it by at most this part.
+/// A value is drawn only if rounding changes it by at most this fraction.
 const NOISE: f64 = 0.05;
 
-/// How far a quotient may be from its limit at the largest `N`.
+/// How far a quotient may deviate from its limit at the largest `N`.
 ///
-/// The next term has two more powers of `1/N` for the trapezoidal rule and one for the left rule,
-/// where the constant is 0 with a second-order error divided by `d²`. Measured at 2048 are
-/// `(13.4/N)²`, `2.1/N` and `12.7/N` at most.
+/// For the trapezoidal rule, the next term has two more powers of `1/N`, and for the left rule one
+/// more. If the constant of the left rule is 0, its second-order error divided by `d²` is compared
+/// with 0 instead. At 2048 the measured deviations are at most `(13.4/N)²`, `2.1/N` and `12.7/N` in
+/// these three cases.
 fn allowed(order: i32, limit: f64, n: usize) -> f64 {
     let n = n as f64;
     match (order, limit == 0.0) {
@@ -65,11 +66,11 @@ fn allowed(order: i32, limit: f64, n: usize) -> f64 {
 }
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
-    // Relative to d²: rounding times N², on values from 10⁻³ on.
+    // Relative to d²: the rounding error times N², on values from 10⁻³ on.
     let scaled = Tolerance::Close { relative: 1e-6, absolute: (N * N) as f64 * 2.0 * ROUNDING };
     // Sums of second derivatives along 4096 chords, whose points are known to rounding times N².
     let predicted = Tolerance::relative(1e-8);
-    // The absolute values of Neville's weights for doubling grids sum to at most 2.
+    // The absolute values of Neville's weights for doubling grids have a sum of at most 2.
     let extrapolated = Tolerance::Close { relative: 1e-6, absolute: 4.0 * ROUNDING };
     let mut data = Data::new(&[
         ("case n", Tolerance::Exact),
@@ -86,7 +87,8 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The rows of one problem. Everything is divided by `d²`, so that rounding is the same everywhere.
+/// Returns the rows of one problem. All numbers are divided by `d²`, so that rounding is the same
+/// everywhere.
 fn rows(problem: &Smooth, numbers: &[usize]) -> Result<Vec<Vec<String>>, Failure> {
     let limits: Limits = problem.limits()?;
     let d_squared = limits.d_squared;
@@ -110,7 +112,7 @@ fn rows(problem: &Smooth, numbers: &[usize]) -> Result<Vec<Vec<String>>, Failure
             row.push(format!("{value:.9e}"));
         }
         row.extend(limits_of.map(|limit| format!("{limit:.10e}")));
-        // An extrapolated d² is no reference.
+        // An extrapolated d² cannot serve as a reference.
         row.extend([2, 3].map(|grids| match levels.len().checked_sub(grids) {
             Some(from) if limits.reference == Reference::Exact => {
                 let estimate = extrapolate(&levels[from..], Trapezoidal::ERROR_EXPONENT);
@@ -123,12 +125,13 @@ fn rows(problem: &Smooth, numbers: &[usize]) -> Result<Vec<Vec<String>>, Failure
     Ok(rows)
 }
 
-/// The quotient by its limit minus 1, or the value itself if the limit is 0.
+/// Returns the quotient divided by its limit, minus 1, or the value itself if the limit is 0.
 fn from_limit(value: f64, limit: f64) -> f64 {
     if limit == 0.0 { value.abs() } else { (value / limit - 1.0).abs() }
 }
 
-/// A quantity in a row, as quotient and as its distance from 1; NaN where rounding hides it.
+/// Returns a quantity in a row, both as a quotient and as its distance from 1. It is NaN if
+/// rounding hides it.
 fn shown(row: &Row<'_>, (column, limit, order): (&str, &str, i32)) -> [(f64, f64); 2] {
     let (n, value, limit) = (row.number("n"), row.number(column), row.number(limit));
     let unit = if limit == 0.0 { 1.0 } else { limit };
@@ -191,11 +194,12 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     Ok(drawing::Figure::new(960.0, title, vec![quotients, distances]).keyed().draw()?)
 }
 
-/// The panel of the extrapolated `d²`: a full line from three grids, a dashed one from two.
+/// Returns the panel of the extrapolated `d²`: a solid line from three grids, a dashed one from
+/// two.
 fn extrapolated(data: &Data, x: Axis) -> Result<Panel, Failure> {
     let points = |name: &str, column: &str| -> Vec<(f64, f64)> {
         let error = |row: Row<'_>| (row.number("n"), row.number(column).abs());
-        // Twice the rounding of one energy, by the weights.
+        // By the weights, this is twice the rounding error of one energy.
         let heard = |(n, error): (f64, f64)| {
             (n, if 2.0 * ROUNDING <= NOISE * error { error } else { f64::NAN })
         };
@@ -212,7 +216,7 @@ fn extrapolated(data: &Data, x: Axis) -> Result<Panel, Failure> {
         panel = panel.curve(two).curve(three.labelled(label));
     }
     let (from, to) = (256.0, 1024.0);
-    // A quick run has no grids so fine.
+    // A quick run has no grids this fine.
     if data.rows().any(|row| row.number("n") >= to) {
         panel = panel.triangle(SlopeTriangle::above(-4.0, from, to, 5e-6));
     }

@@ -1,4 +1,4 @@
-//! The constants that a formula proves from place to place.
+//! The constants that a formula proves, box by box.
 
 use tautline::{
     Bounded, Domain, Metric, Quantity, SMatrix, SVector, Scalar,
@@ -37,13 +37,13 @@ impl Metric<2> for Formula {
     }
 }
 
-/// The number of boxes to a side.
+/// The number of boxes along a side.
 const COUNT: usize = 31;
 
-/// The number in a quick run.
+/// The number of boxes along a side in a quick run.
 const QUICK: usize = 7;
 
-/// The metrics by their names, each on a square about the origin, with half its side.
+/// The names of the metrics, each with half the side of a square about the origin.
 const SQUARES: [(&str, &str, f64); 3] = [
     ("formula", "a formula", std::f64::consts::PI),
     ("swirl", "the stirred plane", 2.5),
@@ -56,14 +56,14 @@ const QUANTITIES: [(Quantity, &str, &str); 3] = [
     (Quantity::LH, "derivative", "$‖DH(x)‖$"),
 ];
 
-/// The centres of the boxes along a side.
+/// Returns the centres of the boxes along a side.
 fn centres(half: f64, count: usize) -> Lines {
     let step = 2.0 * half / count as f64;
     Lines { from: -half + 0.5 * step, to: half - 0.5 * step, count }
 }
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
-    // Two per cent: the bounds depend on the library of elementary functions.
+    // Two per cent, since the bounds depend on the library of elementary functions.
     let bound = Tolerance::relative(0.02);
     let mut data = Data::new(&[
         ("metric x1 x2", Tolerance::Exact),
@@ -83,7 +83,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         });
         for (at, row) in places.into_iter().zip(rows) {
             let row = row?;
-            // No stated constant may be better than the bound in a box.
+            // No stated constant may be sharper than the bound in a box.
             if let Some(c) = stated {
                 let worse =
                     [c.c1() <= row[0] * 1.03, c.c2() >= row[1] * 0.97, c.l_h() >= row[2] * 0.97];
@@ -101,7 +101,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// Safe bounds of the three quantities in a square of half side `step`.
+/// Returns safe bounds on the three quantities in a square with half side `step`.
 fn bounds(metric: &impl Metric<2>, [x, y]: [f64; 2], step: f64) -> Result<[f64; 3], Failure> {
     let domain = Domain::cell(Cell::new([x - step, y - step], [x + step, y + step])?);
     let accuracy = Accuracy { tolerance: 0.01, ..Accuracy::default() };
@@ -144,7 +144,7 @@ fn panel(grid: &Grid, lines: Lines, title: &str, symbol: &str) -> Result<Panel, 
         .over(field))
 }
 
-/// A round number of which ten to twenty multiples lie between the two.
+/// Returns a round number with ten to twenty multiples between the two numbers.
 fn nice(least: f64, most: f64) -> f64 {
     let rough = (most - least) / 12.0;
     let power = 10_f64.powf(rough.log10().floor());

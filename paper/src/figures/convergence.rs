@@ -1,4 +1,4 @@
-//! The observed errors of both rules under the proven bounds.
+//! The observed errors of both rules, compared with the proven bounds.
 
 use super::triangle_below;
 use crate::{
@@ -20,14 +20,14 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
     draw,
 );
 
-/// One panel each: fixed points, sets, and three dimensions.
+/// One panel for each of these: fixed points, sets, and three dimensions.
 const PANELS: [(&str, &str); 3] = [
     ("shear_points", "(a) shear, point to point"),
     ("valleys_ball", "(b) valleys, ball to half-plane"),
     ("separable_points", "(c) separable, $D = 3$"),
 ];
 
-/// The columns that the axis must hold.
+/// The columns that the axis must cover.
 const DRAWN: [&str; 4] = ["excess", "paper_bound", "first_order_bound", "second_order_bound"];
 
 fn draw(data: &Data) -> Result<Scene, Failure> {

@@ -28,23 +28,23 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
 );
 
 const N: usize = 16;
-/// The profile `f = 1 + a sin kxᵢ` of every coordinate.
+/// The amplitude `a` of the profile `f = 1 + a sin kxᵢ` in every coordinate.
 const AMPLITUDE: f64 = 0.3;
 const WAVE_NUMBER: f64 = 1.0;
-/// Where the curve along an axis ends, in `ℓ`; it begins at the origin.
+/// The end of the curve along an axis, in `ℓ`. It starts at the origin.
 const END: f64 = 2.0;
 
-/// Up to this dimension the search has all its starts, about `2D`, and each must lead to the same
-/// minimiser as the straight line; beyond, the straight line is the only start.
+/// Up to this dimension the search uses all its starts, about `2D`, and each must lead to the same
+/// minimiser as the straight line. In higher dimensions the straight line is the only start.
 ///
-/// The metric is flat, with one geodesic between two points. With all starts 64 dimensions alone
-/// take half a minute; from the straight line, a seventh of a second.
+/// The metric is flat, with one geodesic between two points. With all starts, 64 dimensions alone
+/// take half a minute; from the straight line they take a seventh of a second.
 const ALL_STARTS: usize = 32;
-/// The relative difference of the energies of two searches that reached one minimiser: some
-/// roundings of the 16 terms; what a converged search leaves is less.
+/// The relative difference of the energies of two searches that reached the same minimiser. It
+/// covers a few roundings of the 16 terms; the error that a converged search leaves is smaller.
 const SAME: f64 = 1e-13;
 
-/// The setting of one dimension, and the excesses observed at the same distance.
+/// The setting in one dimension, and the excesses observed at the same distance.
 struct Observed {
     setting: Setting,
     along_axis: f64,
@@ -58,7 +58,7 @@ fn observe<const D: usize>() -> Result<Observed, Failure> {
     let line = Separable::<1>::new([AMPLITUDE], [WAVE_NUMBER])?;
     let reach = |x: f64| line.flatten(&SVector::from([x]))[0];
     let distance = reach(END);
-    // Fᵢ = d/√D in every coordinate; Fᵢ′ ≥ 1 − a > 0, and bisection ends at neighbouring numbers.
+    // Fᵢ = d/√D in every coordinate. Fᵢ′ ≥ 1 − a > 0, and bisection ends at neighbouring numbers.
     let share = distance / (D as f64).sqrt();
     let (mut low, mut high) = (0.0, 2.0 * END);
     loop {
@@ -85,7 +85,7 @@ fn observe<const D: usize>() -> Result<Observed, Failure> {
             let energy = solved.discrete_energy();
             let found = problem.solve(Trapezoidal, N)?;
             let same = |other: &f64| (other - energy).abs() <= SAME * energy;
-            // Those that differ by less than 10⁻⁹ are listed once.
+            // Minima whose energies differ by less than 10⁻⁹ are listed once.
             let minima = &found.minimum().local_minima;
             if minima.len() != 1 || !minima.iter().all(same) {
                 return Err(Failure::Violated(format!("D = {D}: there are other minima")));
@@ -100,7 +100,7 @@ fn observe<const D: usize>() -> Result<Observed, Failure> {
 
 type Observe = fn() -> Result<Observed, Failure>;
 
-/// Each dimension is another type.
+/// Each dimension has its own type.
 const DIMENSIONS: [(usize, Observe); 11] = [
     (1, observe::<1>),
     (2, observe::<2>),
@@ -115,12 +115,12 @@ const DIMENSIONS: [(usize, Observe); 11] = [
     (100, observe::<100>),
 ];
 
-/// In 100 dimensions a matrix of derivatives in 8 directions takes 720 kB, and several of them are
-/// on the stack, which is 2 MB for a thread by default.
+/// In 100 dimensions a matrix of derivatives in 8 directions takes 720 kB. Several of these
+/// matrices are on the stack, which is 2 MB for a thread by default.
 const STACK: usize = 1 << 26;
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
-    // Differences of energies below 10, and closed forms.
+    // These are differences of energies below 10, and closed forms.
     let seen = Tolerance::Close { relative: 1e-7, absolute: 2e-13 };
     let proven = Tolerance::relative(1e-9);
     let mut data = Data::new(&[

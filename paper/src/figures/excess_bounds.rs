@@ -1,4 +1,4 @@
-//! The bounds of `E(γᵖˡ) − d²` for the trapezoidal rule that two figures compare.
+//! The bounds on `E(γᵖˡ) − d²` for the trapezoidal rule that two figures compare.
 
 use std::num::NonZeroUsize;
 
@@ -11,10 +11,10 @@ use crate::{
     case::{PaperRule, paper_bound},
 };
 
-/// Their columns in the data files.
+/// The columns of these bounds in the data files.
 pub(super) const COLUMNS: &str = "paper theorem_a theorem_c theorem_b theorem_d";
 
-/// Returns them in the order of [`COLUMNS`], in `m²`.
+/// Returns the bounds in the order of [`COLUMNS`], in `m²`.
 pub(super) fn excess_bounds(setting: Setting, n: NonZeroUsize) -> Result<[f64; 5], Failure> {
     let unknown = || Failure::Data("M_H is not known".to_owned());
     let rule = PaperRule::Trapezoidal;

@@ -1,4 +1,4 @@
-//! Minimising the discrete length fails for every `N`; minimising the energy does not.
+//! Minimising the discrete length fails for every `N`; minimising the discrete energy does not.
 
 use std::f64::consts::PI;
 

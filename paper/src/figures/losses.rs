@@ -1,4 +1,4 @@
-//! How many decades each step of a proof gives away.
+//! How many decades each step of a proof loses.
 
 use tautline::bounds::{
     c_tra, k1_g, k2_sharp, polyline_gap_trapezoidal, theorem_1_1_excess, theorem_d_excess,
@@ -72,7 +72,7 @@ const CHAINS: [Chain; 2] = [
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
         ("case n chain step", Tolerance::Exact),
-        // The first steps are differences of energies up to 700, with an error of 1e-12 each.
+        // The first steps are differences of energies up to 700, each with an error of 1e-12.
         ("bound", Tolerance::Close { relative: 1e-6, absolute: 2e-10 }),
     ]);
     for case in cases_named(&CASES.map(|(name, _)| name))? {
@@ -80,7 +80,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         let [prop_7_9, lemma_s_2] = case.gaps(N)?;
         let chains = [paper(&case, &seen, &prop_7_9)?, sharper(&case, &seen, &lemma_s_2)?];
         for (Chain { name: chain, steps, .. }, values) in CHAINS.into_iter().zip(chains) {
-            // By the proofs each step bounds the one before, up to rounding.
+            // By the proofs, each step bounds the previous one, up to rounding.
             if let Some(k) = (1..values.len()).find(|&k| !(values[k - 1] <= values[k] * 1.000_001))
             {
                 let (name, step) = (case.name, steps[k].0);
@@ -96,12 +96,13 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The steps to Theorem 1.1, each a bound of `E(γᵖˡ) − d²`, in `m²`.
+/// Returns the steps to Theorem 1.1, each of which is a bound on `E(γᵖˡ) − d²`, in `m²`.
 ///
-/// `K₂` is that of Lemma S.1 up to the step that replaces it by the paper's, which depends on `D`.
+/// `K₂` is taken from Lemma S.1 up to the step that replaces it by the paper's `K₂`, which depends
+/// on `D`.
 ///
-/// Proposition 7.9 is read where the sequence itself enters, and its bound where estimates of `K₃`
-/// replace that of the sequence.
+/// Where the sequence itself enters, the bounds come from the evaluation of Proposition 7.9. Where an
+/// estimate of `K₃` replaces the `K₃` of the sequence, its bound is evaluated with that estimate.
 fn paper(case: &Case, seen: &Observation, prop_7_9: &Evidence) -> Result<Vec<f64>, Failure> {
     let (setting, constants, n) = (case.setting, case.setting.constants(), subintervals(seen.n)?);
     let minimum = seen.discrete_energy - case.distance_squared;
@@ -126,7 +127,7 @@ fn paper(case: &Case, seen: &Observation, prop_7_9: &Evidence) -> Result<Vec<f64
     ])
 }
 
-/// The steps to Theorem D.
+/// Returns the steps to Theorem D.
 fn sharper(case: &Case, seen: &Observation, lemma_s_2: &Evidence) -> Result<Vec<f64>, Failure> {
     let (setting, n) = (case.setting, subintervals(seen.n)?);
     let minimum = seen.discrete_energy - case.distance_squared;
@@ -152,7 +153,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
             let (least, most) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
             let of_chain = of_case().filter(|row| row.text("chain") == chain);
             let values: Vec<f64> = of_chain.map(|row| row.number("bound")).collect();
-            // A decade before the first bar, and room for a number after the last.
+            // There is a decade before the first bar, and room for a number after the last one.
             let from = 10_f64.powi(decades(least).floor() as i32 - 1);
             let to = 10_f64.powi((decades(most) + 0.36 * decades(most / least)).ceil() as i32);
             let first_chain = chain == CHAINS[0].name;
@@ -172,7 +173,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     Ok(drawing::Figure::new(960.0, title, rows).draw()?)
 }
 
-/// One bar for each step, from the bound before to its own, with the decades between them.
+/// Draws one bar for each step, from the previous bound to its own, with the decades between them.
 fn bars(mut panel: Panel, values: &[f64], from: f64, colour: Colour) -> Panel {
     let height = |k: usize| (values.len() - k) as f64;
     for (k, &value) in values.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The figures, one a file.
+//! The figures, one in each file.
 
 mod asymptotics;
 mod certified;
@@ -30,7 +30,7 @@ pub const FIGURES: &[Artefact] = &[
     certified::FIGURE,
 ];
 
-/// Returns a triangle under the last third of a falling series, half a decade below it.
+/// Returns a triangle half a decade below the last third of a decreasing series.
 fn triangle_below(points: &[(f64, f64)], slope: f64) -> Result<SlopeTriangle, Failure> {
     let at = points
         .get(points.len() * 2 / 3)

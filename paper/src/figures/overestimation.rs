@@ -1,4 +1,4 @@
-//! Bounds of the excess energy divided by the observed excess, against `N`.
+//! Bounds on the excess energy divided by the observed excess, against `N`.
 
 use super::excess_bounds::{COLUMNS, excess_bounds};
 use crate::{
@@ -21,7 +21,7 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
     draw,
 );
 
-/// One panel each: the counterexample, a full matrix, sets, and three dimensions.
+/// One panel for each of these: the counterexample, a full matrix, sets, and three dimensions.
 const PANELS: [(&str, &str); 4] = [
     ("valleys_points", "(a) valleys, $(0,0)$ to $(4π,0)$"),
     ("shear_points", "(b) shear, $(0,0)$ to $(2,3)$"),
@@ -29,7 +29,7 @@ const PANELS: [(&str, &str); 4] = [
     ("separable_points", "(d) separable, $D = 3$"),
 ];
 
-/// A bound: its column, its name and its look. Theorems of one order share a colour.
+/// A bound: its column, its name and its style. Theorems of the same order have the same colour.
 type Bound = (&'static str, &'static str, Colour, &'static [f64], Option<Marker>);
 
 const BOUNDS: [Bound; 6] = [
@@ -42,9 +42,9 @@ const BOUNDS: [Bound; 6] = [
 ];
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
-    // A difference of energies up to 700, with an error of 1e-12 each.
+    // A difference of energies up to 700, each with an error of 1e-12.
     let seen = Tolerance::Close { relative: 1e-6, absolute: 2e-10 };
-    // Closed forms.
+    // These are closed forms.
     let proven = Tolerance::relative(1e-9);
     let mut data = Data::new(&[
         ("case n", Tolerance::Exact),

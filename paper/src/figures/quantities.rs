@@ -1,4 +1,4 @@
-//! The three quantities compared with `d²` in the theorems, against `N`.
+//! The three quantities that the theorems compare with `d²`, against `N`.
 
 use super::triangle_below;
 use crate::{
@@ -20,13 +20,13 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
     draw,
 );
 
-/// One row of panels each: the general case, and one with nearly the same `H` at both ends.
+/// One row of panels for each: the general case, and a case with nearly the same `H` at both ends.
 const CASES: [(&str, &str); 2] = [
     ("valleys_oblique", "valleys, $(0,0)$ to $(2,3/2)$"),
     ("bump_points", "bump, passed on one side"),
 ];
 
-/// Differences of energies up to 200 with an error of 1e-13 each.
+/// Differences of energies up to 200, each with an error of 1e-13.
 const GAP: Tolerance = Tolerance::Close { relative: 1e-6, absolute: 2e-11 };
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
@@ -76,7 +76,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     Ok(drawing::Figure::new(960.0, title, rows).keyed().draw()?)
 }
 
-/// The three quantities of one case and rule; the discrete energy by its sign.
+/// Draws the three quantities of one case and rule. The discrete energy has one curve for each sign.
 fn curves(panel: Panel, series: &[Row<'_>], first_order: bool) -> Result<Panel, Failure> {
     let points = |column: &str, sign: f64| -> Vec<(f64, f64)> {
         series.iter().map(|row| (row.number("n"), sign * row.number(column))).collect()
@@ -90,7 +90,8 @@ fn curves(panel: Panel, series: &[Row<'_>], first_order: bool) -> Result<Panel, 
         let triangle = triangle_below(&points("discrete_energy_gap", -1.0), -1.0)?;
         panel = panel.triangle(triangle);
     }
-    // The energy is wide and beneath: where the speed is nearly constant, the length covers it.
+    // The energy is a wide line underneath, since the length covers it where the speed is nearly
+    // constant.
     let energy = Curve::new(energy, palette::BLUE).wide(3.4).marked(Marker::Square);
     let length = Curve::new(length, palette::GREEN).marked(Marker::Diamond);
     Ok(panel

@@ -1,4 +1,4 @@
-//! The speeds of the minimisers of energy and of length on each chord.
+//! The speeds on each chord of the minimisers of the energy and of the length.
 
 use std::f64::consts::PI;
 
@@ -30,7 +30,8 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
 const NUMBERS: [usize; 3] = [8, 32, 128];
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
-    // Speeds up to 2000; the minimisers are found to rounding times the condition N².
+    // The speeds are at most 2000, and the minimisers are accurate to rounding times the condition
+    // N².
     let speed = Tolerance::Close { relative: 1e-7, absolute: 1e-6 };
     let mut data = Data::new(&[
         ("n index", Tolerance::Exact),
@@ -43,7 +44,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         let n = subintervals(number)?;
         let line = problem.solve(Trapezoidal, number)?;
         let mut energy = line.speeds();
-        // The mirror image of a minimiser is one too: take the one that is ahead.
+        // The mirror image of a minimiser is also a minimiser. The one that is ahead is taken.
         let ahead: f64 = line.sequence().points().iter().map(|x| x[0] - 2.0 * PI).sum();
         if ahead < 0.0 {
             energy.reverse();
@@ -83,7 +84,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         let [mean, greatest, deviation] =
             ["mean", "greatest", "deviation"].map(|column| first.number(column));
         let x = Axis::new(Scale::Linear, 0.0, 1.0)?.labelled("place $n/N$ of the chord");
-        // Room for the name of the highest jump.
+        // Leave room for the name of the highest jump.
         let y =
             Axis::new(Scale::Decades, from, 1.6 * fastest)?.labelled_if(k == 0, "speed $|β_n|_g$");
         let letter = ["a", "b", "c"][k];
@@ -101,8 +102,8 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
                     .labelled("mean + $R$ of Lemma S.5"),
             );
         let at = |row: &Row<'_>| (row.number("index") + 0.5) / number as f64;
-        // mean − R is negative for these N, and says nothing. Chords at rest have no place on a
-        // logarithmic axis: only the jump is drawn, as a stem.
+        // For these N, mean − R is negative and gives no information. Chords at rest cannot be
+        // shown on a logarithmic axis, so only the jump is drawn, as a stem.
         let jump = rows.iter().find(|row| row.number("least_length") > 0.0);
         let jump = jump.ok_or_else(|| Failure::Data("nothing jumps".to_owned()))?;
         let (place, height) = (at(jump), jump.number("least_length"));

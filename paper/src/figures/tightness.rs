@@ -29,7 +29,7 @@ const FROM: [f64; 2] = [0.0, 0.0];
 const TO: [f64; 2] = [1.0, 2.0];
 const N: NonZeroUsize = NonZeroUsize::new(8).expect("positive");
 
-/// The decimal logarithms of the amplitudes: 0.0016 to 0.5.
+/// The decimal logarithms of the amplitudes, which range from 0.0016 to 0.5.
 const EXPONENTS: Lines = Lines { from: -2.8, to: -0.3, count: 41 };
 const WAVE_NUMBERS: Lines = Lines { from: 0.4, to: 3.4, count: 41 };
 
@@ -38,10 +38,10 @@ const PAPER: &str = "L(γᵖˡ)² − d² ≤ C/√N";
 const FIRST_ORDER: &str = "L(γᵖˡ)² − d² = O(1/N)";
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
-    // The root of the remaining decrement changes an excess by about 1e-8 of it, and it is a
-    // difference of numbers up to 30.
+    // The square root of the remaining decrement changes an excess by about 1e-8 times the excess,
+    // which is a difference of numbers up to 30.
     let seen = Tolerance::Close { relative: 1e-6, absolute: 3e-13 };
-    // Closed forms.
+    // These are closed forms.
     let proven = Tolerance::relative(1e-9);
     let mut data = Data::new(&[
         ("amplitude", proven),
@@ -89,7 +89,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     Ok(drawing::Figure::new(960.0, title, vec![panels]).draw()?)
 }
 
-/// The map of one bound, with its tightest case.
+/// Returns the map of one bound, with its tightest case.
 fn panel(grid: &Grid, title: &str, first: bool) -> Result<Panel, DrawingError> {
     let amplitude = |exponent: f64| 10_f64.powf(exponent);
     let x = (amplitude(EXPONENTS.from), amplitude(EXPONENTS.to));
@@ -98,8 +98,8 @@ fn panel(grid: &Grid, title: &str, first: bool) -> Result<Panel, DrawingError> {
     let place = (amplitude(exponent), wave_number);
     let all = WAVE_NUMBERS.all().flat_map(|k| EXPONENTS.all().map(move |e| (e, k)));
     let most = all.map(|(e, k)| grid.at(e, k)).fold(least, f64::max);
-    // Bands of a quarter of a decade, and a numbered line at every whole one, or at every other
-    // one.
+    // Bands are a quarter of a decade wide. A numbered line is at every whole decade, or at every
+    // other one.
     let stride = if most - least > 6.0 { 2 } else { 1 };
     let low = least.floor() as i32 / stride * stride;
     let levels = (4 * low..=4 * most.ceil() as i32).map(|k| 0.25 * f64::from(k)).collect();
@@ -116,7 +116,8 @@ fn panel(grid: &Grid, title: &str, first: bool) -> Result<Panel, DrawingError> {
         .over(field)
         .curve(star.without_line().over_field())
         .note(name.shifted(10.0, 0.0));
-    // On a steep line to the corner, where the contours are close but their numbers are not.
+    // On a steep line to the corner, where contours are close to each other but their numbers are
+    // not.
     let right_third = EXPONENTS.to - (EXPONENTS.to - EXPONENTS.from) / 3.0;
     let ends = [(right_third, WAVE_NUMBERS.from), (EXPONENTS.to, WAVE_NUMBERS.to)];
     let on_the_way = |s: f64| {
@@ -125,7 +126,7 @@ fn panel(grid: &Grid, title: &str, first: bool) -> Result<Panel, DrawingError> {
     };
     for decade in (low..most.ceil() as i32).step_by(stride as usize) {
         let above = |s: f64| grid.at(on_the_way(s).0, on_the_way(s).1) >= f64::from(decade);
-        // Away from both ends, where a number would meet the frame.
+        // Away from both ends, where a number would touch the frame.
         let mut steps = (20..=180).map(|k| f64::from(k) / 200.0);
         if let Some(s) = steps.find(|&s| above(s - 0.005) != above(s)) {
             let (exponent, wave_number) = on_the_way(s);
@@ -137,7 +138,7 @@ fn panel(grid: &Grid, title: &str, first: bool) -> Result<Panel, DrawingError> {
     Ok(panel)
 }
 
-/// `4.3·10⁵` for `10^5.63`, and `310` for `10^2.49`.
+/// Returns `4.3·10⁵` for `10^5.63`, and `310` for `10^2.49`.
 fn power_of_ten(decades: f64) -> String {
     if decades < 4.0 {
         return format!("{:.0}", 10_f64.powf(decades));

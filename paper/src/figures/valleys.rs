@@ -1,4 +1,4 @@
-//! The valleys of Section 5 with the minimisers of length and of energy.
+//! The valleys of Section 5, with the minimisers of the length and of the energy.
 
 use std::f64::consts::PI;
 
@@ -22,7 +22,8 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
 );
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
-    // Coordinates up to 4π; the minimisers are found to rounding times the condition N².
+    // Coordinates are at most 4π, and the minimisers are accurate to rounding times the condition
+    // N².
     let position = Tolerance::Close { relative: 0.0, absolute: 1e-7 };
     let mut data = Data::new(&[("sequence index", Tolerance::Exact), ("x1 x2", position)]);
     let mut push = |name: &str, points: Vec<(f64, f64)>| {
@@ -33,7 +34,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     };
     let n = 8;
     let flat = |x1: &Vec<f64>| x1.iter().map(|&x| (x, 0.0)).collect();
-    // The minimiser that rests equally long in every valley.
+    // The minimiser that rests for the same time in every valley.
     let left = left_minimisers(n)
         .find(|x1| {
             x1.iter().filter(|&&x| x == 0.0).count() == 3
@@ -46,8 +47,8 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     for n in [4, 8, 16, 64] {
         let line = problem.solve(Trapezoidal, n)?;
         let mut points: Vec<_> = line.sequence().points().iter().map(|x| (x[0], x[1])).collect();
-        // The mirror image x₁ → 4π − x₁, t → 1 − t of a minimiser is one too, and rounding chooses:
-        // take the one that is ahead.
+        // The mirror image x₁ → 4π − x₁, t → 1 − t of a minimiser is also a minimiser, and rounding
+        // decides which one is found. The one that is ahead is taken.
         if points.iter().map(|x| x.0 - 2.0 * PI).sum::<f64>() < 0.0 {
             points = points.into_iter().rev().map(|(x1, x2)| (4.0 * PI - x1, x2)).collect();
         }
@@ -99,7 +100,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         let curve = Curve::new(in_time, colour).labelled(label);
         time = time.curve(match marker {
             Some(marker) => curve.marked(marker),
-            // Its many points are close to the geodesic: dashes over it show more.
+            // Its many points are close to the geodesic, so dashes on top of it show more.
             None => curve.dashed(&[7.0, 7.0]).wide(2.0),
         });
         if name == "length_left" {

@@ -20,7 +20,8 @@ pub(super) const TABLE: Artefact = Artefact::table(
     layout,
 );
 
-/// The quantities and their orders in `1/N`: `E_tra,N`, `E_l,N`, and those of both curves.
+/// The quantities and their orders in `1/N`: `E_tra,N`, `E_l,N`, and the energies and squared
+/// lengths of both curves.
 const QUANTITIES: [(&str, i32); 6] = [
     ("discrete_energy_trapezoidal", 2),
     ("discrete_energy_left", 1),
@@ -30,16 +31,16 @@ const QUANTITIES: [(&str, i32); 6] = [
     ("length_squared_left", 2),
 ];
 
-/// Predicted and measured agree to three digits.
+/// Predicted and measured constants must agree to three digits.
 const AGREEMENT: f64 = 5e-4;
 
-/// Computes both sides for every problem, and fails unless they [agree](AGREEMENT).
+/// Computes both constants for every problem, and fails unless they [agree](AGREEMENT).
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let close = |absolute| Tolerance::Close { relative: 1e-6, absolute };
     let mut data = Data::new(&[
         ("case quantity order n", Tolerance::Exact),
         ("predicted", close(0.0)),
-        // N² times some ulp of a d² up to 632.
+        // N² times a few ulps of a d² up to 632.
         ("measured", close(5e-6)),
         ("relative_difference", Tolerance::AtMost(AGREEMENT)),
         ("relative_to", Tolerance::Exact),

@@ -19,7 +19,8 @@ pub(super) const TABLE: Artefact = Artefact::table(
     layout,
 );
 
-/// With another library of elementary functions the search takes another way, to bounds as close.
+/// With another library of elementary functions, the search takes another path to equally close
+/// bounds.
 const BOUND: Tolerance = Tolerance::relative(1e-3);
 const BOXES: Tolerance = Tolerance::Close { relative: 0.25, absolute: 20.0 };
 
@@ -58,15 +59,15 @@ fn agrees(
     (stated, exact): (f64, bool),
     found: &Found,
 ) -> Result<(), Failure> {
-    // A closed form is evaluated in doubles, with some roundings.
+    // A closed form is evaluated in doubles, with a few roundings.
     let (below, above) = (stated * (1.0 - 1e-14), stated * (1.0 + 1e-14));
     let holds = match (exact, quantity) {
         (true, _) => found.lower <= above && below <= found.upper,
         (false, Quantity::C1) => below <= found.upper,
         (false, _) => found.lower <= above,
     };
-    // In three dimensions, L_H and M_H of a metric that is no multiple of the identity are bounded
-    // by something larger.
+    // In three dimensions, the bounds on L_H and M_H overestimate unless the metric is a multiple
+    // of the identity.
     let limit = match quantity {
         Quantity::C1 | Quantity::C2 => 1.0011,
         Quantity::LH => 1.0021,

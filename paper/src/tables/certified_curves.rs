@@ -27,7 +27,7 @@ pub(super) const TABLE: Artefact = Artefact::table(
 )
 .timed();
 
-/// Rounds of all measurements in turn; the least time of each counts.
+/// The number of rounds, each of which makes all measurements. The smallest time of each counts.
 const ROUNDS: usize = 3;
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
@@ -45,14 +45,14 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The time of a computation, and its result.
+/// Returns the time of a computation, and its result.
 fn timed<T>(compute: impl FnOnce() -> T) -> (Duration, T) {
     let begun = Instant::now();
     let result = black_box(compute());
     (begun.elapsed(), result)
 }
 
-/// The rows of one metric, along `(3(2t − 1), 2 sin 3t)`.
+/// Adds the rows of one metric, along `(3(2t − 1), 2 sin 3t)`.
 fn rows(data: &mut Data, name: &str, metric: &impl Metric<2>, n: usize) -> Result<(), Failure> {
     let at = |k: usize| {
         let t = k as f64 / n as f64;
@@ -69,7 +69,7 @@ fn rows(data: &mut Data, name: &str, metric: &impl Metric<2>, n: usize) -> Resul
         let (quadratures, (integral, length)) =
             timed(|| (curve.energy(black_box(metric)), curve.length(black_box(metric))));
         let (proving, bounds) = timed(|| polygon.energy_and_length(black_box(metric)));
-        // The quadratures know their own errors only in part, and the values are rounded.
+        // The error estimates of the quadratures are not rigorous, and the values are rounded.
         let near = |found: f64, error: f64, bounds: Interval| {
             let granted = 1e-12 * bounds.hi() + error;
             bounds.lo() - granted <= found && found <= bounds.hi() + granted

@@ -20,7 +20,8 @@ pub(super) const TABLE: Artefact = Artefact::table(
     layout,
 );
 
-/// Closed forms of closed forms: rounding alone, but raised to the ninth power.
+/// Closed forms of closed forms. They have only rounding errors, which are raised to the ninth
+/// power.
 const VALUE: Tolerance = Tolerance::relative(1e-9);
 
 const NUMBERS: &str = "c1 c2 l_h m_h d k1 k2 c_sharp k3_bar k4_bar c_tra c_left";

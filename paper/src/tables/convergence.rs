@@ -18,7 +18,7 @@ pub(super) const TABLE: Artefact = Artefact::table(
     layout,
 );
 
-/// Every fourth power of two; the data file has all of them.
+/// Every fourth power of two; the data file contains all powers.
 const SHOWN: [usize; 5] = [1, 16, 256, 1024, 4096];
 
 fn layout(data: &Data) -> Result<Layout, Failure> {
@@ -53,7 +53,7 @@ fn cells(row: &Row<'_>, before: Option<&Row<'_>>) -> Vec<String> {
     ];
     for column in ["discrete_energy", "excess", "length_squared"] {
         let value = of(row, column);
-        // Differences of energies printed with 13 digits: below this they are rounding.
+        // Differences of energies printed with 13 digits. Below this, they are rounding errors.
         let noise = 1e-11 * row.number("d_squared");
         let legible = |value: f64| value.abs() > noise;
         cells.push(if legible(value) { scientific(value, 3) } else { "$0$".to_owned() });

@@ -1,4 +1,5 @@
-//! How far the solver goes: random problems over the gallery, and the Newton steps of each.
+//! How reliably the solver converges: random problems over the gallery, and the Newton steps of
+//! each.
 
 use crate::{
     Failure,
@@ -22,21 +23,22 @@ pub(super) const TABLE: Artefact = Artefact::table(
 )
 .seeded(Seed::One(SEED));
 
-/// The number of problems, and that of a quick run.
+/// The number of problems, and the number in a quick run.
 const PROBLEMS: usize = 2000;
 const QUICK: usize = 200;
 
-/// The goal: all but one in `ONE_IN` problems reach a minimiser within `STEPS` steps.
+/// The goal: all problems except one in `ONE_IN` reach a minimiser within `STEPS` steps.
 const ONE_IN: usize = 1000;
 const STEPS: usize = 60;
 
-/// So many may miss it. Each has a row, so that every machine has as many rows.
+/// This many problems may miss the goal. Each has a row, so that every machine has the same number
+/// of rows.
 const MISSES: usize = PROBLEMS / ONE_IN;
 
-/// The greatest number of steps of each column of the histogram, but the last.
+/// The largest number of steps in each column of the histogram except the last.
 const BANDS: [usize; 5] = [5, 10, 20, 40, STEPS];
 
-/// The name of a group of problems, and its members.
+/// The name of a group of problems, and a function that recognises its members.
 type Group = (&'static str, fn(&Outcome) -> bool);
 
 const GROUPS: [Group; 10] = [
@@ -52,11 +54,11 @@ const GROUPS: [Group; 10] = [
     ("N above 64", |outcome| outcome.n > 64),
 ];
 
-/// A number of problems: the elementary functions of another machine may move a few to the next
-/// column.
+/// The tolerance of a number of problems. The elementary functions of another machine may move a
+/// few problems to the next column.
 const NUMBER: Tolerance = Tolerance::Close { relative: 0.05, absolute: 3.0 };
 
-/// The columns of the histogram: the sets touch, or the goal is reached within so many steps.
+/// The columns of the histogram: the sets touch, or the goal is reached within this many steps.
 const STEPS_TAKEN: &str = "touch steps_1_to_5 steps_6_to_10 steps_11_to_20 steps_21_to_40 \
                            steps_41_to_60 steps_above_60";
 
@@ -64,9 +66,9 @@ const COLUMNS: [(&str, Tolerance); 5] = [
     ("starts problems number", Tolerance::Exact),
     (STEPS_TAKEN, NUMBER),
     ("above stopped refused", NUMBER),
-    // The hardest search of all takes another way on another machine.
+    // The hardest search of all may take another path on another machine.
     ("most_steps", Tolerance::Close { relative: 0.5, absolute: 3.0 }),
-    // Which problem misses the goal, and how it ended.
+    // Which problem misses the goal, and how its search ended.
     ("what", Tolerance::Free),
 ];
 
@@ -106,7 +108,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     for k in 0..MISSES {
         let what = missed.get(k).map_or("none".to_owned(), |o| describe(o));
         let mut row = vec!["default".to_owned(), format!("missed {}", k + 1)];
-        // The columns of numbers are empty.
+        // The columns of numbers are empty in these rows.
         row.extend(vec![String::new(); BANDS.len() + 7]);
         row.push(what);
         data.push(row);
@@ -114,7 +116,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The row of a group.
+/// Returns the row of a group.
 fn histogram(starts: &str, name: &str, searches: &[&Search]) -> Vec<String> {
     let count = |is: &dyn Fn(&Search) -> bool| searches.iter().filter(|s| is(s)).count();
     let reached = |from: usize, to: usize| {
@@ -136,7 +138,7 @@ fn histogram(starts: &str, name: &str, searches: &[&Search]) -> Vec<String> {
     row
 }
 
-/// A problem, and how the search from the default starts ended.
+/// Describes a problem, and how the search from the default starts ended.
 fn describe(outcome: &Outcome) -> String {
     let Outcome { index, metric, dimension, ends: [first, second], n, default, .. } = outcome;
     let rule = if outcome.trapezoidal { "trapezoidal" } else { "left-endpoint" };

@@ -23,10 +23,10 @@ pub(super) const TABLE: Artefact = Artefact::table(
     layout,
 );
 
-/// The brute force takes `26^{N−1}` sequences.
+/// The largest `N` for the brute force, which takes `26^{N−1}` sequences.
 const COUNTED: usize = 4;
 
-/// How far a length may be from `4π`: rounding of at most 1024 chords.
+/// How far a length may be from `4π`, due to the rounding of at most 1024 chords.
 const ROUNDING: f64 = 1e-12;
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
@@ -41,8 +41,8 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     let mut grids = sweep.powers_of_two(1024);
     grids.insert(2, 3);
     for n in grids {
-        // A thousand of the half million of the largest N, evenly spread: they differ in where
-        // they rest, not in their chords.
+        // For the largest N, a thousand of the half million sequences, evenly spread. They differ
+        // in where they rest, not in their chords.
         let stride = (n * (n + 1) / 2).div_ceil(1000);
         let lengths_left = lengths(left_minimisers(n).step_by(stride), LeftEndpoint)?;
         let lengths_trapezoidal = lengths(trapezoidal_minimisers(n), Trapezoidal)?;
@@ -66,7 +66,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The lengths of the sequences along the axis.
+/// Returns the lengths of the sequences along the axis.
 fn lengths(
     sequences: impl Iterator<Item = Vec<f64>>,
     rule: impl Rule,
@@ -74,7 +74,7 @@ fn lengths(
     sequences.map(|x1| Ok(rule.length(&Valleys, &along_the_axis(&x1)?))).collect()
 }
 
-/// The least of the lengths, all of which must be `4π`.
+/// Returns the smallest of the lengths, all of which must be `4π`.
 fn checked(lengths: &[f64], n: usize) -> Result<f64, Failure> {
     let (low, high) = lengths
         .iter()
@@ -86,7 +86,8 @@ fn checked(lengths: &[f64], n: usize) -> Result<f64, Failure> {
     }
 }
 
-/// Counts the sequences of the grid whose left and trapezoidal length is `4π`.
+/// Counts the sequences on the grid whose left length is `4π`, and those whose trapezoidal length
+/// is.
 fn count(n: usize) -> Result<(usize, usize), Failure> {
     let (mut left, mut trapezoidal) = (0, 0);
     for points in grid_sequences(n) {

@@ -1,4 +1,4 @@
-//! What is false in the paper as printed: witness, repair, and the statements that rely on it.
+//! What is false in the paper as printed: a witness, a repair, and the statements that rely on it.
 
 use tautline_statements::{Statement, Verdict, errata};
 
@@ -30,7 +30,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     ]);
     for erratum in errata()? {
         let (statement, violated) = (erratum.statement, erratum.violated);
-        // Without −0 and without digits of rounding.
+        // The number is printed without −0 and without digits that are rounding errors.
         let number = |value: f64| format!("{:.6}", (value * 1e6).round() / 1e6 + 0.0);
         data.push(vec![
             statement.number().to_owned(),
@@ -62,7 +62,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     Ok(layout)
 }
 
-/// Misprints, by place; none changes a result.
+/// Misprints, each with its place. None of them changes a result.
 const MISPRINTS: [&str; 14] = [
     "Section 1 refers to Section 6 for the failure of discretised lengths; it is in Section 5.",
     "Proposition 3.3: the norm in the last display lacks its subscript.",
@@ -88,7 +88,7 @@ const MISPRINTS: [&str; 14] = [
      (7.8) is cited where it is not needed.",
 ];
 
-/// `ERRATA.md`: the errata for readers.
+/// Returns `ERRATA.md`, the errata for readers.
 fn pages(data: &Data) -> Vec<(&'static str, String)> {
     let mut text = "\
 # Errata

@@ -1,4 +1,4 @@
-//! The tables, one a file.
+//! The tables, one in each file.
 
 mod asymptotics;
 mod certified_constants;

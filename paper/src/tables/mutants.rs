@@ -1,4 +1,4 @@
-//! Deliberately wrong variants of the library, and which checks kill them.
+//! Deliberately wrong variants of the library, and the checks that kill them.
 
 use tautline_statements::Mutant;
 use tautline_suite::battery::{Examination, Scope, Sight};
@@ -22,19 +22,19 @@ pub(super) const TABLE: Artefact = Artefact::table(
 )
 .seeded(Seed::Suite);
 
-/// Random cases a family where the whole suite runs against a mutant: a mistake shows soon.
+/// Random cases per family when the whole suite runs against a mutant, where a mistake shows early.
 const CASES: u32 = 32;
 
-/// Random cases a family for the paper's bounds alone, which need more to see a mistake.
+/// Random cases per family for the paper's bounds alone, which need more cases to detect a mistake.
 const CASES_ALONE: u32 = 96;
 
-/// Whether the paper's bounds alone compare any other number than those of the library.
+/// Whether the paper's bounds alone compare any number that differs from the library's.
 const SEEN: &str = "seen_by_paper_bounds_alone";
 
-/// Whether one of them is violated.
+/// Whether one of the paper's bounds is violated.
 const KILLED: &str = "killed_by_paper_bounds_alone";
 
-/// The number of checks that are named; the others do not run.
+/// The number of checks that are named. Further checks do not run.
 const NAMED: usize = 3;
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
@@ -44,7 +44,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         (KILLED, Tolerance::Exact),
     ]);
     let (cases, alone) = if sweep.quick { (8, 32) } else { (CASES, CASES_ALONE) };
-    // The kills mean nothing if the suite kills the library itself.
+    // The kills would mean nothing if the suite killed the library itself.
     let put = |scope, cases| {
         Examination::new(scope, cases).map_err(|failure| Failure::Violated(failure.message))
     };

@@ -1,4 +1,4 @@
-//! Proven and observed rates: the comparison of the paper's Table 1, continued.
+//! Proven and observed rates, in continuation of the comparison in the paper's Table 1.
 
 use tautline_statements::slope;
 
@@ -30,7 +30,7 @@ enum Quantity {
 }
 
 impl Quantity {
-    /// Its name in the data file, and in the table.
+    /// Returns its name in the data file, and its name in the table.
     fn names(self) -> (&'static str, &'static str) {
         match self {
             Quantity::Minimum => ("discrete_minimum", "$|E_N-d^2|$"),
@@ -39,7 +39,7 @@ impl Quantity {
         }
     }
 
-    /// Its size in a row of the convergence data, in `m²`.
+    /// Returns its size in a row of the convergence data, in `m²`.
     fn of(self, row: &Row<'_>) -> f64 {
         let d2 = row.number("d_squared");
         match self {
@@ -50,7 +50,7 @@ impl Quantity {
     }
 }
 
-/// A claimed order, with the regularity that it needs.
+/// A claimed order, with the regularity that it requires.
 #[derive(Clone, Copy)]
 struct Claim {
     statement: &'static str,
@@ -60,7 +60,7 @@ struct Claim {
     depends_on: &'static str,
 }
 
-/// As in the paper's Table 1, which does not say what its constant depends on.
+/// The claim in the paper's Table 1, which does not say what its constant depends on.
 const EARLIER: Claim = Claim {
     statement: "Rumpf and Wirth (2015)",
     rules: &PaperRule::BOTH,
@@ -69,7 +69,7 @@ const EARLIER: Claim = Claim {
     depends_on: "",
 };
 
-/// Claims of all three quantities.
+/// The claims about all three quantities.
 const THEOREMS: [Claim; 3] = [
     Claim {
         statement: "Theorems 1.1 and 1.3",
@@ -109,15 +109,15 @@ fn claims() -> impl Iterator<Item = (Quantity, Claim)> {
     [(Quantity::Minimum, EARLIER)].into_iter().chain(THEOREMS.into_iter().flat_map(of_all))
 }
 
-/// Slopes are fitted to at least three values, with errors below 2e-3 each: see [`LEGIBLE`].
+/// Slopes are fitted to at least three values with errors below 2e-3 each: see [`LEGIBLE`].
 const ORDER: Tolerance = Tolerance::Close { relative: 0.0, absolute: 5e-3 };
 
-/// Differences below this part of `d²` are not fitted: energies are printed with 13 digits, so a
-/// difference of two has an error of up to `1e-12 d²`.
+/// Differences below this fraction of `d²` are not fitted. Energies are printed with 13 digits, so
+/// the difference of two energies has an error of up to `1e-12 d²`.
 const LEGIBLE: f64 = 5e-10;
 
-/// How far a fitted order may fall short of the proven one: the next term of the expansion is a
-/// few per cent of the first at `N = 256`.
+/// How far a fitted order may fall short of the proven order. At `N = 256`, the next term of the
+/// expansion is a few per cent of the first.
 const SHORT: f64 = 0.05;
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
@@ -148,9 +148,9 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The order of a quantity in the last five grids of a case. `None` if fewer than three values are
-/// legible, as for the length of a straight curve, or the leading term of `E_N − d²` vanishes or is
-/// hidden.
+/// Returns the order of a quantity on the last five grids of a case. Returns `None` if fewer than
+/// three values are legible, as for the length of a straight curve, or if the leading term of
+/// `E_N − d²` vanishes or is hidden.
 fn observed(solved: &Data, case: &Case, rule: PaperRule, quantity: Quantity) -> Option<f64> {
     if quantity == Quantity::Minimum {
         case.orders.of(rule)?;
@@ -176,7 +176,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
          trapezoidal & cases & observed, left-endpoint & cases",
     );
     let rows: Vec<Row<'_>> = data.rows().collect();
-    // The rows of the two rules of a claim are adjacent.
+    // The rows for the two rules of a claim are adjacent.
     let same = |a: &Row<'_>, b: &Row<'_>| {
         ["statement", "quantity"].iter().all(|column| a.text(column) == b.text(column))
     };
@@ -205,7 +205,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     Ok(layout)
 }
 
-/// `O(N^{-1/2})` as mathematics.
+/// Returns an order as mathematics, such as `O(N^{-1/2})`.
 fn order(order: f64) -> String {
     match order {
         0.5 => "$O(N^{-1/2})$".to_owned(),

@@ -1,5 +1,5 @@
-//! The ledger: every statement of the paper and every sharper one, our verdict, and what the suite
-//! says of it.
+//! The ledger: every statement of the paper and every sharper statement, with our verdict and the
+//! results of the suite.
 
 use std::collections::BTreeSet;
 
@@ -27,17 +27,17 @@ pub(super) const TABLE: Artefact = Artefact::table(
 .seeded(Seed::Suite)
 .with_pages(pages);
 
-/// The least number of random cases of a statement that could fail.
+/// The smallest number of random cases for a statement that could fail.
 const CASES: u64 = 1000;
 
-/// The definition among the statements. Its cases compare two ways to write it and cannot fail;
-/// what it defines is tested with the other statements.
+/// The only definition among the statements. Its cases compare two ways to write it and cannot
+/// fail. What it defines is tested with the other statements.
 const DEFINITION: Statement = Statement::ConstantCTra;
 
-/// Overestimations are compared loosely: they depend on where the solver stops.
+/// Overestimations are compared loosely, because they depend on where the solver stops.
 const OVERESTIMATION: Tolerance = Tolerance::relative(0.02);
 
-/// In at most one case of a hundred, last digits decide whether a number is distinct from 0.
+/// In at most one case in a hundred, the last digits decide whether a number is distinct from 0.
 const TOLD: Tolerance = Tolerance::relative(0.01);
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
@@ -113,7 +113,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     Ok(layout)
 }
 
-/// A symbol as mathematics that both Markdown and LaTeX understand.
+/// Returns a symbol as mathematics that both Markdown and LaTeX understand.
 pub(super) fn symbol(number: &str) -> String {
     match number {
         "C_tra(N)" => "$C_{\\mathrm{tra}}(N)$".to_owned(),
@@ -135,7 +135,7 @@ fn overestimation(row: &Row<'_>, column: &str) -> String {
     }
 }
 
-/// `STATEMENTS.md`: the ledger for readers, one section for each statement.
+/// Returns `STATEMENTS.md`, the ledger for readers, with one section for each statement.
 fn pages(data: &Data) -> Vec<(&'static str, String)> {
     let mut text = "\
 # The statements of the paper, and sharper ones

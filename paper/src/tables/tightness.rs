@@ -12,7 +12,7 @@ use crate::{
     sweep::Sweep,
 };
 
-/// The year of the pattern search of Hooke and Jeeves.
+/// The seed is the year of the pattern search by Hooke and Jeeves.
 const SEED: u64 = 1961;
 
 pub(super) const TABLE: Artefact = Artefact::table(
@@ -25,12 +25,12 @@ pub(super) const TABLE: Artefact = Artefact::table(
 )
 .seeded(Seed::One(SEED));
 
-/// One per cent: the search stops when a step changes the overestimation by a tenth of that.
+/// One per cent: the search stops when a step changes the overestimation by a tenth of this.
 const OVERESTIMATION: Tolerance = Tolerance::relative(1e-2);
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
-    // Where a minimum is flat, or two conclusions or two cases tie, the last bits of elementary
-    // functions decide which one is found: only the overestimation is compared.
+    // If a minimum is flat, or if two conclusions or two cases tie, the last bits of elementary
+    // functions decide which one is found. Only the overestimation is therefore compared.
     let mut data = Data::new(&[
         ("statement family conclusions", Tolerance::Exact),
         ("overestimation", OVERESTIMATION),
@@ -40,8 +40,8 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     let search = if sweep.quick { Search { restarts: 1, ..full } } else { full };
     for family in families(&LIBRARY) {
         for (source, name) in [(Source::Stated, "stated"), (Source::Sharper, "sharper")] {
-            // Some families never use a bound, as that of the length on the line, where every
-            // reconstruction has the length d: they have no overestimation.
+            // Some families never use a bound, such as the bound on the length on the line, where
+            // every reconstruction has the length d. They have no overestimation.
             let found = search.tightest(&family, source)?;
             let of = |cell: fn(&Tightest) -> String| found.as_ref().map_or(String::new(), cell);
             data.push(vec![
@@ -59,14 +59,14 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The parameters but `N`, to three digits.
+/// Returns the parameters except `N`, to three digits.
 fn case(found: &Tightest) -> String {
     let others = found.parameters.iter().filter(|(name, _)| *name != "N");
     let cells = others.map(|(name, value)| format!("{name} = {}", three_digits(*value)));
     cells.collect::<Vec<_>>().join("; ")
 }
 
-/// Why there is nothing tighter beyond the ends of ranges that the case has reached.
+/// Returns why nothing is tighter beyond the ends of the ranges that the case has reached.
 fn edges(found: &Tightest) -> String {
     found.edges.iter().map(Edge::to_string).collect::<Vec<_>>().join("; ")
 }
@@ -108,7 +108,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     Ok(layout)
 }
 
-/// Four or five digits.
+/// Returns the overestimation with four or five digits.
 fn overestimation(value: f64) -> String {
     match value {
         1e4.. => scientific(value, 2),

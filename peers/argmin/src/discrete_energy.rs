@@ -1,4 +1,5 @@
-//! The discrete energy for argmin: value, gradient, and Hessian as a product with vectors.
+//! The discrete energy for argmin: its value, its gradient, and its Hessian as a product with
+//! vectors.
 
 use std::sync::Arc;
 
@@ -6,7 +7,7 @@ use argmin::core::{CostFunction, Error, Gradient, Hessian};
 use argmin_math::ArgminDot;
 use tautline::{Jet2, Metric, PointSequence, Rule, SMatrix, SVector, Trapezoidal, energy_gradient};
 
-/// The discrete energy as a function of the inner points; both ends are fixed.
+/// The discrete energy as a function of the inner points. Both ends are fixed.
 pub(crate) struct DiscreteEnergy<M, const D: usize> {
     pub(crate) metric: M,
     pub(crate) start: PointSequence<D>,
@@ -39,16 +40,16 @@ impl<M: Metric<D>, const D: usize> Gradient for DiscreteEnergy<M, D> {
     }
 }
 
-/// The second derivatives of the energy of one chord, in its first and last points.
+/// The second derivatives of the energy of one chord with respect to its first and its last point.
 #[derive(Clone, Debug)]
 struct ChordHessian<const D: usize> {
     first: SMatrix<f64, D, D>,
-    /// Rows belong to the first point, columns to the last.
+    /// The mixed derivatives: rows belong to the first point, columns to the last.
     mixed: SMatrix<f64, D, D>,
     last: SMatrix<f64, D, D>,
 }
 
-/// The Hessian as a product with vectors. Cheap to clone, which argmin does in each step.
+/// The Hessian as a product with vectors. It is cheap to clone, which argmin does in each step.
 #[derive(Clone, Debug)]
 pub(crate) struct ChordHessians<const D: usize>(Arc<Vec<ChordHessian<D>>>);
 
@@ -56,8 +57,8 @@ impl<M: Metric<D>, const D: usize> Hessian for DiscreteEnergy<M, D> {
     type Param = Vec<f64>;
     type Hessian = ChordHessians<D>;
 
-    /// With `β = N (b − a)` at the middle `x` of a chord from `a` to `b`, its energy is
-    /// `e = βᵀ H(x) β / N`. Let `A = 2 N H`, `B_ik = (∂ₖH β)ᵢ` and `C_kl = βᵀ ∂ₖ∂ₗH β / 4N`; then
+    /// The energy of a chord from `a` to `b` is `e = βᵀ H(x) β / N`, where `x` is its middle and
+    /// `β = N (b − a)`. With `A = 2 N H`, `B_ik = (∂ₖH β)ᵢ` and `C_kl = βᵀ ∂ₖ∂ₗH β / 4N`, we have
     ///
     /// ```text
     /// ∂²e/∂b∂b = A + B + Bᵀ + C,   ∂²e/∂a∂a = A − B − Bᵀ + C,   ∂²e/∂a∂b = −A − B + Bᵀ + C.
@@ -97,7 +98,7 @@ impl<const D: usize> ArgminDot<Vec<f64>, Vec<f64>> for ChordHessians<D> {
             let entries = product[k * D..][..D].iter_mut();
             entries.zip(&part).for_each(|(entry, part)| *entry += part);
         };
-        // Inner point k is the last one of chord k and the first one of chord k + 1.
+        // Inner point k is the last point of chord k and the first point of chord k + 1.
         for (k, pair) in self.0.windows(2).enumerate() {
             add(k, (pair[0].last + pair[1].first) * at(k));
             if (k + 1) * D < inner.len() {

@@ -1,8 +1,8 @@
-//! argmin in the comparison with other programs: its trust region method with Steihaug's conjugate
-//! gradients, the only one of its methods that needs no dense matrix and converges.
+//! The trust region method of argmin with Steihaug's conjugate gradients, in the comparison with
+//! other programs. It is the only one of argmin's methods that needs no dense matrix and converges.
 //!
-//! `cargo xtask peers` runs it once for each problem and `N`. Tautline supplies the metrics and
-//! their derivatives.
+//! `cargo xtask peers` runs this program once for each problem and `N`. Tautline supplies the
+//! metrics and their derivatives.
 
 mod discrete_energy;
 #[path = "../../../crates/tautline/examples/peers/measurement.rs"]
@@ -24,13 +24,15 @@ use measurement::{cpu_time, report, time};
 use problems::{Peer, pose};
 use tautline::{Ends, Metric, PointSequence};
 
-/// The limit on steps of the trust region; a search that converges takes fewer than 30.
+/// The largest number of steps of the trust region method. A search that converges takes fewer than
+/// 30.
 const ITERATIONS: u64 = 100;
 
 type Subproblem = Steihaug<Vec<f64>, f64>;
 type Iterate<const D: usize> = IterState<Vec<f64>, Vec<f64>, (), ChordHessians<D>, (), f64>;
 
-/// argmin's trust region, stopped when the gradient is small, which it does not do by itself.
+/// The trust region method of argmin. It is stopped when the gradient is small, which argmin does
+/// not do by itself.
 #[derive(Clone)]
 struct Stopping {
     inner: TrustRegion<Subproblem, f64>,
@@ -98,7 +100,8 @@ impl Peer for Argmin {
                 .run()
         });
         let state = timed.result.as_ref().map_err(ToString::to_string)?.state();
-        // The last iterate, not the best: rounded energies cannot tell it from earlier ones.
+        // The last iterate is used, not the best: rounded energies cannot distinguish it from
+        // earlier ones.
         let last = state.get_param().ok_or("no iterate")?;
         let sequence = DiscreteEnergy { metric: &metric, start }.sequence(last)?;
         let stop = state.get_termination_status().to_string();
