@@ -26,7 +26,7 @@ use crate::{Accuracy, CertifiedConstants, CertifyError, Domain};
 /// }
 ///
 /// let constants = Certified::new(Egg, Accuracy::default())?.constants();
-/// // H is least at (π, 3π/2): 1 on the diagonal and 0.3 beside it.
+/// // H is smallest at (π, 3π/2): 1 on the diagonal and 0.3 off it.
 /// assert!(constants.c1() <= 0.7 && constants.c1() > 0.699);
 /// # Ok::<(), tautline_certify::CertifyError>(())
 /// ```

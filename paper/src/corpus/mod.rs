@@ -131,7 +131,8 @@ impl Case {
         let problem = Problem::new(metric.formula, ends);
         let options = Options { threads: 1, ..Options::default() };
         let mut least = vec![f64::INFINITY; ns.len()];
-        // The values of `N` take turns, so that other load on the machine affects all of them alike.
+        // The values of `N` take turns, so that other load on the machine affects all of them
+        // alike.
         for _ in 0..runs {
             for (least, &n) in least.iter_mut().zip(ns) {
                 let begin = Instant::now();

@@ -101,8 +101,9 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
 /// `K₂` is taken from Lemma S.1 up to the step that replaces it by the paper's `K₂`, which depends
 /// on `D`.
 ///
-/// Where the sequence itself enters, the bounds come from the evaluation of Proposition 7.9. Where an
-/// estimate of `K₃` replaces the `K₃` of the sequence, its bound is evaluated with that estimate.
+/// Where the sequence itself enters, the bounds come from the evaluation of Proposition 7.9. Where
+/// an estimate of `K₃` replaces the `K₃` of the sequence, its bound is evaluated with that
+/// estimate.
 fn paper(case: &Case, seen: &Observation, prop_7_9: &Evidence) -> Result<Vec<f64>, Failure> {
     let (setting, constants, n) = (case.setting, case.setting.constants(), subintervals(seen.n)?);
     let minimum = seen.discrete_energy - case.distance_squared;

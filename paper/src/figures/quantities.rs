@@ -76,7 +76,8 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     Ok(drawing::Figure::new(960.0, title, rows).keyed().draw()?)
 }
 
-/// Draws the three quantities of one case and rule. The discrete energy has one curve for each sign.
+/// Draws the three quantities of one case and rule. The discrete energy has one curve for each
+/// sign.
 fn curves(panel: Panel, series: &[Row<'_>], first_order: bool) -> Result<Panel, Failure> {
     let points = |column: &str, sign: f64| -> Vec<(f64, f64)> {
         series.iter().map(|row| (row.number("n"), sign * row.number(column))).collect()
