@@ -6,8 +6,8 @@
 //! * [`certify`] and [`CertifiedConstants`] bound the constants `c₁`, `c₂`, `L_H` and `M_H` on a
 //!   box, a ball or all of space. [`Certified`] and [`LocallyCertified`] are metrics with these
 //!   constants.
-//! * [`Polygon`] encloses the energy and the length of a polygon, and [`AdmissibleCurve`] bounds
-//!   the distance between two sets by them.
+//! * [`Polygon`] encloses the energy and the length of a polygon. [`AdmissibleCurve`] turns them
+//!   into a bound on the distance between two sets.
 //!
 //! ```
 //! use tautline_certify::{Domain, Accuracy, Quantity, certify};

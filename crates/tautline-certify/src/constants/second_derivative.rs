@@ -20,8 +20,7 @@ use super::{
 ///
 /// `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`, `k < l`, `i < j`,
 ///
-/// vanish at `z = v ⊗ u`. They may be added to `B`, and different ones for each of the two
-/// eigenvalues.
+/// vanish at `z = v ⊗ u`. They may be added to `B`, with different factors for the two eigenvalues.
 ///
 /// # The choice
 ///
