@@ -10,11 +10,11 @@ use crate::{
 
 /// How many numbers fit into a first-level cache, with a margin.
 ///
-/// A program whose intermediate results do not fit, even in the fewest lanes, is not used. This was
-/// measured on decoders with 4 to 64 hidden units, 8 to 784 outputs and 2 to 8 coordinates, with
-/// programs computed from the entries of `H`. Up to 300 intermediate registers, a program takes 0.5
-/// to 0.9 times as long as the compiled formula; with 400 and more, it takes 1.0 to 2.6 times as
-/// long.
+/// A program whose intermediate results do not fit, even in the fewest lanes, is not used. The
+/// limit comes from measurements on decoders with 4 to 64 hidden units, 8 to 784 outputs and 2 to 8
+/// coordinates, with programs computed from the entries of `H`. Up to 300 intermediate registers, a
+/// program takes 0.5 to 0.9 times as long as the compiled formula; with 400 and more, it takes 1.0
+/// to 2.6 times as long.
 ///
 /// From 24 coordinates on, a program of any length is worth it, because the compiled formula is
 /// evaluated anew for every few directions. For sums of 4 to 32 matrices of rank one on 24, 32 and
@@ -24,11 +24,11 @@ const NUMBERS_IN_CACHE: usize = 3072;
 
 /// The same limit for derivatives computed from squares of vectors.
 ///
-/// They have as many registers as a Jacobian has entries, but few instructions. This was measured
-/// on decoders with 16 to 64 hidden units, 16 to 100 outputs and 2 to 16 coordinates. They have 400
-/// to 1800 registers, far more than fit into a first-level cache. Even so, a program for `H` and
-/// all derivatives takes 0.004 to 0.52 times as long as the compiled formula, and a program for the
-/// first derivatives 0.13 to 0.56 times as long.
+/// They have as many registers as a Jacobian has entries, but few instructions. The measured
+/// decoders have 16 to 64 hidden units, 16 to 100 outputs and 2 to 16 coordinates. Their programs
+/// have 400 to 1800 registers, far more than fit into a first-level cache. Even so, a program for
+/// `H` and all derivatives takes 0.004 to 0.52 times as long as the compiled formula, and a program
+/// for the first derivatives 0.13 to 0.56 times as long.
 const NUMBERS_BY_SQUARES: usize = 16384;
 
 /// A program and the layout of its results.
