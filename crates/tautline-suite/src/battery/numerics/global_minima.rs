@@ -39,7 +39,7 @@ const GRIDS: [usize; 16] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 18, 24, 33, 48, 64, 96
 ///
 /// - `E_N` does not exceed the minimum on the grid: no sequence of grid points is better.
 /// - `E_N` does not exceed what a local search from that sequence finds: no sequence close to it is
-/// better.
+///   better.
 /// - `E_N` is at least the minimum on the grid minus the error of the grid.
 ///
 /// The check tries all grids before it fails, so that its message lists all misses.
