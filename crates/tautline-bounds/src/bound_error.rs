@@ -1,8 +1,9 @@
-//! `BoundError`: numbers for which there is no bound.
+//! `BoundError`: the reasons why there is no bound for the given numbers.
 
 /// A hypothesis that the given numbers violate.
 ///
-/// Those on `c₁`, `c₂` and `L_H` are in [`HypothesisError`](tautline_metrics::HypothesisError).
+/// Violated hypotheses on `c₁`, `c₂` and `L_H` are in
+/// [`HypothesisError`](tautline_metrics::HypothesisError).
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BoundError {
@@ -24,7 +25,8 @@ pub enum BoundError {
          it"
     )]
     LocalConstants,
-    /// By the lower bound on the discrete minimum, the distance exceeds the length of a curve.
+    /// The lower bound on the discrete minimum implies a distance greater than the length of a
+    /// curve.
     #[error(
         "d² is at least {lower} and at most {upper}: the constants or the lower bound on the \
          minimum are wrong (Proposition S.6)"

@@ -1,4 +1,4 @@
-//! What the unit tests share that compare bounds with values computed by hand.
+//! Helpers for the unit tests that compare bounds with values computed by hand.
 
 use std::num::NonZeroUsize;
 

@@ -1,8 +1,8 @@
 //! The explicit constants and right-hand sides of the theorems: constants in, numbers out.
 //!
-//! Nothing here sees a metric, a curve or a solver. The theorems use `c₁`, `c₂` and `L_H` of a
-//! metric ([`Constants`]). With the distance `d` of the ends and the dimension `D` these form a
-//! [`Setting`]; every bound is a function of a setting and of `N`.
+//! Nothing here depends on a metric, a curve or a solver. The theorems use the constants `c₁`, `c₂`
+//! and `L_H` of a metric ([`Constants`]). Together with the distance `d` between the ends and the
+//! dimension `D` they form a [`Setting`]; every bound is a function of a setting and of `N`.
 //!
 //! ```
 //! use std::num::NonZeroUsize;
@@ -13,7 +13,7 @@
 //! assert_eq!(bounds::k1_g(setting), 3.0);
 //! assert_eq!(bounds::k2_g(setting), 27.0);
 //!
-//! // The error of the squared length of the reconstruction at N = 1024, and at four times that.
+//! // The bound on the error of the squared length, for N = 1024 and N = 4096.
 //! let at = |n| bounds::theorem_1_2_length_excess(setting, NonZeroUsize::new(n).unwrap());
 //! assert!(at(1024) > 0.0);
 //! assert_eq!(at(4096), at(1024) / 2.0);
@@ -44,8 +44,8 @@
 //! | | its constant `C` | [`theorem_1_3_constant`] |
 //! | Theorem 1.4 | `L(γᵖˡ)² − min L²` | [`theorem_1_4_length_excess`] |
 //!
-//! Sharper than the paper, under the same hypotheses, some also with `M_H`. The proofs are in
-//! `paper/SHARPER.md`.
+//! The following bounds are sharper than those of the paper. They need the same hypotheses, and
+//! some also need `M_H`. The proofs are in `paper/SHARPER.md`.
 //!
 //! | statement | bounds | by |
 //! | --- | --- | --- |
@@ -63,11 +63,11 @@
 //! | Proposition S.8 | the region of all competitors | [`competitors`], [`reach`] |
 //! | Propositions 7.4, 7.6, 7.11 | as there | [`velocity_error`], [`sampling_rise`], [`sampling_fall`], [`christoffel_bound`] |
 //!
-//! [`least_excess`] is the least of all bounds on `E(γᵖˡ) − d²`, [`least_length_excess`] on
-//! `L(γᵖˡ)² − d²`; [`suggest_n`] returns an `N` for a tolerance.
+//! [`least_excess`] returns the least of all bounds on `E(γᵖˡ) − d²`, and [`least_length_excess`]
+//! the least of all bounds on `L(γᵖˡ)² − d²`; [`suggest_n`] returns an `N` for a tolerance.
 //!
 //! `d²` is the minimum of both `E` and `L²`. `γᵖˡ` is the linear interpolation of a point sequence
-//! `γᵖ`; in the theorems, of a *global* minimiser of the discrete energy.
+//! `γᵖ`. In the theorems, `γᵖ` is a *global* minimiser of the discrete energy.
 //!
 //! # Units
 //!
@@ -78,10 +78,10 @@
 //! # Rounding
 //!
 //! Values are computed in `f64`, rounded to nearest, with a relative error below `10⁻¹³` unless
-//! they underflow: good for comparing and drawing, not a certificate in the last digits. On
-//! overflow the result is `+∞`, and an argument may be the `+∞` of an earlier overflow. If
-//! `L_H = M_H = 0` or `d = 0`, every bound on an error of a minimiser's energy is exactly `0`,
-//! whatever the other inputs. No bound is NaN, and no bound on an error is negative.
+//! they underflow. This is accurate enough to compare and plot bounds, but it certifies nothing in
+//! the last digits. On overflow the result is `+∞`, and an argument may be the `+∞` of an earlier
+//! overflow. If `L_H = M_H = 0` or `d = 0`, every bound on an error of a minimiser's energy is
+//! exactly `0`, whatever the other inputs. No bound is NaN, and no bound on an error is negative.
 
 mod bound_error;
 #[cfg(test)]

@@ -3,10 +3,10 @@
 /// The two rules of the paper, as a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PaperRule {
-    /// The trapezoidal rule: `H` at the middle of each chord.
+    /// The trapezoidal rule evaluates `H` at the midpoint of each chord.
     #[doc(alias = "midpoint")]
     Trapezoidal,
-    /// The left-endpoint rule: `H` at the first point of each chord.
+    /// The left-endpoint rule evaluates `H` at the first point of each chord.
     LeftEndpoint,
 }
 
@@ -14,7 +14,7 @@ impl PaperRule {
     /// Both rules, in the paper's order.
     pub const BOTH: [PaperRule; 2] = [PaperRule::Trapezoidal, PaperRule::LeftEndpoint];
 
-    /// Returns the name in data files.
+    /// Returns the name that data files use for the rule.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -23,8 +23,8 @@ impl PaperRule {
         }
     }
 
-    /// Returns the mean distance of the points of a chord from where the rule reads `H`, in chord
-    /// lengths: `k = ¼` from the middle, `k = ½` from an end.
+    /// Returns the mean distance between the points of a chord and the point where the rule
+    /// evaluates `H`, in chord lengths: `k = ¼` for the midpoint, `k = ½` for an endpoint.
     #[must_use]
     pub fn mean_distance(self) -> f64 {
         match self {
@@ -38,7 +38,7 @@ impl PaperRule {
 mod tests {
     use super::PaperRule;
 
-    /// Data files use these names.
+    /// Data files use these names, so they must not change.
     #[test]
     fn the_names_are_those_of_data_files() {
         assert_eq!(PaperRule::BOTH.map(PaperRule::name), ["trapezoidal", "left_endpoint"]);

@@ -1,10 +1,10 @@
 //! The product of nonnegative factors, without spurious overflow.
 
-/// Returns the product of `factors`, each in `[0, ∞]`; `0` if one of them is `0`, even if another
-/// is infinite: that is a finite number too large for `f64`.
+/// Returns the product of `factors`, each in `[0, ∞]`. The product is `0` if one of them is `0`,
+/// even if another is infinite, because `∞` here means a finite number too large for `f64`.
 ///
-/// Overflows or underflows only if the whole product does, in any order of the factors. Each factor
-/// contributes one rounding.
+/// The product overflows or underflows only if the exact product does, whatever the order of the
+/// factors. Each factor contributes one rounding.
 pub(crate) fn product<const K: usize>(mut factors: [f64; K]) -> f64 {
     if factors.contains(&0.0) {
         return 0.0;
@@ -12,8 +12,9 @@ pub(crate) fn product<const K: usize>(mut factors: [f64; K]) -> f64 {
     factors.sort_unstable_by(f64::total_cmp);
     let mut left = factors.as_slice();
     let mut value = 1.0;
-    // Above 1, multiply by the smallest factor left; if that is above 1 too, all are, and the value
-    // increases to the end. Below 1, likewise with the largest.
+    // While the product is above 1, multiply by the smallest remaining factor; if that factor is
+    // above 1 too, all the others are, and the product only increases from there. While the product
+    // is below 1, do the same with the largest factor.
     while let Some((smallest, others)) = left.split_first() {
         if value > 1.0 {
             value *= smallest;
@@ -40,9 +41,10 @@ mod tests {
 
     #[test]
     fn partial_products_of_a_finite_product_stay_finite() {
-        // From the left these would pass through ∞ or 0.
+        // Multiplied from left to right, these factors would pass through ∞ or 0.
         let close = |product: f64, expected: f64| {
-            // At most eight roundings, 2⁻⁵³ each, and those of the eight decimals.
+            // There are at most eight roundings of 2⁻⁵³ each, and the roundings of the eight
+            // decimals.
             assert!((product / expected - 1.0).abs() < 2e-15, "{product:e} for {expected:e}");
         };
         close(product([1e300, 1e300, 1e-300, 1e-300]), 1.0);

@@ -4,13 +4,13 @@ use tautline_metrics::Constants;
 
 use crate::{BoundError, product::product};
 
-/// The setting of Theorem 1.1: the constants of the metric, the distance `d = d^g(X⁽⁰⁾, X⁽¹⁾)` of
-/// the ends, in `m`, and the dimension `D`.
+/// The setting of Theorem 1.1: the constants of the metric, the distance `d = d^g(X⁽⁰⁾, X⁽¹⁾)`
+/// between the ends, in `m`, and the dimension `D`.
 ///
-/// Invariant: `0 ≤ d < ∞` and `D ≥ 1`, besides those of [`Constants`].
+/// Invariant: `0 ≤ d < ∞` and `D ≥ 1`, in addition to the invariants of [`Constants`].
 ///
-/// Every bound increases with `d`, `c₂`, `L_H` and `M_H` and decreases with `c₁`. So an upper bound
-/// on the distance, such as the length of an admissible curve, may replace `d`.
+/// Every bound increases with `d`, `c₂`, `L_H` and `M_H` and decreases with `c₁`. An upper bound on
+/// the distance, for example the length of an admissible curve, may therefore replace `d`.
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
@@ -20,7 +20,8 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// Checks `distance`, in `m`, then `dimension`. `distance = 0` is allowed: the ends touch.
+    /// Checks `distance`, in `m`, then `dimension`. `distance = 0` is allowed and means that the
+    /// ends touch.
     ///
     /// # Errors
     ///
@@ -37,7 +38,7 @@ impl Setting {
         if dimension == 0 {
             return Err(BoundError::NoDimension);
         }
-        // So that −0 is not printed.
+        // This avoids printing −0.
         Ok(Setting { constants, distance: distance.abs(), dimension })
     }
 
@@ -47,7 +48,7 @@ impl Setting {
         self.constants
     }
 
-    /// Returns the distance `d` of the ends, in `m`.
+    /// Returns the distance `d` between the ends, in `m`.
     #[must_use]
     pub fn distance(&self) -> f64 {
         self.distance
@@ -82,8 +83,8 @@ impl Setting {
         self.constants.m_h().map(|m_h| product([m_h, d, d, root, root, root, root]))
     }
 
-    /// Returns `G` with `γ̈ᵀ H(γ) γ̈ ≤ G² d²` for every minimal geodesic, a pure number (Lemma
-    /// S.1).
+    /// Returns `G`, a pure number, for which `γ̈ᵀ H(γ) γ̈ ≤ G² d²` for every minimal geodesic
+    /// (Lemma S.1).
     ///
     /// ```text
     /// G  =  ωδ,    and for an isotropic metric with M_H
@@ -91,8 +92,8 @@ impl Setting {
     /// ```
     ///
     /// For `H = φ I` with `φ ≥ c₁` everywhere, `|∇φ|² ≤ 2M_H (φ − c₁)` (Glaeser), and the force is
-    /// `d²|∇φ|/2φ^{3/2}`. This needs constants that hold everywhere, not
-    /// [on a region](Constants::on_a_region).
+    /// `d²|∇φ|/2φ^{3/2}`. The form with `M_H` needs constants that hold everywhere, not only [on a
+    /// region](Constants::on_a_region).
     #[must_use]
     pub fn bend(&self) -> f64 {
         let (delta, constants) = (self.delta(), self.constants);
@@ -100,7 +101,7 @@ impl Setting {
         let isotropic = self.dimension == 1 || constants.is_isotropic();
         match (constants.m_h(), self.mu()) {
             (Some(m_h), Some(mu)) if isotropic && !constants.is_local() && delta > 0.0 => {
-                // δ²/μ, in which the distance cancels.
+                // δ²/μ; the distance cancels.
                 let ratio = constants.l_h() / m_h * (constants.l_h() / constants.c1());
                 let fine = if ratio <= 1.0 {
                     product([0.5, delta]) * (1.0 + 0.5 * ratio).powf(-1.5)
@@ -124,7 +125,7 @@ impl Setting {
         (self.constants.c2() - self.constants.c1()) / self.constants.c1()
     }
 
-    /// Returns the setting with another distance, in `m`.
+    /// Returns the setting with the distance replaced by `distance`, in `m`.
     ///
     /// # Errors
     ///
@@ -151,7 +152,7 @@ mod tests {
             matches!(new(f64::NAN, 2), BoundError::NotADistance { distance } if distance.is_nan())
         );
         assert_eq!(new(1.0, 0), BoundError::NoDimension);
-        // The first violated hypothesis is reported.
+        // If several hypotheses are violated, the first one is reported.
         assert_eq!(new(-1.0, 0), BoundError::NotADistance { distance: -1.0 });
         assert_eq!(
             new(-1.5, 2).to_string(),
@@ -178,8 +179,8 @@ mod tests {
         assert_eq!(setting(constants.isotropic(), 2).omega(), 0.5);
         assert_eq!(setting(known, 2).bend(), 4.5);
         assert_eq!(setting(constants, 1).bend(), 1.5);
-        // δ² = 9 is above μ = 27/8, so G² = 1/4. With M_H = 96 it is below μ = 54, so
-        // G² = (9/4)(13/12)⁻³.
+        // δ² = 9 is above μ = 27/8, so G² = 1/4. With M_H = 96, δ² is below μ = 54, so G² =
+        // (9/4)(13/12)⁻³.
         assert_eq!(setting(known, 1).bend(), 0.5);
         assert_eq!(setting(known.isotropic(), 5).bend(), 0.5);
         assert_eq!(setting(known.on_a_region(), 1).bend(), 1.5);
@@ -193,12 +194,12 @@ mod tests {
         assert!(nearer.with_distance(-1.0).is_err());
     }
 
-    /// The difference `c₂ − c₁` is exact, where `κ` would be rounded.
+    /// The difference `c₂ − c₁` is exact, whereas `κ` would be rounded.
     #[test]
     fn a_kappa_near_one_keeps_its_digits() {
         let constants = constants(3.0, 3.0_f64.next_up(), 1.0);
         let setting = Setting::new(constants, 1.0, 2).expect("valid");
-        // The doubles next to 3 are 2ε apart.
+        // The doubles next to 3 are 2ε apart, where ε is the machine epsilon.
         assert_eq!(setting.kappa_above_one(), 2.0 * f64::EPSILON / 3.0);
     }
 
@@ -210,7 +211,7 @@ mod tests {
                 for dimension in [1, 3] {
                     let bend = |d| Setting::new(constants, d, dimension).expect("valid").bend();
                     for power in [-480, -30, 1, 60] {
-                        // Powers of two are exact, as long as μ does not underflow.
+                        // Scaling by powers of two is exact as long as μ does not underflow.
                         let ratio = bend(2.0_f64.powi(power)) / 2.0_f64.powi(power) / bend(1.0);
                         assert!((ratio - 1.0).abs() < 1e-15, "{constants:?} 2^{power}: {ratio}");
                     }

@@ -7,23 +7,24 @@ use tautline_metrics::Constants;
 use crate::{Setting, k1_g, k2_g, product::product};
 
 /// Bounds `|E(γ) − E_tra,N(γ)|` for curves with `‖γ̇‖_{L²} ≤ K₁` and `‖γ̈‖_{L²} ≤ K₂`, in `m²`
-/// (Proposition 7.6); hence also `inf E_tra,N − inf E` over any set of them (Proposition 7.7).
+/// (Proposition 7.6). The same number therefore bounds `inf E_tra,N − inf E` over any set of such
+/// curves (Proposition 7.7).
 ///
 /// ```text
 /// C_tra(N)  =  (L_H (K₁³ + 2 K₁² K₂) + 4 c₂ K₁ K₂) / N  +  4 c₂ K₂² / N²
 /// ```
 ///
-/// - `constants`: of `g`; `c₂` (`m²/ℓ²`) and `L_H` (`m²/ℓ³`) enter.
-/// - `k1`, `k2`: bounds on speed and acceleration, in `ℓ`.
+/// - `constants`: the constants of `g`; only `c₂` (`m²/ℓ²`) and `L_H` (`m²/ℓ³`) are used.
+/// - `k1`, `k2`: bounds on the speed and on the acceleration, in `ℓ`.
 /// - `n`: number of subintervals `N`.
 ///
 /// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz, and `γ̇` absolutely continuous with `γ̈` in `L²`. A kink is
-/// not allowed even if `γ̈` vanishes on both sides of it: `γ(t) = |t − ½|` with `H = 1` and `N = 1`
-/// has `E = 1`, `E_tra = 0`, and a bound of 0.
+/// not allowed even if `γ̈` vanishes on both sides of it: for `γ(t) = |t − ½|` with `H = 1` and
+/// `N = 1`, `E = 1` and `E_tra = 0`, but the bound is 0.
 ///
 /// Overestimation: `β` is the mean of `γ̇` over its subinterval, so the cross term `4 c₂ K₁ K₂ / N`
-/// of the proof integrates to 0, and the last term could be `c₂ K₂² / (π N)²`. The first could be
-/// halved: the midpoint of the chord is half a step away, not a whole one.
+/// of the proof integrates to 0, and the last term could be `c₂ K₂² / (π N)²`. The first term could
+/// be halved, since the midpoint of the chord is half a step away and not a whole one.
 ///
 /// # Panics
 ///
@@ -34,11 +35,12 @@ use crate::{Setting, k1_g, k2_g, product::product};
 pub fn c_tra(constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) -> f64 {
     let (first, second) = coefficients(constants, k1, k2);
     let n = n.get() as f64;
-    // Divided by N after the sum, so that C_tra(N) ≤ C_tra♯ / N holds in `f64` too.
+    // We divide by N after the sum so that C_tra(N) ≤ C_tra♯ / N also holds in `f64`.
     (first + second / n) / n
 }
 
-/// Returns `C_tra♯`, in `m²`, with `C_tra(N) ≤ C_tra♯ / N` (Section 7, before Proposition 7.7).
+/// Returns `C_tra♯`, in `m²`, for which `C_tra(N) ≤ C_tra♯ / N` (Section 7, before Proposition
+/// 7.7).
 ///
 /// ```text
 /// C_tra♯  =  L_H (K₁³ + 2 K₁² K₂) + 4 c₂ K₁ K₂ + 4 c₂ K₂²
@@ -46,8 +48,8 @@ pub fn c_tra(constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) -> f64 {
 ///
 /// Arguments and needs: as for [`c_tra`].
 ///
-/// Overestimation: attained at `N = 1`, where it is `C_tra(1)`; for larger `N` the last term of
-/// `C_tra(N)` falls like `1/N²`, here like `1/N`.
+/// Overestimation: the inequality is attained at `N = 1`, where `C_tra♯ = C_tra(1)`. For larger `N`
+/// the last term of `C_tra(N)` falls like `1/N²`, but that of `C_tra♯ / N` only like `1/N`.
 ///
 /// # Panics
 ///
@@ -58,20 +60,20 @@ pub fn c_tra_sharp(constants: Constants, k1: f64, k2: f64) -> f64 {
     c_tra(constants, k1, k2, NonZeroUsize::MIN)
 }
 
-/// Bounds `min E_tra,N − min E` between the ends of a setting, in `m²` (Section 7, proof of
-/// Theorem 1.1): [`c_tra`] at `K_{1,g}` and `K_{2,g}`.
+/// Bounds `min E_tra,N − min E` between the ends of a setting, in `m²`, by [`c_tra`] evaluated at
+/// `K_{1,g}` and `K_{2,g}` (Section 7, proof of Theorem 1.1).
 ///
-/// One-sided: it does not bound how far `min E_tra,N` can fall below `min E`.
+/// The bound is one-sided: it does not limit how far `min E_tra,N` can fall below `min E`.
 ///
-/// Needs: the setting of Theorem 1.1. Overestimation: that of [`c_tra`] and of [`k2_g`].
+/// Needs: the setting of Theorem 1.1. Overestimation: as for [`c_tra`] and [`k2_g`].
 #[doc(alias = "eq:approx_numerical_integral_lower_bound_revised")]
 #[must_use]
 pub fn c_tra_g(setting: Setting, n: NonZeroUsize) -> f64 {
     c_tra(setting.constants(), k1_g(setting), k2_g(setting), n)
 }
 
-/// Returns the `C_tra♯` of a setting, in `m²`: [`c_tra_sharp`] at `K_{1,g}` and `K_{2,g}`, with
-/// `min E_tra,N − min E ≤ C_tra♯ / N` (Section 7, proof of Theorem 1.1).
+/// Returns the `C_tra♯` of a setting, in `m²`: [`c_tra_sharp`] evaluated at `K_{1,g}` and
+/// `K_{2,g}`. It satisfies `min E_tra,N − min E ≤ C_tra♯ / N` (Section 7, proof of Theorem 1.1).
 ///
 /// With `δ = L_H d / c₁^{3/2}` and `κ = c₂ / c₁`, it is
 ///
@@ -79,7 +81,7 @@ pub fn c_tra_g(setting: Setting, n: NonZeroUsize) -> f64 {
 /// C_tra♯  =  d² (δ + 3 D² δ² + 6 κ D² δ + 9 κ D⁴ δ²)
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1. Overestimation: that of [`c_tra_g`] and of [`c_tra_sharp`].
+/// Needs: the setting of Theorem 1.1. Overestimation: as for [`c_tra_g`] and [`c_tra_sharp`].
 #[doc(alias = "C_tra^sharp")]
 #[must_use]
 pub fn c_tra_sharp_g(setting: Setting) -> f64 {
@@ -103,8 +105,9 @@ mod tests {
 
     #[test]
     fn by_hand() {
-        // L_H = 7, c₂ = 5, K₁ = 2, K₂ = 3: 7 (8 + 2·4·3) + 4·5·2·3 = 344 and 4·5·9 = 180. All are
-        // integers, so exact up to N = 4; at N = 10 there are two divisions and a sum, 2⁻⁵³ each.
+        // L_H = 7, c₂ = 5, K₁ = 2, K₂ = 3: 7 (8 + 2·4·3) + 4·5·2·3 = 344 and 4·5·9 = 180. These are
+        // integers, so the results are exact up to N = 4; at N = 10 two divisions and a sum round,
+        // by 2⁻⁵³ each.
         let constants = constants(1.0, 5.0, 7.0);
         assert_eq!(c_tra_sharp(constants, 2.0, 3.0), 524.0);
         assert_eq!(c_tra(constants, 2.0, 3.0, n(1)), 524.0);

@@ -12,8 +12,8 @@ use crate::{Setting, c_tra_sharp_g, k1_g, paper::polyline_gap::l_h_k_cubed};
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser (or any admissible sequence with
 /// `E_tra,N ≤ d² + C_tra♯`).
 ///
-/// Overestimation: up to `√(1 + C_tra♯ / d²)` for large `N`, since `C_tra♯` replaces `C_tra(N)`,
-/// which tends to 0.
+/// Overestimation: up to a factor `√(1 + C_tra♯ / d²)` for large `N`, since `C_tra♯` replaces
+/// `C_tra(N)`, which tends to 0.
 #[doc(alias = "overline K_{3,g}")]
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[must_use]
@@ -31,8 +31,8 @@ pub fn k3_bar_g(setting: Setting) -> f64 {
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser (or any admissible sequence with
 /// `E_l,N ≤ d² + C_tra♯ + ½ L_H K̄_{3,g}³`).
 ///
-/// Overestimation: as for [`k3_bar_g`]; besides, the minimum of `E_l,N` is bounded by way of the
-/// minimiser of `E_tra,N`, with its speed bounded by `K̄_{3,g}`.
+/// Overestimation: as for [`k3_bar_g`]. In addition, the minimum of `E_l,N` is bounded by its value
+/// at the minimiser of `E_tra,N`, whose speed is bounded by `K̄_{3,g}`.
 #[doc(alias = "overline K_{4,g}")]
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]

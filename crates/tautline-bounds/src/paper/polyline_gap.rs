@@ -1,4 +1,5 @@
-//! Propositions 7.9, 8.1 and 8.2: bounds on the differences of the energies of one point sequence.
+//! Propositions 7.9, 8.1 and 8.2: bounds on the differences between the energies of a point
+//! sequence.
 
 use std::num::NonZeroUsize;
 
@@ -12,16 +13,16 @@ use crate::product::product;
 /// |E(γᵖˡ) − E_tra,N(γᵖ)|  ≤  L_H K₃³ / (4 √N),     K₃² = (1/N) Σ ‖β(tₙ)‖²
 /// ```
 ///
-/// - `constants`: of `g`; only `L_H` (`m²/ℓ³`) enters.
-/// - `k3`: root mean square speed `K₃` of the point sequence, in `ℓ`, or an upper bound on it.
+/// - `constants`: the constants of `g`; only `L_H` (`m²/ℓ³`) is used.
+/// - `k3`: the root mean square speed `K₃` of the point sequence, in `ℓ`, or an upper bound on it.
 /// - `n`: number of subintervals `N`; the sequence has `N + 1` points.
 ///
-/// Needs: `H` Lipschitz on the segments of `γᵖˡ`. Needs neither `c₁` nor `c₂`, and `γᵖ` need not
-/// be a minimiser.
+/// Needs: `H` Lipschitz on the segments of `γᵖˡ`. The bound needs neither `c₁` nor `c₂`, and `γᵖ`
+/// need not be a minimiser.
 ///
 /// Overestimation: the proof replaces `Σ ‖β‖³` by `(Σ ‖β‖²)^{3/2}`, which loses a factor `√N` when
-/// the speeds are equal. Attained for every `N` by a sequence that moves in one step only, if `H`
-/// has a ridge or a valley at the middle of that step.
+/// the speeds are equal. The bound is attained for every `N` by a sequence that moves in one step
+/// only, if `H` has a ridge or a valley at the middle of that step.
 ///
 /// # Panics
 ///
@@ -38,11 +39,11 @@ pub fn polyline_gap_trapezoidal(constants: Constants, k3: f64, n: NonZeroUsize) 
 /// |E(γᵖˡ) − E_l,N(γᵖ)|  ≤  L_H K₃³ / (2 √N)
 /// ```
 ///
-/// Arguments and needs: as for [`polyline_gap_trapezoidal`]. Twice its value, since the points of a
-/// chord are on average twice as far from its left endpoint as from its midpoint.
+/// Arguments and needs: as for [`polyline_gap_trapezoidal`]. This bound is twice as large, since
+/// the points of a chord are on average twice as far from its left endpoint as from its midpoint.
 ///
-/// Overestimation: as for [`polyline_gap_trapezoidal`]; attained if `H` is linear along the one
-/// step.
+/// Overestimation: as for [`polyline_gap_trapezoidal`], but the bound is attained if `H` is linear
+/// along the single step.
 ///
 /// # Panics
 ///
@@ -62,8 +63,8 @@ pub fn polyline_gap_left(constants: Constants, k3: f64, n: NonZeroUsize) -> f64 
 /// Arguments and needs: as for [`polyline_gap_trapezoidal`], but `H` need only be Lipschitz from
 /// the left endpoint of each chord to its midpoint.
 ///
-/// Overestimation: as for [`polyline_gap_trapezoidal`]; attained if `H` is linear along the one
-/// step.
+/// Overestimation: as for [`polyline_gap_trapezoidal`], but the bound is attained if `H` is linear
+/// along the single step.
 ///
 /// # Panics
 ///
@@ -90,8 +91,8 @@ mod tests {
         by_hand::{constants, n},
     };
 
-    /// One step from 0 to 1, then rest: `K₃² = N² / N`. All `N` here are powers of 4 and the other
-    /// numbers dyadic, so the comparisons are exact.
+    /// Takes one step from 0 to 1 and then rests, so that `K₃² = N² / N`. Every `N` here is a power
+    /// of 4 and the other numbers are dyadic, so the comparisons are exact.
     fn one_step(check: impl Fn(Constants, f64, NonZeroUsize)) {
         for power in 0..8 {
             check(constants(1.0, 6.0, 5.0), 2_f64.powi(power as i32), n(4_usize.pow(power)));
@@ -101,7 +102,7 @@ mod tests {
     #[test]
     fn prop_7_9_is_attained_by_one_step_over_a_ridge() {
         one_step(|constants, k3, n| {
-            // H = 6 − 5 |x − ½|: N H(½) by the rule, N ∫₀¹ H = N (6 − 5/4) by the curve.
+            // H = 6 − 5 |x − ½|: the rule gives N H(½), and the curve N ∫₀¹ H = N (6 − 5/4).
             let gap = n.get() as f64 * (6.0 - (6.0 - 1.25));
             assert_eq!(polyline_gap_trapezoidal(constants, k3, n), gap);
         });
@@ -110,8 +111,8 @@ mod tests {
     #[test]
     fn prop_8_1_and_8_2_are_attained_by_one_step_up_a_slope() {
         one_step(|constants, k3, n| {
-            // H = 1 + 5 x: N H(0) by the left rule; N H(½) by the trapezoidal rule and
-            // N ∫₀¹ H by the curve, which is the same number.
+            // H = 1 + 5 x: the left rule gives N H(0). The trapezoidal rule gives N H(½), and the
+            // curve N ∫₀¹ H, which is the same number.
             let gap = n.get() as f64 * (3.5 - 1.0);
             assert_eq!(rule_gap(constants, k3, n), gap);
             assert_eq!(polyline_gap_left(constants, k3, n), gap);

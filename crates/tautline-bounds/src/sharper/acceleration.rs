@@ -13,29 +13,30 @@ use crate::{Setting, product::product};
 /// with the [`G`](Setting::bend) of the setting.
 ///
 /// The geodesic equation is `H γ̈ = −r`, where `r = DH[γ̇] γ̇ − ½ ∇(vᵀHv)` has norm at most
-/// `ω L_H |γ̇|²`. Estimating `r` as a vector, rather than each Christoffel symbol, avoids the `D²`
-/// of `K_{2,g}`.
+/// `ω L_H |γ̇|²`. Estimating `r` as a vector, rather than each Christoffel symbol, avoids the
+/// factor `D²` of `K_{2,g}`.
 ///
-/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of the energy; for an isotropic
-/// metric with `M_H`, that it holds everywhere. Neither `c₂` nor the dimension.
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of the energy. For an isotropic
+/// metric with `M_H`, the constants must hold everywhere. Neither `c₂` nor the dimension is needed.
 ///
-/// Overestimation: attained for every `D ≥ 2`, at one point of a geodesic, in the limit `c₂ → c₁`.
+/// Overestimation: the bound is attained for every `D ≥ 2`, at one point of a geodesic, in the
+/// limit `c₂ → c₁`.
 #[doc(alias = "K_{2,g}")]
 #[must_use]
 pub fn k2_sharp(setting: Setting) -> f64 {
     product([setting.bend(), setting.distance(), 1.0 / setting.constants().c1().sqrt()])
 }
 
-/// Bounds every Christoffel symbol, `|Γᵏ_ij|`, in `1/ℓ`: Proposition 7.11 without its `√D`.
+/// Bounds every Christoffel symbol, `|Γᵏ_ij|`, in `1/ℓ`: Proposition 7.11 without its factor `√D`.
 ///
 /// ```text
 /// |Γᵏ_ij|  ≤  3 L_H/2c₁,      on the line  L_H/2c₁
 /// ```
 ///
-/// `Γᵏ_ij` is an entry of `H⁻¹ r` with `r = ½ (DH[eᵢ] eⱼ + DH[eⱼ] eᵢ − ∇(eᵢᵀ H eⱼ))`, three vectors
-/// of norm at most `L_H`.
+/// `Γᵏ_ij` is an entry of `H⁻¹ r` with `r = ½ (DH[eᵢ] eⱼ + DH[eⱼ] eᵢ − ∇(eᵢᵀ H eⱼ))`. Each of the
+/// three vectors in the bracket has norm at most `L_H`.
 ///
-/// Needs: `H ≥ c₁`, and `H` Lipschitz with `L_H`. Overestimation: attained.
+/// Needs: `H ≥ c₁`, and `H` Lipschitz with `L_H`. Overestimation: the bound is attained.
 ///
 /// # Panics
 ///

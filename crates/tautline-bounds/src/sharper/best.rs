@@ -9,22 +9,22 @@ use super::{
 };
 use crate::{PaperRule, Setting, theorem_1_1_excess, theorem_1_3_excess};
 
-/// The theorem of a bound.
+/// The theorem that proves a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Theorem {
     /// Theorem 1.1 (trapezoidal) or 1.3 (left endpoint) of the paper.
     Paper,
-    /// Theorem A: order `1/N`, by stationarity.
+    /// Theorem A: order `1/N`, for stationary sequences.
     A,
-    /// Theorem B: order `1/N²`, by stationarity.
+    /// Theorem B: order `1/N²`, for stationary sequences.
     B,
-    /// Theorem C: order `1/N`, by the energy.
+    /// Theorem C: order `1/N`, from the energy alone.
     C,
-    /// Theorem D: order `1/N²`, by the energy.
+    /// Theorem D: order `1/N²`, from the energy alone.
     D,
 }
 
-/// A bound and its theorem.
+/// A bound and the theorem that proves it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
     /// The bound, in `m²`.
@@ -42,8 +42,8 @@ impl Bound {
     }
 }
 
-/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, in `m²`, by the lesser of Theorems A and C: order
-/// `1/N`.
+/// Bounds both `E(γᵖˡ) − d²` and `L(γᵖˡ)² − d²`, in `m²`, by the smaller of the bounds in Theorems
+/// A and C. It is of order `1/N`.
 ///
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser.
 #[must_use]
@@ -51,8 +51,8 @@ pub fn first_order_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) ->
     theorem_a_excess(setting, rule, n).min(theorem_c_excess(setting, rule, n))
 }
 
-/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, for the trapezoidal rule, in `m²`, by the lesser of
-/// Theorems B and D: order `1/N²`. `None` if `M_H` is not known.
+/// Bounds both `E(γᵖˡ) − d²` and `L(γᵖˡ)² − d²` for the trapezoidal rule, in `m²`, by the smaller
+/// of the bounds in Theorems B and D. It is of order `1/N²`. Returns `None` if `M_H` is not known.
 ///
 /// Needs: the setting of Theorem 1.1, `DH` Lipschitz with `M_H`, and a *global* minimiser.
 #[must_use]
@@ -60,10 +60,10 @@ pub fn second_order_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some(theorem_b_excess(setting, n)?.min(theorem_d_excess(setting, n)?))
 }
 
-/// Returns the least bound on `E(γᵖˡ) − d²`, and on `L(γᵖˡ)² − d²`, of the paper's theorem and of
-/// Theorems A to D for a *global* minimiser.
+/// Returns the least of the bounds in the paper's theorem and in Theorems A to D on both
+/// `E(γᵖˡ) − d²` and `L(γᵖˡ)² − d²`, for a *global* minimiser.
 ///
-/// Among equal bounds, the theorem that comes first in [`Theorem`] is named.
+/// If several bounds are equal, the result names the theorem that comes first in [`Theorem`].
 #[must_use]
 pub fn least_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound {
     let (paper, b, d) = match rule {
@@ -81,8 +81,8 @@ pub fn least_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound
         .or(d, Theorem::D)
 }
 
-/// Returns the least bound on `L(γᵖˡ)² − d²` for a *global* minimiser: [`least_excess`], or that of
-/// Theorem C or D for the length.
+/// Returns the least bound on `L(γᵖˡ)² − d²` for a *global* minimiser: the least of
+/// [`least_excess`] and the length bounds of Theorems C and D.
 #[must_use]
 pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound {
     let first = least_excess(setting, rule, n)
@@ -93,14 +93,14 @@ pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -
     }
 }
 
-/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, such that `N − 1` is
-/// not enough, with the theorem of the bound. `None` if no power of 2 up to `2⁴⁰` is enough, or the
-/// tolerance is NaN.
+/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, although it is not for
+/// `N − 1`, together with the theorem that proves the bound. Returns `None` if no power of 2 up to
+/// `2⁴⁰` is enough or if the tolerance is NaN.
 ///
-/// - `tolerance`: of `L(γᵖˡ)² − d²`, in `m²`.
+/// - `tolerance`: the tolerance for `L(γᵖˡ)² − d²`, in `m²`.
 ///
-/// Found by doubling and bisection. The bounds decreased with `N` in every case we tried; if one
-/// did not, the returned `N` would still be enough, but perhaps not the least.
+/// The search is by doubling and bisection. The bounds decreased with `N` in every case we tried.
+/// If one did not, the returned `N` would still be enough, but perhaps not the least.
 ///
 /// Overestimation: if the bound is `r` times the excess and falls like `1/N²`, `N/√r` subintervals
 /// are enough.
@@ -165,7 +165,7 @@ mod tests {
         let bound = least_length_excess(smooth, PaperRule::Trapezoidal, n(4096));
         let expected = theorem_d_length_excess(smooth, n(4096)).expect("M_H");
         assert_eq!((bound.value, bound.by), (expected, Theorem::D));
-        // For a constant metric the bound of the paper is 0.
+        // For a constant metric the paper's bound is 0.
         let flat = Setting::new(constants(1.0, 2.0, 0.0), 5.0, 2).expect("valid");
         let bound = least_excess(flat, PaperRule::LeftEndpoint, n(1));
         assert_eq!((bound.value, bound.by), (0.0, Theorem::Paper));

@@ -1,13 +1,14 @@
 //! Lemma S.4: upper bounds `min E_N ≤ d² e`, by sampling a minimal geodesic.
 //!
-//! The functions return the surplus `e − 1`, without cancellation.
+//! The functions return the surplus `e − 1`, computed without cancellation.
 
 use std::num::NonZeroUsize;
 
 use crate::{PaperRule, Setting, product::product};
 
-/// `e − 1` with `e = min(κ, 1 + δ/4N + Gδ/12N²)` (trapezoidal) or `min(κ, 1 + δ/2N)` (left
-/// endpoint): by the chord of the ends, or by points of the geodesic.
+/// Returns `e − 1` with `e = min(κ, 1 + δ/4N + Gδ/12N²)` (trapezoidal) or `min(κ, 1 + δ/2N)` (left
+/// endpoint). The chord between the ends gives `κ`, and points of the geodesic give the other
+/// bound.
 pub(crate) fn first_order(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, n) = (setting.delta(), n.get() as f64);
     let sampled = match rule {
@@ -17,8 +18,8 @@ pub(crate) fn first_order(setting: Setting, rule: PaperRule, n: NonZeroUsize) ->
     sampled.min(setting.kappa_above_one())
 }
 
-/// `e₂ − 1` for the trapezoidal rule: the lesser of the above and `(Gδ/3 + μ/24)/N²`; `None` if
-/// `M_H` is unknown.
+/// Returns `e₂ − 1` for the trapezoidal rule: the smaller of [`first_order`] and
+/// `(Gδ/3 + μ/24)/N²`. Returns `None` if `M_H` is unknown.
 pub(crate) fn second_order(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (delta, mu) = (setting.delta(), setting.mu()?);
     let leading = product([setting.bend() / 3.0, delta]) + mu / 24.0;
@@ -26,7 +27,7 @@ pub(crate) fn second_order(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some((leading / count / count).min(first_order(setting, PaperRule::Trapezoidal, n)))
 }
 
-/// The lesser of the above and `ê − 1`, where
+/// Returns the smaller of [`second_order`] and `ê − 1`, where
 ///
 /// ```text
 /// ê − 1 = (1/N²) [G² (min(κ, (1 + δ/2N)²)/12 + δ/(√360 N) + μ/240N²) + μ/24]
@@ -44,7 +45,7 @@ pub(crate) fn second_variation(setting: Setting, n: NonZeroUsize) -> Option<f64>
     Some(surplus.min(second_order(setting, n)?))
 }
 
-/// The least of these surpluses for a rule.
+/// Returns the least of these surpluses for a rule.
 pub(crate) fn least(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     match rule {
         PaperRule::Trapezoidal => {
@@ -62,7 +63,7 @@ mod tests {
         by_hand::{close, constants, n, with_m_h},
     };
 
-    /// Some ten roundings.
+    /// Allows for about ten roundings.
     const TOLERANCE: f64 = 4e-15;
 
     /// `c₁ = 4`, `L_H = 8`, `M_H = 32`, `d = 3`: `δ = 3` and `μ = 18`, on a region.
@@ -73,16 +74,17 @@ mod tests {
     #[test]
     fn by_hand() {
         let (plane, line) = (setting(4e6, 2), setting(4e6, 1));
-        // 3/4N + 9/8N² and 3/4N + 9/24N²; 3/2N.
+        // The surpluses are 3/4N + 9/8N² and 3/4N + 9/24N² (trapezoidal), and 3/2N (left endpoint).
         let first = first_order(plane, PaperRule::Trapezoidal, n(6));
         close(first, 0.125 + 0.03125, TOLERANCE);
         let first = first_order(line, PaperRule::Trapezoidal, n(6));
         close(first, 0.125 + 0.375 / 36.0, TOLERANCE);
         close(first_order(plane, PaperRule::LeftEndpoint, n(6)), 0.25, TOLERANCE);
-        // (9/2 + 3/4)/N² and (3/2 + 3/4)/N².
+        // The surpluses are (9/2 + 3/4)/N² and (3/2 + 3/4)/N².
         close(second_order(plane, n(6)), 5.25 / 36.0, TOLERANCE);
         close(second_order(line, n(6)), 2.25 / 36.0, TOLERANCE);
-        // At N = 3 with ω = 1/2: (9/4)((3/2)²/12 + 1/√360 + 18/2160) + 3/4 over 9.
+        // At N = 3 with ω = 1/2 the surplus is (9/4)((3/2)²/12 + 1/√360 + 18/2160) + 3/4, divided
+        // by 9.
         let factor = 2.25 / 12.0 + 1.0 / 360_f64.sqrt() + 1.0 / 120.0;
         close(second_variation(line, n(3)), (2.25 * factor + 0.75) / 9.0, TOLERANCE);
     }
@@ -93,16 +95,17 @@ mod tests {
         let factor = 0.1 + 1.0 / 3.0 / 360_f64.sqrt() + 18.0 / 19440.0;
         let capped = second_variation(setting(4.8, 2), n(9));
         close(capped, (20.25 * factor + 0.75) / 81.0, TOLERANCE);
-        // κ − 1 = 1/8.
+        // Here κ − 1 = 1/8.
         let tame = setting(4.5, 2);
         assert_eq!(first_order(tame, PaperRule::Trapezoidal, n(2)), 0.125);
         assert_eq!(first_order(tame, PaperRule::LeftEndpoint, n(2)), 0.125);
         assert_eq!(second_order(tame, n(2)), Some(0.125));
         assert_eq!(second_variation(tame, n(2)), Some(0.125));
-        // N = 1 and ω = 3/2: 3/4 + 9/8 is less than 9/2 + 3/4, and that than (81/4)(25/48 + …).
+        // N = 1 and ω = 3/2: 3/4 + 9/8 is less than 9/2 + 3/4, which is less than (81/4)(25/48 +
+        // …).
         let plane = setting(4e6, 2);
         assert_eq!(second_variation(plane, n(1)), Some(1.875));
-        // At N = 1000 the leading terms dominate, and the last is the least.
+        // At N = 1000 the leading terms dominate, and the last surplus is the least.
         let at = |bound: Option<f64>| bound.expect("M_H") * 1e6;
         assert!(at(second_order(plane, n(1000))) > 5.2);
         let sharp = at(second_variation(plane, n(1000)));

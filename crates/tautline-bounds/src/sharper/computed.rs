@@ -7,11 +7,12 @@ use crate::PaperRule;
 /// What is known about the minimum of a discrete energy over all admissible sequences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DiscreteMinimum {
-    /// It is the computed energy. This is an assumption: a solver finds a local minimum.
+    /// The minimum is assumed to be the computed energy. A solver only finds a local minimum.
     Assumed,
-    /// A lower bound, in `m²`, such as that of [`strict_convexity`](crate::strict_convexity).
+    /// A lower bound on the minimum, in `m²`, for example from
+    /// [`strict_convexity`](crate::strict_convexity).
     AtLeast(f64),
-    /// Nothing.
+    /// Nothing is known.
     Unknown,
 }
 
@@ -30,6 +31,6 @@ pub struct Computed {
     pub length_squared: f64,
     /// What is known about the minimum of `E_N`.
     pub minimum: DiscreteMinimum,
-    /// The Euclidean distance of the two sets, in `ℓ`; 0 if unknown.
+    /// The Euclidean distance between the two sets, in `ℓ`; 0 if unknown.
     pub gap: f64,
 }

@@ -7,24 +7,25 @@ use tautline_metrics::Constants;
 use super::{ceiling, speeds::greatest_speed, spread::Spread};
 use crate::{PaperRule, Setting, product::product};
 
-/// Returns `σ`, in `m²/ℓ²`: if it is positive, the discrete energy between two *points* is strictly
+/// Returns `σ`, in `m²/ℓ²`. If it is positive, the discrete energy between two *points* is strictly
 /// convex on the sequences with `|βₙ| ≤ B` (Proposition S.7).
 ///
 /// ```text
 /// σ = c₁ − 2 L_H B r − ½ M_H B² r²,     r = 1/(2N tan(π/2N)) (trapezoidal), 1/(2N sin(π/2N)) (left)
 /// ```
 ///
-/// By a discrete Poincaré inequality, a variation that vanishes at both ends moves the nodes by at
-/// most `r` times as much as the differences, in mean square. The second variation is at least `2σ`
-/// times the mean square of the differences.
+/// By a discrete Poincaré inequality, the root mean square of a variation that vanishes at both
+/// ends, taken at the nodes, is at most `r` times the root mean square of its differences. The
+/// second variation is at least `2σ` times the mean square of the differences.
 ///
-/// - `greatest`: `B`, in `ℓ`.
+/// - `greatest`: the bound `B`, in `ℓ`.
 ///
-/// Needs: `c₁`, `L_H` and `M_H` on the convex hull of such sequences; fixed ends. Overestimation:
-/// attained by the trapezoidal rule with `N = 2`, for a metric with the slopes `±L_H` at the two
-/// midpoints.
+/// Needs: `c₁`, `L_H` and `M_H` on the convex hull of these sequences; fixed ends. Overestimation:
+/// the modulus is attained by the trapezoidal rule with `N = 2`, for a metric with the slopes
+/// `±L_H` at the two midpoints.
 ///
-/// Returns `None` if `M_H` is unknown; `−∞` on overflow. At `N = 1` nothing varies, and `σ = c₁`.
+/// Returns `None` if `M_H` is unknown, and `−∞` on overflow. At `N = 1` nothing varies, and
+/// `σ = c₁`.
 ///
 /// # Panics
 ///
@@ -46,8 +47,9 @@ pub fn convexity_modulus(
     )
 }
 
-/// The greatest ratio of the root mean squares at the nodes and of the differences, for variations
-/// that vanish at both ends; 0 at `N = 1`, where there are none.
+/// Returns the greatest ratio of the root mean square at the nodes to the root mean square of the
+/// differences, over the variations that vanish at both ends. At `N = 1` there are none, and the
+/// result is 0.
 fn poincare(rule: PaperRule, n: NonZeroUsize) -> f64 {
     let count = n.get() as f64;
     match rule {
@@ -81,12 +83,12 @@ pub struct BetweenPoints {
 /// min E_N  ≥  E_N(x) − R²/(4σ N² sin²(π/2N)),      R² = (1/N) Σ |ρₙ|²
 /// ```
 ///
-/// With `B` large enough for the computed sequence and, by Lemmas S.3 and S.5, for every global
-/// minimiser, all of them lie in one convex set on which the energy is strictly convex. So the
-/// computed minimum is global, up to the error from the residual.
+/// `B` is chosen large enough for the computed sequence and, by Lemmas S.3 and S.5, for every
+/// global minimiser. All of them then lie in one convex set on which the energy is strictly convex.
+/// Hence the computed minimum is global, up to the error due to the residual.
 ///
-/// Needs: the setting of Theorem 1.1 with `M_H`, and points as ends. Nothing is assumed about the
-/// computed sequence.
+/// Needs: the setting of Theorem 1.1 with `M_H`, and two points as ends. Nothing is assumed about
+/// the computed sequence.
 ///
 /// Returns `None` if `M_H` is unknown, if `σ ≤ 0`, or if a number in `computed` is negative,
 /// infinite or NaN.
@@ -103,7 +105,8 @@ pub fn strict_convexity(
         return None;
     }
     let setting = Setting::new(constants, length, dimension).ok()?;
-    // A minimiser is stationary, and has at most the energy of the computed sequence and d² e.
+    // A minimiser is stationary, and its energy is at most that of the computed sequence and at
+    // most d² e.
     let by_momentum = greatest_speed(constants, discrete_energy, 0.0, n);
     let by_spread = length * greatest_ratio(setting, rule, n);
     let minimisers = by_momentum.min(by_spread) / constants.c1().sqrt();
@@ -119,7 +122,7 @@ pub fn strict_convexity(
     }
 }
 
-/// Bounds `max qₙ/d` of a minimiser by `√ε + R`, from the spread of its speeds.
+/// Bounds `max qₙ/d` for a minimiser by `√ε + R`, using the spread of its speeds.
 fn greatest_ratio(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let spread = |surplus: f64, spread: Spread| (1.0 + surplus).sqrt() + spread.deviation;
     let surplus = ceiling::first_order(setting, rule, n);
@@ -164,7 +167,7 @@ mod tests {
         assert_eq!(convexity_modulus(without_m_h(), PaperRule::LeftEndpoint, 4.0, n(2)), None);
     }
 
-    /// `yₙ = sin(nπ/N)`; the constant tends to `1/π`.
+    /// The variation is `yₙ = sin(nπ/N)`; the constant tends to `1/π`.
     #[test]
     fn the_poincare_inequality_is_attained_by_a_sine() {
         for count in [2, 3, 8, 50] {
@@ -177,7 +180,7 @@ mod tests {
             ] {
                 let ratio = (moved / differences).sqrt();
                 let r = poincare(rule, n(count));
-                // Sums of at most 50 terms.
+                // The sums have at most 50 terms.
                 assert!((ratio / r - 1.0).abs() < 1e-13, "{rule:?}, N = {count}: {ratio} and {r}");
             }
         }
@@ -202,14 +205,14 @@ mod tests {
         assert_eq!(exact, Some(0.25));
         let left = strict_convexity(constants(), 2, &computed(0.5, 0.1)).expect("convex");
         let lost = 0.25 - left;
-        // σ = 4 − 0.6 r − 0.09 r² with r = 1/π, and 0.01/(4σ (π/2)²).
+        // σ = 4 − 0.6 r − 0.09 r² with r = 1/π, and the loss is 0.01/(4σ (π/2)²).
         assert!((lost / 2.6665e-4 - 1.0).abs() < 1e-3, "{lost}");
         assert_eq!(strict_convexity(constants(), 2, &computed(50.0, 0.0)), None);
         assert_eq!(strict_convexity(without_m_h(), 2, &computed(0.5, 0.0)), None);
     }
 
-    /// For a computed sequence with nine times the least energy and no speed, the spread of the
-    /// speeds, by the lesser of two bounds, is better than the momentum.
+    /// For a computed sequence with nine times the least energy and zero speed, the spread of the
+    /// speeds (the smaller of two bounds) gives a better bound than the momentum.
     #[test]
     fn the_spread_bounds_the_speeds_of_a_minimiser() {
         let setting = Setting::new(constants(), 0.5, 2).expect("valid");
@@ -234,13 +237,14 @@ mod tests {
             let found = strict_convexity(constants(), 2, &slow).expect("convex");
             let wave = 64.0 * (std::f64::consts::FRAC_PI_2 / 64.0).sin();
             let lost = 1.0 / (4.0 * modulus * wave * wave);
-            // Some twenty roundings of numbers up to 4, of a difference of 0.03.
+            // This allows for about twenty roundings of numbers up to 4, relative to a difference
+            // of 0.03.
             assert!(((2.25 - found) / lost - 1.0).abs() < 1e-12, "{rule:?}: {found}, {lost}");
         }
     }
 
-    /// For near ends and the left-endpoint rule `√E + (L_H/c₁^{3/2}) E` is better than the spread.
-    /// It depends on the energy of the sequence, not on its length.
+    /// For ends close together and the left-endpoint rule, `√E + (L_H/c₁^{3/2}) E` is better than
+    /// the bound from the spread. It depends on the energy of the sequence, not on its length.
     #[test]
     fn the_momentum_bounds_the_speeds_of_a_minimiser() {
         for (energy, speed) in [(0.25_f64, 0.5 + 0.25 / 8.0), (0.2601, 0.51 + 0.2601 / 8.0)] {
@@ -255,7 +259,8 @@ mod tests {
             let r = 1.0 / (128.0 * angle.sin());
             let modulus = 4.0 - 2.0 * b * r - (b * r).powi(2);
             let lost = 1.0 / (4.0 * modulus * (64.0 * angle.sin()).powi(2));
-            // Some twenty roundings of numbers up to 4, of a difference of 0.03.
+            // This allows for about twenty roundings of numbers up to 4, relative to a difference
+            // of 0.03.
             assert!(((energy - found) / lost - 1.0).abs() < 1e-12, "{energy}: {found}, {lost}");
         }
     }

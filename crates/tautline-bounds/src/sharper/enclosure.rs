@@ -7,10 +7,10 @@ use tautline_metrics::Constants;
 use super::{Computed, DiscreteMinimum, ceiling};
 use crate::{BoundError, PaperRule, Setting, product::product};
 
-/// The statement behind a lower bound on `d²`.
+/// The statement that proves a lower bound on `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FromBelow {
-    /// `d² ≥ 0`.
+    /// The trivial bound `d² ≥ 0`.
     Nothing,
     /// Proposition 3.3: `c₁ |x − y|² ≤ d²`.
     Euclidean,
@@ -21,57 +21,59 @@ pub enum FromBelow {
 /// The number that bounds `d²` from above.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FromAbove {
-    /// `L(γᵖˡ)²`, the squared length of a curve between the sets.
+    /// `L(γᵖˡ)²`, the squared length of a curve between the two sets.
     Length,
-    /// `E(γᵖˡ)`, its energy, if that is less by rounding.
+    /// `E(γᵖˡ)`, the energy of this curve, if rounding makes it smaller than the squared length.
     Energy,
 }
 
-/// Bounds on `d²`, with their statements and assumptions.
+/// Bounds on `d²`, with the statements that prove them and the assumptions they need.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Enclosure {
     /// The lower bound, in `m²`.
     pub lower: f64,
     /// The upper bound, in `m²`.
     pub upper: f64,
-    /// The statement behind `lower`.
+    /// The statement that proves `lower`.
     pub from_below: FromBelow,
-    /// The number behind `upper`.
+    /// The number that `upper` equals.
     pub from_above: FromAbove,
     /// Whether `lower` assumes that the computed energy is the global minimum.
     pub assumes_global_minimum: bool,
-    /// Whether the numbers refute that assumption: some sequence has less discrete energy. Then
-    /// `lower` does not use it.
+    /// Whether the numbers refute that assumption: some sequence has a smaller discrete energy. In
+    /// that case `lower` does not use the assumption.
     pub is_not_global: bool,
-    /// Whether the constants hold on a region only. Then "global" means among the sequences in the
-    /// region (Proposition S.8).
+    /// Whether the constants hold on a region only. In that case "global" means among the sequences
+    /// in the region (Proposition S.8).
     pub is_local: bool,
 }
 
 impl Enclosure {
-    /// Returns `upper − lower`, in `m²`: a bound on `L(γᵖˡ)² − d²` from the sequence alone.
+    /// Returns `upper − lower`, in `m²`, which bounds `L(γᵖˡ)² − d²` from the sequence alone.
     #[must_use]
     pub fn width(&self) -> f64 {
         self.upper - self.lower
     }
 }
 
-/// Encloses `d²` by one computed sequence (Proposition S.6).
+/// Encloses `d²`, given one computed sequence (Proposition S.6).
 ///
 /// - *From above*, without assumptions: `d² ≤ L(γᵖˡ)² ≤ E(γᵖˡ)`.
-/// - *From below*: `min E_N ≤ d² e` with the least `e` of Lemma S.4, which increases with `d`;
-///   solved for `d`. No upper bound on `d` is needed. Besides, `c₁ |x − y|² ≤ d²`.
+/// - *From below*: `min E_N ≤ d² e` with the least `e` of Lemma S.4. Since `e` increases with `d`,
+///   the inequality can be solved for `d`, and no upper bound on `d` is needed. In addition,
+///   `c₁ |x − y|² ≤ d²`.
 ///
 /// Needs: the setting of Theorem 1.1, with `constants` on the region of the competitors
-/// (Proposition S.8); ends in their sets; for the lower bound, what [`DiscreteMinimum`] says.
+/// (Proposition S.8); ends in their sets; for the lower bound, the knowledge stated in
+/// [`DiscreteMinimum`].
 ///
-/// The computation rounds to nearest and takes `energy` and `length_squared` as exact: the last
+/// The computation rounds to nearest and treats `energy` and `length_squared` as exact, so the last
 /// digits are not certified.
 ///
 /// # Errors
 ///
 /// [`BoundError::NotAnEnergy`] if an energy is negative, infinite or NaN;
-/// [`BoundError::NotADistance`] if `gap` is; [`BoundError::NoDimension`];
+/// [`BoundError::NotADistance`] if `gap` is; [`BoundError::NoDimension`] if the dimension is 0;
 /// [`BoundError::Contradiction`] if the sequence refutes the lower bound on the minimum.
 pub fn enclose(
     constants: Constants,
@@ -105,7 +107,7 @@ pub fn enclose(
         DiscreteMinimum::Unknown => 0.0,
     };
     let solved = distance_from_below(zero, rule, n, least).powi(2);
-    // The solution is at most d² ≤ upper, up to rounding, unless the minimum is wrong.
+    // The solution is at most d² ≤ upper, up to rounding, unless the claimed minimum is wrong.
     let contradicts = solved > upper * (1.0 + 1e-12);
     if contradicts && matches!(minimum, DiscreteMinimum::AtLeast(_)) {
         return Err(BoundError::Contradiction { lower: solved, upper });
@@ -127,8 +129,8 @@ pub fn enclose(
     })
 }
 
-/// Returns the largest `d` with `d² e(d) ≤ least` that bisection finds, in `m`: a lower bound on
-/// the distance of the ends if `min E_N ≥ least`.
+/// Returns the largest `d` with `d² e(d) ≤ least` that bisection finds, in `m`. It is a lower bound
+/// on the distance between the ends if `min E_N ≥ least`.
 fn distance_from_below(setting: Setting, rule: PaperRule, n: NonZeroUsize, least: f64) -> f64 {
     let at_most = |d: f64| {
         setting.with_distance(d).is_ok_and(|setting| {
@@ -188,7 +190,7 @@ mod tests {
                 PaperRule::Trapezoidal => theorem_d_minimum_gap(setting, computed.n).expect("M_H"),
                 PaperRule::LeftEndpoint => theorem_a_minimum_gap(setting, rule, computed.n),
             };
-            // Some twenty roundings and that of the bisection.
+            // This allows for about twenty roundings and the error of the bisection.
             assert!((found.lower + ceiling - 9.0).abs() < 1e-13, "{found:?}");
             assert!(found.lower < 9.0 && found.width() > 0.5);
         }
@@ -202,7 +204,7 @@ mod tests {
         for minimum in [DiscreteMinimum::Unknown, DiscreteMinimum::AtLeast(-3.0)] {
             let found = enclose(constants(), 2, &computed(PaperRule::Trapezoidal, minimum));
             let found = found.expect("valid");
-            // 4·(1/4)².
+            // The Euclidean bound is 4·(1/4)².
             assert_eq!((found.lower, found.from_below), (0.25, FromBelow::Euclidean));
             assert!(!found.assumes_global_minimum);
         }
@@ -212,7 +214,8 @@ mod tests {
         assert_eq!((nothing.lower, nothing.from_below), (0.0, FromBelow::Nothing));
     }
 
-    /// `c₁ |x − y|² = 16` is better than the bound from a minimum of 9, and needs no assumption.
+    /// `c₁ |x − y|² = 16` is better than the bound that follows from a minimum of 9, and it needs
+    /// no assumption.
     #[test]
     fn where_the_euclidean_bound_is_better_nothing_is_assumed() {
         for minimum in
@@ -233,7 +236,7 @@ mod tests {
         }
     }
 
-    /// It holds for the result, and for the next double only by rounding.
+    /// The inequality holds for the result; for the next double it holds only because of rounding.
     #[test]
     fn the_equation_of_the_ceiling_is_solved_from_below() {
         let with_m_h = constants();
@@ -254,7 +257,7 @@ mod tests {
                 }
             }
         }
-        // Two neighbours may have equal rounded products.
+        // Two neighbouring doubles may have equal rounded products.
         assert!(solved > 200, "{solved}");
     }
 
@@ -270,13 +273,13 @@ mod tests {
         assert_eq!((found.lower, found.upper, found.from_above), (9.0, 9.0, FromAbove::Length));
         let local = enclose(flat.on_a_region(), 2, &exact).expect("valid");
         assert!(local.is_local && !found.is_local && local.lower == found.lower);
-        // The lesser of length and energy is taken.
+        // The upper bound is the smaller of squared length and energy.
         let energy = Computed { energy: 8.999, ..exact };
         let found = enclose(flat, 2, &energy).expect("valid");
         assert_eq!((found.upper, found.from_above), (8.999, FromAbove::Energy));
     }
 
-    /// A discrete energy of 9 with a length of 1 is not the minimum.
+    /// A discrete energy of 9 cannot be the minimum if the length is 1.
     #[test]
     fn a_refuted_assumption_is_not_used() {
         let good = computed(PaperRule::Trapezoidal, DiscreteMinimum::Assumed);

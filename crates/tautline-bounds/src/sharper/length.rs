@@ -13,16 +13,17 @@ use crate::{PaperRule, product::product};
 /// L(γᵖˡ)²  ≤  E_tra,N + (M_H/24c₁²N²) E_tra,N²
 /// ```
 ///
-/// the lesser of the two for the trapezoidal rule if `M_H` is known. On a chord the mean of `βᵀHβ`
-/// is at most `s + c s^{3/2}`, or `s + c s²`, with `s = q²`; the roots of both are concave.
+/// For the trapezoidal rule it is the smaller of the two if `M_H` is known. On a chord the mean of
+/// `βᵀHβ` is at most `s + c s^{3/2}`, or `s + c s²`, with `s = q²`; the square roots of both are
+/// concave in `s`.
 ///
 /// - `discrete_energy`: `E_N`, in `m²`, or an upper bound on it.
 ///
-/// Needs: `H ≥ c₁`, Lipschitz with `L_H`, `DH` with `M_H`. No minimiser. So `E_N` gives an upper
-/// bound on `d²`.
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and for the second bound `DH` Lipschitz with `M_H`.
+/// The sequence need not be a minimiser, so any `E_N` gives an upper bound on `d²`.
 ///
-/// Overestimation: attained in the limit `L_H → 0` for equal chords over valleys or up an incline,
-/// and in the limit `M_H → 0` along a parabola.
+/// Overestimation: the bounds are attained in the limit `L_H → 0` for equal chords over valleys or
+/// up an incline, and in the limit `M_H → 0` along a parabola.
 ///
 /// # Panics
 ///
@@ -60,7 +61,7 @@ mod tests {
     #[test]
     fn by_hand() {
         let constants = constants(4.0, 10.0, 8.0);
-        // 9 + (27/4)/N and 9 + (27/2)/N; with M_H = 96, 9 + (96/384)·81/N².
+        // The bounds are 9 + (27/4)/N and 9 + (27/2)/N; with M_H = 96, 9 + (96/384)·81/N².
         assert_eq!(squared_length(constants, PaperRule::Trapezoidal, 9.0, n(3)), 11.25);
         assert_eq!(squared_length(constants, PaperRule::LeftEndpoint, 9.0, n(3)), 13.5);
         let smooth = constants.with_m_h(96.0).expect("nonnegative");

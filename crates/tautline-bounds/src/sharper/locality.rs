@@ -1,4 +1,4 @@
-//! Proposition S.8: a region that contains every competitor, for metrics that have constants on
+//! Proposition S.8: a region that contains every competitor, for metrics whose constants hold on
 //! bounded regions only.
 
 use std::num::NonZeroUsize;
@@ -8,16 +8,16 @@ use tautline_metrics::Constants;
 use super::ceiling;
 use crate::{BoundError, PaperRule, Setting};
 
-/// A region that contains every competitor, with the constants there.
+/// A region that contains every competitor, with the constants on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Region {
     /// `R`, in `ℓ`: the region contains all points within this distance of the bounded end.
     pub radius: f64,
-    /// The constants of the metric there.
+    /// The constants of the metric on this region.
     pub constants: Constants,
 }
 
-/// Why no region was found.
+/// The reason why no region was found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LocalityError<E> {
@@ -29,8 +29,8 @@ pub enum LocalityError<E> {
         /// The error of the metric.
         reason: E,
     },
-    /// Competitors might leave every region that was tried: `√c₁` decreases faster than the radius
-    /// increases.
+    /// Competitors might leave every region that was tried, because `√c₁` decreases faster than the
+    /// radius increases.
     #[error(
         "within {radius} of the bounded end a competitor could go as far as {reach}: \
          no region contains them all (Proposition S.8)"
@@ -38,7 +38,8 @@ pub enum LocalityError<E> {
     Escapes {
         /// The largest radius that was tried, in `ℓ`.
         radius: f64,
-        /// How far a competitor could go there, in `ℓ`.
+        /// How far a competitor could move away from the bounded end with the constants there, in
+        /// `ℓ`.
         reach: f64,
     },
     /// The bound on the distance or the dimension is invalid.
@@ -49,8 +50,8 @@ pub enum LocalityError<E> {
 /// Finds a region that contains every competitor: every minimal geodesic and every sequence with
 /// `E_N ≤ d² e` (Proposition S.8).
 ///
-/// As long as it stays inside, a curve or a sequence of energy `E` is within `√(E/c₁)` of the
-/// bounded end. So a radius `R` is enough if, with the constants on that region,
+/// While it stays in the region, a curve or a sequence of energy `E` is within `√(E/c₁)` of the
+/// bounded end. So a radius `R` is enough if the constants on the region satisfy
 ///
 /// ```text
 /// d̄ √e  <  √c₁ R,        e = e(d̄) of Lemma S.4
@@ -59,13 +60,13 @@ pub enum LocalityError<E> {
 /// for an upper bound `d̄` on the distance. Theorems A to D then hold with these constants for the
 /// minimisers of `E_N` among the sequences in the region.
 ///
-/// - `upper`: `d̄`, in `m`, the length of a curve between the ends, such as `γᵖˡ`.
-/// - `constants_within`: the constants on the convex hull of the points within a given distance of
-///   the bounded end, or an error.
+/// - `upper`: `d̄`, in `m`, the length of a curve between the ends, for example of `γᵖˡ`.
+/// - `constants_within`: returns the constants on the convex hull of the points within a given
+///   distance of the bounded end, or an error.
 ///
-/// Needs: constants that are no better on a larger region. Overestimation: the radius is within 1 %
-/// of the least that is enough, if `√c₁ R` has no flat piece there; `constants_within` may be
-/// called with radii up to 1 % above it. If `upper` is 0, so is the radius.
+/// Needs: constants that do not improve on a larger region. Overestimation: the radius is within 1
+/// % of the least sufficient one, unless `√c₁ R` has a flat piece there; `constants_within` may be
+/// called with radii up to 1 % larger than the result. If `upper` is 0, the radius is 0.
 ///
 /// # Errors
 ///
@@ -79,8 +80,8 @@ pub fn competitors<E>(
     mut constants_within: impl FnMut(f64) -> Result<Constants, E>,
 ) -> Result<Region, LocalityError<E>> {
     let (mut radius, mut first, mut last) = (0.0_f64, f64::INFINITY, 0.0_f64);
-    // The radius increases by at least 1 % each time. Nine decades beyond the first reach, c₁ has
-    // decreased by eighteen, and the bounds are worthless.
+    // The radius increases by at least 1 % each time. At nine decades beyond the first reach, c₁
+    // has decreased by eighteen decades, and the bounds are worthless.
     while radius <= 1e9 * first {
         let constants = constants_within(radius)
             .map_err(|reason| LocalityError::NoConstants { radius, reason })?
@@ -101,10 +102,11 @@ pub fn competitors<E>(
     Err(LocalityError::Escapes { radius, reach: last })
 }
 
-/// Bounds the distance of a competitor from the bounded end, in `ℓ`, if the constants hold at least
-/// that far (Proposition S.8): `d̄ √e/√c₁`, with the distance of `setting` for `d̄`.
+/// Bounds the distance of a competitor from the bounded end, in `ℓ`, by `d̄ √e/√c₁`, where `d̄` is
+/// the distance of `setting` (Proposition S.8). The constants must hold at least that far from the
+/// bounded end.
 ///
-/// Overestimation: attained in the limit `H → c₁ I`.
+/// Overestimation: the bound is attained in the limit `H → c₁ I`.
 #[must_use]
 pub fn reach(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let surplus = ceiling::least(setting, rule, n);
@@ -124,8 +126,8 @@ mod tests {
     const N: NonZeroUsize = NonZeroUsize::new(100).expect("positive");
     const TRA: PaperRule = PaperRule::Trapezoidal;
 
-    /// The constants of `H = 4/(1 + |x|²)² I` on the ball of radius `r` about 0; the slope is
-    /// steepest at `1/√5`.
+    /// Returns the constants of `H = 4/(1 + |x|²)² I` on the ball of radius `r` about 0. The slope
+    /// of `H` is steepest at `1/√5`.
     fn sphere(radius: f64) -> Result<Constants, Infallible> {
         let c1 = 4.0 / (1.0 + radius * radius).powi(2);
         let r = radius.min(1.0 / 5_f64.sqrt());
@@ -143,15 +145,16 @@ mod tests {
         }
     }
 
-    /// `√c₁ R = 2R/(1 + R²) ≤ 1`.
+    /// On this metric `√c₁ R = 2R/(1 + R²) ≤ 1`.
     #[test]
     fn a_distance_above_one_is_an_escape_on_the_sphere() {
         let error = competitors(2, TRA, N, 1.01, sphere).expect_err("too far");
         assert!(matches!(error, LocalityError::Escapes { reach, .. } if reach > 1.0), "{error}");
     }
 
-    /// `H ≥ 1` with `L_H = 2` and `d̄ = 1` has `δ = 2`. With one chord a competitor may reach `√2`,
-    /// by `e = 1 + δ/2` (left endpoint) and by `1 + δ/4 + δ²/8` (trapezoidal).
+    /// `H ≥ 1` with `L_H = 2` and `d̄ = 1` has `δ = 2`. With one chord a competitor may be as far
+    /// away as `√2`: `e = 1 + δ/2` for the left endpoint, and `e = 1 + δ/4 + δ²/8` for the
+    /// trapezoidal rule.
     #[test]
     fn the_surplus_of_the_energy_extends_the_reach() {
         let flat = with_m_h(1.0, 100.0, 2.0, 0.0);
@@ -160,7 +163,8 @@ mod tests {
             let region = competitors(2, rule, NonZeroUsize::MIN, 1.0, within).expect("bounded");
             assert!((2_f64.sqrt()..1.03 * 2_f64.sqrt()).contains(&region.radius), "{region:?}");
         }
-        // With four chords 1 + δ/8, and the second variation: 1 + 9·(25/16/12 + ½/√360)/16.
+        // With four chords, e = 1 + δ/8, and by the second variation e = 1 + 9·(25/16/12 +
+        // ½/√360)/16.
         let left = competitors(2, PaperRule::LeftEndpoint, n(4), 1.0, within).expect("bounded");
         assert!((1.25_f64.sqrt()..1.03 * 1.25_f64.sqrt()).contains(&left.radius), "{left:?}");
         let tra = competitors(2, TRA, n(4), 1.0, within).expect("bounded");
@@ -168,16 +172,17 @@ mod tests {
         assert!((e.sqrt()..1.03 * e.sqrt()).contains(&tra.radius), "{tra:?}");
     }
 
-    /// Constants within a radius count as those of a region, even if not marked so. On a region,
-    /// with one chord, `e = 1 + δ/4 + δ²/24` for an isotropic metric with `M_H = 0`; on all of
-    /// space `G` would be 0.
+    /// Constants within a radius are treated as constants on a region, even if they are not marked
+    /// as such. On a region, with one chord, `e = 1 + δ/4 + δ²/24` for an isotropic metric with
+    /// `M_H = 0`; on all of space `G` would be 0.
     #[test]
     fn constants_within_a_radius_are_those_of_a_region() {
         let incline = with_m_h(1.0, 1e6, 6.0, 0.0).isotropic();
         for given in [incline, incline.on_a_region()] {
             let within = |_| Ok::<_, Infallible>(given);
             let region = competitors(2, TRA, NonZeroUsize::MIN, 1.0, within).expect("bounded");
-            // δ = 6: 1 + 3/2 + 3/2 is less than 1 + 9·(16/12 + 6/√360) by the second variation.
+            // For δ = 6, 1 + 3/2 + 3/2 is less than 1 + 9·(16/12 + 6/√360), the second variation's
+            // value.
             assert!((2.0..1.03 * 2.0).contains(&region.radius), "{region:?}");
             assert!(region.constants.is_local());
         }

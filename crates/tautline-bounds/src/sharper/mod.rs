@@ -1,5 +1,5 @@
-//! Bounds sharper than those of the paper: of order `1/N` and `1/N²`, without the dimension, and
-//! from one computed sequence. The proofs are in `paper/SHARPER.md`.
+//! Bounds sharper than those of the paper. They are of order `1/N` and `1/N²` and do not depend on
+//! the dimension, and some need only one computed sequence. The proofs are in `paper/SHARPER.md`.
 
 mod acceleration;
 mod best;

@@ -1,4 +1,4 @@
-//! Propositions 7.4 and 7.6, sharpened: the errors of velocity and energy when a curve is sampled.
+//! Propositions 7.4 and 7.6, sharpened: the errors in velocity and energy of a sampled curve.
 
 use std::num::NonZeroUsize;
 
@@ -12,12 +12,12 @@ use crate::{PaperRule, product::product};
 /// |βₙ − γ̇(t)|  ≤  ((θ³ + (1 − θ)³)/3)^{1/2} ‖γ̈‖/√N,      θ = N(t − tₙ) ∈ [0, 1]
 /// ```
 ///
-/// - `theta`: the place in the subinterval. The factor is at most `1/√3`, at `θ = 0` and `1`, and
-///   `1/√12` in the middle; the paper has 2.
-/// - `acceleration`: `‖γ̈‖` in L² of the subinterval, in `ℓ`.
+/// - `theta`: the position in the subinterval. The factor is at most `1/√3`, attained at `θ = 0`
+///   and `1`; in the middle it is `1/√12`. The paper has 2.
+/// - `acceleration`: the `L²` norm `‖γ̈‖` on the subinterval, in `ℓ`.
 ///
-/// Needs: `γ̇` absolutely continuous. Overestimation: attained for every `θ`; for `θ = 0` by
-/// `γ = (tₙ₊₁ − t)³`.
+/// Needs: `γ̇` absolutely continuous. Overestimation: the bound is attained for every `θ`; for
+/// `θ = 0` by `γ = (tₙ₊₁ − t)³`.
 ///
 /// # Panics
 ///
@@ -31,17 +31,17 @@ pub fn velocity_error(acceleration: f64, theta: f64, n: NonZeroUsize) -> f64 {
     (cubes / (3.0 * n.get() as f64)).sqrt() * acceleration
 }
 
-/// Bounds `E_tra,N(γ) − E(γ)`, in `m²`, for a curve with `‖γ̇‖ ≤ K₁` and `‖γ̈‖ ≤ K₂`: Proposition
-/// 7.6 from above.
+/// Bounds `E_tra,N(γ) − E(γ)`, in `m²`, for a curve with `‖γ̇‖ ≤ K₁` and `‖γ̈‖ ≤ K₂`. This is the
+/// upper half of Proposition 7.6.
 ///
 /// ```text
 /// E_tra,N − E  ≤  (L_H/2N) K₁² (K₁ + K₂/√3)
 /// ```
 ///
-/// `βₙ` is the mean of `γ̇` over its subinterval, so by Jensen's inequality `c₂` does not enter;
-/// the midpoint of a chord is half a step away, at a speed of at most `K₁ + K₂/√3`.
+/// `βₙ` is the mean of `γ̇` over its subinterval, so by Jensen's inequality the bound does not
+/// depend on `c₂`. The midpoint of a chord is half a step away, at a speed of at most `K₁ + K₂/√3`.
 ///
-/// Needs: `H ≥ 0`, Lipschitz with `L_H`; `γ̇` absolutely continuous.
+/// Needs: `H ≥ 0`, `H` Lipschitz with `L_H`, and `γ̇` absolutely continuous.
 ///
 /// # Panics
 ///
@@ -54,17 +54,18 @@ pub fn sampling_rise(constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) ->
     product([0.5, constants.l_h(), k1, k1, speed]) / n.get() as f64
 }
 
-/// Bounds `E(γ) − E_tra,N(γ)`, in `m²`, for a curve with `‖γ̇‖ ≤ K₁` and `‖γ̈‖ ≤ K₂`: Proposition
-/// 7.6 from below.
+/// Bounds `E(γ) − E_tra,N(γ)`, in `m²`, for a curve with `‖γ̇‖ ≤ K₁` and `‖γ̈‖ ≤ K₂`. This is the
+/// lower half of Proposition 7.6.
 ///
 /// ```text
 /// E − E_tra,N  ≤  (L_H/2N) K₁² (K₁ + K₂/√3) + c₂ K₂²/π²N²
 /// ```
 ///
-/// The cross term of the paper's proof integrates to 0; the last term is by Wirtinger's inequality.
+/// The cross term of the paper's proof integrates to 0; the last term follows from Wirtinger's
+/// inequality.
 ///
-/// Needs: `0 ≤ H ≤ c₂`, Lipschitz with `L_H`; `γ̇` absolutely continuous. Overestimation: attained
-/// by a constant metric and a cosine.
+/// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz with `L_H`, and `γ̇` absolutely continuous. Overestimation:
+/// the bound is attained by a constant metric and a cosine.
 ///
 /// # Panics
 ///
@@ -83,9 +84,9 @@ pub fn sampling_fall(constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) ->
 /// E_tra,N − E  ≤  L_H A₁² (A₁/4N + A₂/12N²),      E_l,N − E  ≤  L_H A₁³/2N
 /// ```
 ///
-/// Needs: as for [`sampling_rise`]; for the left-endpoint rule no `γ̈`. Overestimation: the first
-/// terms are attained, by a straight line over a tent at the middle of each chord, and down a
-/// slope.
+/// Needs: as for [`sampling_rise`]; the left-endpoint rule does not need `γ̈`. Overestimation: the
+/// first terms are attained by a straight line, over a tent at the middle of each chord
+/// (trapezoidal) and down a slope (left endpoint).
 ///
 /// # Panics
 ///
@@ -151,7 +152,7 @@ mod tests {
             (pointwise(PaperRule::LeftEndpoint), 36.0 * 0.3),
             (pointwise_fall(constants, 3.0, 2.0, five), risen_pointwise + 36.0 / 300.0),
         ] {
-            // Some ten roundings.
+            // This allows for about ten roundings.
             close(value, expected, 2e-15);
         }
     }

@@ -1,5 +1,5 @@
-//! Lemma S.2: bounds on the differences of the energies of one point sequence, by moments of its
-//! speeds.
+//! Lemma S.2: bounds on the differences between the energies of a point sequence, in terms of the
+//! moments of its speeds.
 
 use std::num::NonZeroUsize;
 
@@ -13,14 +13,15 @@ use crate::{PaperRule, product::product};
 /// |E(γᵖˡ) − E_N(γᵖ)|  ≤  (k L_H/N) mean |β|³,      k = ¼ (trapezoidal), ½ (left endpoint)
 /// ```
 ///
-/// On a chord `H` differs from its value at the node by at most `L_H` times the distance, whose
-/// mean is `kh|β|`. Propositions 7.9 and 8.2 go on to estimate `mean |β|³ ≤ √N K₃³`.
+/// On a chord, `H` differs from its value at the node by at most `L_H` times the distance from the
+/// node, and the mean of this distance is `kh|β|`. Propositions 7.9 and 8.2 further estimate
+/// `mean |β|³ ≤ √N K₃³`.
 ///
 /// - `mean_cube`: `(1/N) Σ |βₙ|³`, in `ℓ³`, or an upper bound on it.
 ///
-/// Needs: `H` Lipschitz along the chords; no `c₁`, no `c₂`, no minimiser. Overestimation: attained
-/// by a valley at the middle of each chord (trapezoidal), by `H` linear along each chord (left
-/// endpoint).
+/// Needs: `H` Lipschitz along the chords. Neither `c₁` nor `c₂` nor a minimiser is needed.
+/// Overestimation: the bound is attained by a valley at the middle of each chord (trapezoidal) and
+/// by `H` linear along each chord (left endpoint).
 ///
 /// # Panics
 ///
@@ -35,7 +36,7 @@ pub fn cubic_gap(constants: Constants, rule: PaperRule, mean_cube: f64, n: NonZe
 
 /// Bounds `|E_l,N(γᵖ) − E_tra,N(γᵖ)|`, in `m²`, by `(L_H/2N) mean |β|³` (Lemma S.2).
 ///
-/// Arguments, needs and overestimation: as for [`cubic_gap`]; the nodes of the rules are half a
+/// Arguments, needs and overestimation: as for [`cubic_gap`]. The nodes of the two rules are half a
 /// chord apart.
 ///
 /// # Panics
@@ -47,7 +48,7 @@ pub fn cubic_rule_gap(constants: Constants, mean_cube: f64, n: NonZeroUsize) -> 
     cubic_gap(constants, PaperRule::LeftEndpoint, mean_cube, n)
 }
 
-/// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, in `m²` (Lemma S.2); `None` if `M_H` is unknown.
+/// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, in `m²` (Lemma S.2). Returns `None` if `M_H` is unknown.
 ///
 /// ```text
 /// |E(γᵖˡ) − E_tra,N(γᵖ)|  ≤  (M_H/24N²) mean |β|⁴
@@ -57,8 +58,8 @@ pub fn cubic_rule_gap(constants: Constants, mean_cube: f64, n: NonZeroUsize) -> 
 ///
 /// - `mean_fourth`: `(1/N) Σ |βₙ|⁴`, in `ℓ⁴`, or an upper bound on it.
 ///
-/// Needs: `DH` Lipschitz along the chords. Overestimation: attained by `H` quadratic along each
-/// chord.
+/// Needs: `DH` Lipschitz along the chords. Overestimation: the bound is attained if `H` is
+/// quadratic along each chord.
 ///
 /// # Panics
 ///
@@ -78,12 +79,13 @@ mod tests {
         by_hand::{constants, n},
     };
 
-    /// One chord of length 4 over `H = 1 + 3|x − 2|`, `1 + 3x` and `1 + 3(x − 2)²`, and one of
-    /// length 0: `β` is 8 and 0, `mean |β|³ = 256` and `mean |β|⁴ = 2048`.
+    /// The first chord has length 4 and lies over `H = 1 + 3|x − 2|`, `1 + 3x` or `1 + 3(x − 2)²`;
+    /// the second has length 0. So `β` is 8 and 0, `mean |β|³ = 256` and `mean |β|⁴ = 2048`.
     #[test]
     fn attained_by_a_valley_a_slope_and_a_parabola() {
         let (constants, two) = (constants(1.0, 13.0, 3.0), n(2));
-        // ½·64 (mean H − H(node)), where the mean of |x − 2| is 1, of x is 2, of (x − 2)² is 4/3.
+        // ½·64 (mean H − H(node)); the mean of |x − 2| is 1, that of x is 2, and that of (x − 2)²
+        // is 4/3.
         let trapezoidal = cubic_gap(constants, PaperRule::Trapezoidal, 256.0, two);
         assert_eq!(trapezoidal, 32.0 * 3.0);
         assert_eq!(cubic_gap(constants, PaperRule::LeftEndpoint, 256.0, two), 32.0 * 6.0);

@@ -1,4 +1,5 @@
-//! Lemma S.3: bounds on the speeds of a sequence that is stationary in its inner points.
+//! Lemma S.3: bounds on the speeds of a sequence that is stationary with respect to its inner
+//! points.
 
 use std::num::NonZeroUsize;
 
@@ -6,24 +7,24 @@ use tautline_metrics::Constants;
 
 use crate::product::product;
 
-/// Bounds the greatest speed `max qₙ` of a sequence, in `m`, where `qₙ² = βₙᵀ H βₙ` with `H` at the
-/// node of the rule (Lemma S.3).
+/// Bounds the greatest speed `max qₙ` of a sequence, in `m`, where `qₙ² = βₙᵀ H βₙ` with `H`
+/// evaluated at the node of the rule (Lemma S.3).
 ///
 /// ```text
 /// max qₙ  ≤  min( √(N E_N),  √E_N + (L_H/c₁^{3/2}) E_N + mean|ρ|/√c₁ ),      ∂E_N/∂xₙ = −2hρₙ
 /// ```
 ///
-/// If the inner points are stationary, the speed changes by at most `h (L_H/c₁^{3/2}) q²` from one
-/// chord to the next, and some chord is no faster than the mean. Divided by `√c₁`, the bound is one
-/// on `max |βₙ|`.
+/// If the sequence is stationary, the speed changes by at most `h (L_H/c₁^{3/2}) q²` from one chord
+/// to the next, and some chord is no faster than the mean. Divided by `√c₁`, the bound becomes a
+/// bound on `max |βₙ|`.
 ///
 /// - `discrete_energy`: `E_N`, in `m²`.
 /// - `mean_residual`: `(1/N) Σ |ρₙ|` over the inner points, in `m²/ℓ`.
 ///
-/// Needs: `H ≥ c₁`, Lipschitz with `L_H`; either rule of the paper. Not necessarily a minimiser:
-/// local minima and saddles are included, and the ends may be anywhere.
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and either rule of the paper. The sequence need not
+/// be a minimiser: local minima and saddles are included, and the ends may be anywhere.
 ///
-/// Overestimation: the least known for the second term is 2.
+/// Overestimation: the smallest overestimation known for the second term is 2.
 ///
 /// # Panics
 ///
@@ -43,19 +44,20 @@ pub fn greatest_speed(
     stationary.min((n.get() as f64 * discrete_energy).sqrt())
 }
 
-/// Bounds the greatest difference `max |βₙ|` of a sequence by its momentum, in `ℓ` (Lemma S.3).
+/// Bounds the greatest difference `max |βₙ|` of a sequence, in `ℓ`, by means of its momentum (Lemma
+/// S.3).
 ///
 /// ```text
 /// max |βₙ|  ≤  (c₂ K₃ + ½ L_H K₃² + mean|ρ|)/c₁
 /// ```
 ///
-/// If the inner points are stationary, the momentum `H βₙ` changes by at most `½ L_H K₃²` in total.
+/// If the sequence is stationary, the momentum `H βₙ` changes by at most `½ L_H K₃²` in total.
 ///
-/// - `k3`: root mean square `K₃` of the differences, in `ℓ`.
+/// - `k3`: the root mean square `K₃` of the differences, in `ℓ`.
 /// - `mean_residual`: as for [`greatest_speed`].
 ///
-/// Needs: as for [`greatest_speed`], and `H ≤ c₂`. Overestimation: attained by a constant metric
-/// with `c₁ = c₂`.
+/// Needs: as for [`greatest_speed`], and `H ≤ c₂`. Overestimation: the bound is attained by a
+/// constant metric with `c₁ = c₂`.
 ///
 /// # Panics
 ///
@@ -68,8 +70,8 @@ pub fn greatest_difference(constants: Constants, k3: f64, mean_residual: f64) ->
     momentum / constants.c1()
 }
 
-/// Bounds `|βₙ − βₙ₋₁|`, in `ℓ`, for a sequence that is stationary in its inner points (Lemma S.3):
-/// Lemma S.1 for sequences.
+/// Bounds `|βₙ − βₙ₋₁|`, in `ℓ`, for a sequence that is stationary with respect to its inner points
+/// (Lemma S.3). This is the analogue of Lemma S.1 for sequences.
 ///
 /// ```text
 /// |βₙ − βₙ₋₁|  ≤  (3/2) (L_H/N c₁) max |β|²
@@ -77,7 +79,7 @@ pub fn greatest_difference(constants: Constants, k3: f64, mean_residual: f64) ->
 ///
 /// - `greatest`: `max |βₙ|`, in `ℓ`, or an upper bound on it.
 ///
-/// Needs: `H ≥ c₁`, Lipschitz with `L_H`; either rule of the paper.
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and either rule of the paper.
 ///
 /// # Panics
 ///
@@ -96,7 +98,7 @@ mod tests {
     #[test]
     fn by_hand() {
         let constants = constants(4.0, 10.0, 8.0);
-        // √9 + (8/8)·9 + 6/2, unless N·9 is less.
+        // √9 + (8/8)·9 + 6/2, unless √(N·9) is less.
         assert_eq!(greatest_speed(constants, 9.0, 6.0, n(100)), 15.0);
         assert_eq!(greatest_speed(constants, 9.0, 6.0, n(4)), 6.0);
         assert_eq!(greatest_speed(constants, 0.0, 0.0, n(4)), 0.0);

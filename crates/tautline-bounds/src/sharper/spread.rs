@@ -7,32 +7,32 @@ use crate::{PaperRule, Setting, product::product};
 /// Bounds on the moments of the relative speeds `uₙ = qₙ/d` of an admissible sequence with
 /// `E_N ≤ d² ε`, all pure numbers (Lemma S.5).
 ///
-/// The length of `γᵖˡ` is at least `d` and nearly the mean speed; the energy is the mean square
-/// speed. If the two almost agree, the speeds are almost equal:
+/// The length of `γᵖˡ` is at least `d` and nearly equals the mean speed; the energy is the mean
+/// square speed. If mean and root mean square almost agree, the speeds are almost equal:
 ///
 /// ```text
 /// mean u ≥ 1 − x,    v = mean u² − (mean u)² ≤ ε − max(0, 1 − x)²,    |uₙ − mean u| ≤ R = √((N − 1) v)
 /// x = kδε/2N,  and for the trapezoidal rule  x = μ m₃/48N²
 /// ```
 ///
-/// Needs: `H ≥ c₁`, Lipschitz with `L_H`; ends in their sets. The sequence need be neither a
-/// minimiser nor stationary.
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and ends in their sets. The sequence need be neither
+/// a minimiser nor stationary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// `x` in `mean u ≥ 1 − x`.
+    /// The shortfall `x` in `mean u ≥ 1 − x`.
     pub shortfall: f64,
-    /// `v`: the variance.
+    /// The variance `v`.
     pub variance: f64,
-    /// `R`: the greatest deviation from the mean.
+    /// The bound `R` on the deviation from the mean.
     pub deviation: f64,
-    /// `m₃`: the mean of the cubes.
+    /// The mean of the cubes, `m₃`.
     pub cube: f64,
-    /// `m₄`: the mean of the fourth powers.
+    /// The mean of the fourth powers, `m₄`.
     pub fourth: f64,
 }
 
 impl Spread {
-    /// Returns the spread by `x = kδε/2N`, for either rule; `surplus` is `ε − 1 ≥ 0`.
+    /// Returns the spread for `x = kδε/2N`, for either rule; `surplus` is `ε − 1 ≥ 0`.
     ///
     /// # Panics
     ///
@@ -49,11 +49,11 @@ impl Spread {
         Self::of_shortfall(product([halved, setting.delta(), 1.0 + surplus]), surplus, n)
     }
 
-    /// Returns the spread by the lesser `x`, for the trapezoidal rule; `surplus` is `ε − 1 ≥ 0`.
-    /// `None` if `M_H` is unknown.
+    /// Returns the spread for the smaller of the two `x`, for the trapezoidal rule; `surplus` is
+    /// `ε − 1 ≥ 0`. Returns `None` if `M_H` is unknown.
     ///
-    /// `x` bounds `v`, which bounds `m₃`, which bounds `x`: a fixed-point iteration of 64 steps,
-    /// each of which gives valid bounds.
+    /// `x` bounds `v`, `v` bounds `m₃`, and `m₃` bounds `x`. This gives a fixed-point iteration of
+    /// 64 steps, each of which yields valid bounds.
     ///
     /// # Panics
     ///
@@ -70,7 +70,7 @@ impl Spread {
         Some(spread)
     }
 
-    /// The bounds that follow from `mean u ≥ 1 − x` and `mean u² ≤ 1 + surplus`.
+    /// Returns the bounds that follow from `mean u ≥ 1 − x` and `mean u² ≤ 1 + surplus`.
     fn of_shortfall(shortfall: f64, surplus: f64, n: NonZeroUsize) -> Self {
         let (e, count) = (1.0 + surplus, n.get() as f64);
         // ε − (1 − x)², without cancellation.
@@ -79,8 +79,8 @@ impl Spread {
         let square = product([others, variance]);
         let deviation = square.sqrt();
         let root = e.sqrt();
-        // Among N nonnegative numbers with mean square ε, a single nonzero one has the greatest
-        // moments.
+        // Among all N nonnegative numbers with mean square ε, those with a single nonzero number
+        // have the greatest moments.
         let cube = (e * root + 1.5 * product([root, variance]) + product([deviation, variance]))
             .min(count.sqrt() * e * root);
         let fourth = (e * e
@@ -106,7 +106,7 @@ mod tests {
     }
 
     fn close(value: f64, expected: f64) {
-        // Some ten roundings.
+        // This allows for about ten roundings.
         by_hand::close(value, expected, 4e-15);
     }
 
@@ -120,7 +120,7 @@ mod tests {
         let (e, v, r) = (10.0_f64 / 9.0, 39.0_f64 / 144.0, (39.0_f64 / 36.0).sqrt());
         close(spread.cube, e.powf(1.5) + 1.5 * e.sqrt() * v + r * v);
         close(spread.fourth, e * e + 4.0 * e * v + 4.0 * e.sqrt() * r * v + r * r * v);
-        // The left-endpoint rule has twice that x.
+        // For the left-endpoint rule x is twice as large.
         let left = Spread::of_first_order(setting(32.0), PaperRule::LeftEndpoint, n(5), 1.0 / 9.0);
         close(left.shortfall, 1.0 / 6.0);
     }
@@ -133,20 +133,20 @@ mod tests {
         close(spread.fourth, 1.2_f64.powi(4));
     }
 
-    /// At N = 1, ε = 1 we have `m₃ = 1`: `x = μ/48` with μ = 1/3.
+    /// At N = 1 and ε = 1, `m₃ = 1`, so `x = μ/48` with μ = 1/3.
     #[test]
     fn second_order_by_hand() {
         let spread = Spread::of_second_order(setting(16.0 / 27.0), n(1), 0.0).expect("M_H");
         close(spread.shortfall, 1.0 / 144.0);
         close(spread.variance, 1.0 / 72.0 - 1.0 / 144.0_f64.powi(2));
-        // For large μ it falls back to the first order.
+        // For large μ the result falls back to the first order.
         let first = Spread::of_first_order(setting(1e9), PaperRule::Trapezoidal, n(9), 0.1);
         assert_eq!(Spread::of_second_order(setting(1e9), n(9), 0.1), Some(first));
         let unknown = Setting::new(constants(1.0, 2.0, 1.0), 1.0, 2).expect("valid");
         assert_eq!(Spread::of_second_order(unknown, n(9), 0.1), None);
     }
 
-    /// `x = μ m₃/48N²` at the end.
+    /// At the end of the iteration, `x = μ m₃/48N²`.
     #[test]
     fn the_iteration_has_converged() {
         let (setting, n) = (setting(32.0), n(40));

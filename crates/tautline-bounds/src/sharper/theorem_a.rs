@@ -1,4 +1,5 @@
-//! Theorem A: bounds of order `1/N` for sequences that are stationary in their inner points.
+//! Theorem A: bounds of order `1/N` for sequences that are stationary with respect to their inner
+//! points.
 //!
 //! With `δ = L_H d / c₁^{3/2}`, the [`G`](Setting::bend) of Lemma S.1, `κ = c₂/c₁`, and `k = ¼` for
 //! the trapezoidal rule, `k = ½` for the left-endpoint rule:
@@ -25,23 +26,26 @@ use crate::{PaperRule, Setting, product::product, sharper::ceiling};
 /// min E_tra,N − d²  ≤  d² min(κ − 1, δ/4N + Gδ/12N²),      min E_l,N − d²  ≤  d² min(κ − 1, δ/2N)
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and a *global* minimiser. `c₂` enters only by `κ`, and `D`
-/// only if it is 1. For an isotropic metric with `M_H`, [`G`](Setting::bend) uses it.
+/// Needs: the setting of Theorem 1.1, and a *global* minimiser. `c₂` enters only through `κ`, and
+/// `D` matters only if it is 1. For an isotropic metric, [`G`](Setting::bend) uses `M_H` if it is
+/// known.
 ///
 /// Overestimation: neither `δ/4` nor `δ/2` can be improved for all metrics with these constants.
-/// For a fixed smooth metric the gap of the trapezoidal rule is of order `1/N²`.
+/// For a fixed smooth metric the gap is of order `1/N²` for the trapezoidal rule.
 #[must_use]
 pub fn theorem_a_minimum_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let d = setting.distance();
     product([d, d, ceiling::first_order(setting, rule, n)])
 }
 
-/// Bounds `E(γᵖˡ) − E_N(γᵖ)`, and `d² − E_N(γᵖ)`, in `m²`, by `d² (kδ/N) e Q = O(1/N)`.
+/// Bounds both `E(γᵖˡ) − E_N(γᵖ)` and `d² − E_N(γᵖ)`, in `m²`, by `d² (kδ/N) e Q = O(1/N)`.
 ///
-/// Needs: the setting of Theorem 1.1, and a sequence that is stationary in its inner points with
-/// `E_N ≤ d² e`, such as a *global* minimiser. `e` and `Q` are as in the derivation above.
+/// Needs: the setting of Theorem 1.1, and a sequence with `E_N ≤ d² e` that is stationary with
+/// respect to its inner points, for example a *global* minimiser. `e` and `Q` are as in the
+/// derivation above.
 ///
-/// Overestimation: attained at `N = 1` by a tent (trapezoidal) and by an incline (left endpoint).
+/// Overestimation: the bound is attained at `N = 1` by a tent (trapezoidal) and by an incline (left
+/// endpoint).
 #[must_use]
 pub fn theorem_a_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
@@ -50,8 +54,8 @@ pub fn theorem_a_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize
     product([d, d, rule.mean_distance(), delta, e, greatest]) / n.get() as f64
 }
 
-/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, in `m²`: the sum of the two gaps, `O(1/N)` where the
-/// paper proves `O(1/√N)`.
+/// Bounds both `E(γᵖˡ) − d²` and `L(γᵖˡ)² − d²`, in `m²`, by the sum of the bounds on the two gaps.
+/// It is `O(1/N)`, whereas the paper proves `O(1/√N)`.
 ///
 /// Needs and overestimation: as for the two gaps.
 #[must_use]
@@ -59,14 +63,14 @@ pub fn theorem_a_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f
     theorem_a_minimum_gap(setting, rule, n) + theorem_a_polyline_gap(setting, rule, n)
 }
 
-/// Returns `C₁`, in `m²`, with `E(γᵖˡ) − d² ≤ C₁/N` for every `N`.
+/// Returns `C₁`, in `m²`, for which `E(γᵖˡ) − d² ≤ C₁/N` for every `N`.
 ///
 /// ```text
 /// C₁ = d² [δ/4 + Gδ/12 + (δ/4) ē (√ē + δē)]    (trapezoidal),      ē = e at N = 1
 /// C₁ = d² [δ/2 + (δ/2) ē (√ē + δē)]             (left endpoint)
 /// ```
 ///
-/// Needs: as for [`theorem_a_excess`], which is at most `C₁/N`.
+/// Needs: as for [`theorem_a_excess`], which does not exceed `C₁/N`.
 #[must_use]
 pub fn theorem_a_constant(setting: Setting, rule: PaperRule) -> f64 {
     let (delta, d, k) = (setting.delta(), setting.distance(), rule.mean_distance());
@@ -79,7 +83,7 @@ pub fn theorem_a_constant(setting: Setting, rule: PaperRule) -> f64 {
     product([d, d, sampled + gap])
 }
 
-/// `Q = min(√(Ne), √e + δe)`.
+/// Returns `Q = min(√(Ne), √e + δe)`.
 pub(super) fn greatest_speed(delta: f64, e: f64, n: NonZeroUsize) -> f64 {
     (n.get() as f64 * e).sqrt().min(e.sqrt() + product([delta, e]))
 }
@@ -103,19 +107,19 @@ mod tests {
     }
 
     fn close(value: f64, expected: f64) {
-        // Some ten roundings.
+        // This allows for about ten roundings.
         by_hand::close(value, expected, 4e-15);
     }
 
     #[test]
     fn by_hand() {
-        // N = 1: e = 1 + 3/4 + 9/8 = 23/8 and 1 + 3/2 = 5/2; Q is √e, the lesser.
+        // N = 1: e = 1 + 3/4 + 9/8 = 23/8 and 1 + 3/2 = 5/2; Q = √e is the smaller.
         close(theorem_a_minimum_gap(setting(), TRA, n(1)), 9.0 * 1.875);
         close(theorem_a_minimum_gap(setting(), LEFT, n(1)), 9.0 * 1.5);
         let gap = theorem_a_polyline_gap(setting(), TRA, n(1));
         close(gap, 9.0 * 0.75 * 2.875_f64.powf(1.5));
         close(theorem_a_polyline_gap(setting(), LEFT, n(1)), 9.0 * 1.5 * 2.5_f64.powf(1.5));
-        // N = 36: e = 1 + 1/48 + 1/1152 and 1 + 1/24; Q is √e + 3e, below 6√e.
+        // N = 36: e = 1 + 1/48 + 1/1152 and 1 + 1/24; Q = √e + 3e is below 6√e.
         let e: f64 = 1.0 + 1.0 / 48.0 + 1.0 / 1152.0;
         let gap = theorem_a_polyline_gap(setting(), TRA, n(36));
         close(gap, 9.0 / 48.0 * e * (e.sqrt() + 3.0 * e));

@@ -1,7 +1,7 @@
-//! Theorem B: bounds of order `1/N²` for the trapezoidal rule and sequences that are stationary in
-//! their inner points, by way of `M_H`.
+//! Theorem B: bounds of order `1/N²`, in terms of `M_H`, for the trapezoidal rule and sequences
+//! that are stationary with respect to their inner points.
 //!
-//! All are `None` if `M_H` is unknown. With `μ = M_H d²/c₁²`:
+//! All of these functions return `None` if `M_H` is unknown. With `μ = M_H d²/c₁²`:
 //!
 //! 1. *From above* (Lemma S.4). Expanded about the middle of each subinterval, the sampled geodesic
 //!    has no terms of odd order: `min E_tra,N ≤ d² e₂` with `e₂ = min(e, 1 + (Gδ/3 + μ/24)/N²)` and
@@ -16,22 +16,23 @@ use crate::{PaperRule, Setting, product::product, sharper::ceiling};
 
 /// Bounds `min E_tra,N − d²`, in `m²`, by `d² (e₂ − 1) = O(1/N²)`.
 ///
-/// Needs: as for Theorem A, and `DH` Lipschitz with `M_H`; a *global* minimiser.
+/// Needs: as for Theorem A; in addition `DH` Lipschitz with `M_H`, and a *global* minimiser.
 ///
-/// Overestimation: as `N → ∞`, by the factor `(Gδ/3 + μ/24)/(G²/12 + μ/24)` compared with
-/// [`theorem_d_minimum_gap`](crate::theorem_d_minimum_gap).
+/// Overestimation: as `N → ∞`, this bound is larger than
+/// [`theorem_d_minimum_gap`](crate::theorem_d_minimum_gap) by the factor
+/// `(Gδ/3 + μ/24)/(G²/12 + μ/24)`.
 #[must_use]
 pub fn theorem_b_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let d = setting.distance();
     Some(product([d, d, ceiling::second_order(setting, n)?]))
 }
 
-/// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, and `d² − E_tra,N(γᵖ)`, in `m²`, by
+/// Bounds both `|E(γᵖˡ) − E_tra,N(γᵖ)|` and `d² − E_tra,N(γᵖ)`, in `m²`, by
 /// `d² (μ/24N²) e₂ Q² = O(1/N²)`.
 ///
-/// Needs: a sequence that is stationary in its inner points with `E_tra,N ≤ d² e₂`, such as a
-/// *global* minimiser. Overestimation: attained at `N = 1` by a metric that is quadratic along the
-/// chord.
+/// Needs: a sequence with `E_tra,N ≤ d² e₂` that is stationary with respect to its inner points,
+/// for example a *global* minimiser. Overestimation: the bound is attained at `N = 1` by a metric
+/// that is quadratic along the chord.
 #[must_use]
 pub fn theorem_b_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
@@ -41,7 +42,8 @@ pub fn theorem_b_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> 
     Some(product([d, d, mu, e, greatest, greatest]) / (24.0 * count * count))
 }
 
-/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, in `m²`: the sum of the two gaps, `O(1/N²)`.
+/// Bounds both `E(γᵖˡ) − d²` and `L(γᵖˡ)² − d²`, in `m²`, by the sum of the bounds on the two gaps,
+/// which is `O(1/N²)`.
 ///
 /// Needs and overestimation: as for the two gaps.
 #[must_use]
@@ -49,13 +51,13 @@ pub fn theorem_b_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some(theorem_b_minimum_gap(setting, n)? + theorem_b_polyline_gap(setting, n)?)
 }
 
-/// Returns `C₂`, in `m²`, with `E(γᵖˡ) − d² ≤ C₂/N²` for every `N`.
+/// Returns `C₂`, in `m²`, for which `E(γᵖˡ) − d² ≤ C₂/N²` for every `N`.
 ///
 /// ```text
 /// C₂ = d² [Gδ/3 + (μ/24) (1 + ē (√ē + δē)²)],      ē = min(κ, 1 + δ/4 + Gδ/12)
 /// ```
 ///
-/// Needs: as for [`theorem_b_excess`], which is at most `C₂/N²`.
+/// Needs: as for [`theorem_b_excess`], which does not exceed `C₂/N²`.
 #[must_use]
 pub fn theorem_b_constant(setting: Setting) -> Option<f64> {
     let (delta, mu, d) = (setting.delta(), setting.mu()?, setting.distance());
@@ -77,7 +79,7 @@ mod tests {
     };
 
     fn close(value: Option<f64>, expected: f64) {
-        // Some ten roundings.
+        // This allows for about ten roundings.
         by_hand::close(value, expected, 4e-15);
     }
 

@@ -1,11 +1,13 @@
-//! Theorem C: bounds of order `1/N` from the energy alone, stationary or not.
+//! Theorem C: bounds of order `1/N` from the energy alone, whether the sequence is stationary or
+//! not.
 //!
 //! With `Λ = L_H/c₁^{3/2}`, `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule:
 //!
-//! 1. *Length* (Lemma S.5). On a chord the mean of `βᵀHβ` is at most `q² + (kΛ/N) q³`, and the root
-//!    is concave; so is `√(s + c s^{3/2})`, hence `L(γᵖˡ)² ≤ E_N + (kΛ/N) E_N^{3/2}` for every
-//!    sequence.
-//! 2. *From below*. `d ≤ L(γᵖˡ)` for every admissible sequence; solve for `E_N`.
+//! 1. *Length* (Lemma S.5). On a chord the mean of `βᵀHβ` is at most `q² + (kΛ/N) q³`, and the
+//!    square root is concave. Since `√(s + c s^{3/2})` is concave too,
+//!    `L(γᵖˡ)² ≤ E_N + (kΛ/N) E_N^{3/2}` for every sequence.
+//! 2. *From below*. `d ≤ L(γᵖˡ)` for every admissible sequence; solve the resulting inequality for
+//!    `E_N`.
 //! 3. *Speeds* (Lemma S.5). If `mean q² ≤ d² e`, the variance of the speeds is `O(1/N)`, and
 //!    `mean q³ ≤ d³ m₃` with `m₃ → 1`.
 //! 4. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_N| ≤ (k L_H/N) mean |β|³ ≤ d² (kδ/N) m₃`.
@@ -23,10 +25,11 @@ use crate::{PaperRule, Setting, product::product, theorem_a_minimum_gap};
 ///
 /// which is at least `d² (1 − kδ/N)`.
 ///
-/// Needs: `H ≥ c₁`, Lipschitz with `L_H`; ends in their sets. Neither a minimiser nor `c₂`.
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and ends in their sets. Neither a minimiser nor `c₂`
+/// is needed.
 ///
-/// Overestimation: attained for every `N` in the limit `δ → 0`, over valleys in the middle of the
-/// chords (trapezoidal) and up an incline (left endpoint).
+/// Overestimation: the bound is attained for every `N` in the limit `δ → 0`, over valleys in the
+/// middle of the chords (trapezoidal) and up an incline (left endpoint).
 #[must_use]
 pub fn theorem_c_deficit(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let d = setting.distance();
@@ -36,8 +39,8 @@ pub fn theorem_c_deficit(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> 
     product([d, d, lost])
 }
 
-/// The positive root of `s² + a s³ = 1` for `a ≥ 0`, by Newton's method from above: the function is
-/// convex, so the iterates stay above the root.
+/// Returns the positive root of `s² + a s³ = 1` for `a ≥ 0`, by Newton's method from above. The
+/// function is convex, so the iterates stay above the root.
 fn root(a: f64) -> f64 {
     let mut s = a.powf(-1.0 / 3.0).min(1.0);
     loop {
@@ -53,8 +56,8 @@ fn root(a: f64) -> f64 {
 ///
 /// Needs: as for [`theorem_c_deficit`], and `E_N(γᵖ) ≤ d² e` with the `e` of Theorem A, which every
 /// *global* minimiser satisfies. Overestimation: at `N = 1` as for
-/// [`theorem_a_polyline_gap`](crate::theorem_a_polyline_gap). It is never larger than that:
-/// `O(δ/N)` instead of `O(δ²/N)` for large `δ`.
+/// [`theorem_a_polyline_gap`](crate::theorem_a_polyline_gap), which this bound never exceeds. For
+/// large `δ` it is `O(δ/N)` instead of `O(δ²/N)`.
 #[must_use]
 pub fn theorem_c_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
@@ -69,8 +72,8 @@ pub fn theorem_c_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize
 /// E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) m₃]  ~  d² δ/2N (trapezoidal),  d² δ/N (left endpoint)
 /// ```
 ///
-/// Needs: as for [`theorem_c_polyline_gap`]. Overestimation: attained for every `N` in the limit
-/// `δ → 0`.
+/// Needs: as for [`theorem_c_polyline_gap`]. Overestimation: the bound is attained for every `N` in
+/// the limit `δ → 0`.
 #[must_use]
 pub fn theorem_c_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     theorem_a_minimum_gap(setting, rule, n) + theorem_c_polyline_gap(setting, rule, n)
@@ -82,7 +85,7 @@ pub fn theorem_c_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f
 /// L(γᵖˡ)² − d²  ≤  d² [e − 1 + (kδ/N) e^{3/2}]
 /// ```
 ///
-/// Needs and overestimation: as for [`theorem_c_excess`], which is no smaller.
+/// Needs and overestimation: as for [`theorem_c_excess`], which is at least as large.
 #[must_use]
 pub fn theorem_c_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
@@ -107,7 +110,8 @@ mod tests {
     const LEFT: PaperRule = PaperRule::LeftEndpoint;
 
     fn close(value: f64, expected: f64) {
-        // Some twenty roundings, the first ones relative to a variance of 1/40.
+        // This allows for about twenty roundings, the first of which are relative to a variance of
+        // 1/40.
         by_hand::close(value, expected, 4e-14);
     }
 
@@ -118,7 +122,7 @@ mod tests {
 
     #[test]
     fn by_hand() {
-        // s = ½ is the root for a = 6: with δ = 12 at N = 1 (left), with δ = 48 at N = 2.
+        // s = ½ is the root for a = 6: this is δ = 12 at N = 1 (left endpoint) and δ = 48 at N = 2.
         assert_eq!(root(6.0), 0.5);
         assert_eq!(root(0.0), 1.0);
         let far = setting(400.0).with_distance(12.0).expect("a distance");
@@ -146,7 +150,8 @@ mod tests {
         close(theorem_c_polyline_gap(tame, LEFT, n(1)), 9.0 * 1.5 * e.powf(1.5));
     }
 
-    /// `δ/2N` and `δ/N` as `N → ∞`; for Theorem A `(δ/4 + (δ/4)(1 + δ))/N` and twice that.
+    /// As `N → ∞` the constants are `δ/2N` and `δ/N`; Theorem A has `(δ/4 + (δ/4)(1 + δ))/N` and
+    /// twice this number.
     #[test]
     fn the_leading_constant_is_linear_in_delta() {
         let huge = 1 << 40;

@@ -1,16 +1,17 @@
-//! Theorem D: bounds of order `1/N²` for the trapezoidal rule from the energy alone, by way of
+//! Theorem D: bounds of order `1/N²` for the trapezoidal rule from the energy alone, in terms of
 //! `M_H`.
 //!
-//! All are `None` if `M_H` is unknown.
+//! All of these functions return `None` if `M_H` is unknown.
 //!
 //! 1. *From above* (Lemma S.4). The energies of the geodesic and of its interpolation differ by the
-//!    second variation, and that differs from `E_tra,N` by the curvature of `H`:
+//!    second variation, and the energy of the interpolation differs from `E_tra,N` by the curvature
+//!    of `H`:
 //!
 //!    ```text
 //!    ê = 1 + (1/N²) [G² (min(κ, (1 + δ/2N)²)/12 + δ/(√360 N) + μ/240N²) + μ/24]
 //!    ```
 //!
-//!    and `ε` is the least of `ê` and the ceilings of Theorems A and B.
+//!    The ceiling `ε` is the least of `ê` and the ceilings of Theorems A and B.
 //! 2. *Length* (Lemma S.5). `L(γᵖˡ)² ≤ E_tra,N + (M_H/24c₁²N²) E_tra,N²` for every sequence.
 //! 3. *Speeds* (Lemma S.5). By `d ≤ L(γᵖˡ) ≤ mean q + (M_H/48c₁²N²) mean q³` the variance of the
 //!    speeds is `O(1/N²)`, and `mean q⁴ ≤ d⁴ m₄` with `m₄ → 1`.
@@ -25,8 +26,8 @@ use crate::{Setting, product::product};
 ///
 /// Needs: as for Theorem B, and a *global* minimiser.
 ///
-/// Overestimation: as `N → ∞` it is `d² (G²/12 + μ/24)/N²`, the leading term of the gap of a single
-/// metric with its two integrals replaced by suprema.
+/// Overestimation: as `N → ∞` the bound is `d² (G²/12 + μ/24)/N²`. This is the leading term of the
+/// gap for a single metric, with its two integrals replaced by suprema.
 #[must_use]
 pub fn theorem_d_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let d = setting.distance();
@@ -39,11 +40,11 @@ pub fn theorem_d_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 /// E_tra,N  ≥  2d²/(1 + √(1 + μ/6N²))  ≥  d² (1 − μ/24N²)
 /// ```
 ///
-/// `s + (μ/24N²) s² ≥ 1` for `s = E_tra,N/d²`, since `d ≤ L(γᵖˡ)`.
+/// The proof uses `s + (μ/24N²) s² ≥ 1` for `s = E_tra,N/d²`, which follows from `d ≤ L(γᵖˡ)`.
 ///
-/// Needs: `H ≥ c₁`, `DH` Lipschitz with `M_H`; ends in their sets. Neither a minimiser nor `L_H`.
-/// Overestimation: attained in the limit `μ → 0`, at `N = 1` over a metric that is quadratic along
-/// the chord.
+/// Needs: `H ≥ c₁`, `DH` Lipschitz with `M_H`, and ends in their sets. Neither a minimiser nor
+/// `L_H` is needed. Overestimation: the bound is attained in the limit `μ → 0`, at `N = 1` over a
+/// metric that is quadratic along the chord.
 #[must_use]
 pub fn theorem_d_deficit(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
@@ -58,7 +59,8 @@ pub fn theorem_d_deficit(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 /// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, in `m²`, by `d² (μ/24N²) m₄ = O(1/N²)`.
 ///
 /// Needs: as for [`theorem_d_deficit`], and `E_tra,N(γᵖ) ≤ d² ε`, which every *global* minimiser
-/// satisfies. Overestimation: attained at `N = 1` by a metric that is quadratic along the chord.
+/// satisfies. Overestimation: the bound is attained at `N = 1` by a metric that is quadratic along
+/// the chord.
 #[must_use]
 pub fn theorem_d_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
@@ -74,7 +76,8 @@ pub fn theorem_d_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> 
 /// E(γᵖˡ) − d²  ≤  d² [ε − 1 + (μ/24N²) m₄]  ~  (d²/N²) (G²/12 + μ/12)
 /// ```
 ///
-/// Needs: as for [`theorem_d_polyline_gap`]. Overestimation: at `N = 1`, `μ/12` cannot be improved.
+/// Needs: as for [`theorem_d_polyline_gap`]. Overestimation: at `N = 1` the term `μ/12` cannot be
+/// improved.
 #[must_use]
 pub fn theorem_d_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some(theorem_d_minimum_gap(setting, n)? + theorem_d_polyline_gap(setting, n)?)
@@ -86,7 +89,7 @@ pub fn theorem_d_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 /// L(γᵖˡ)² − d²  ≤  d² [ε − 1 + (μ/24N²) ε²]
 /// ```
 ///
-/// Needs and overestimation: as for [`theorem_d_excess`], which is no smaller.
+/// Needs and overestimation: as for [`theorem_d_excess`], which is at least as large.
 #[must_use]
 pub fn theorem_d_length_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
@@ -108,7 +111,7 @@ mod tests {
     };
 
     fn close(value: Option<f64>, expected: f64) {
-        // Some twenty roundings.
+        // This allows for about twenty roundings.
         by_hand::close(value, expected, 8e-15);
     }
 
@@ -119,18 +122,18 @@ mod tests {
 
     #[test]
     fn one_chord_by_hand() {
-        // κ − 1 = 1/8 caps ε; for one chord m₃ = ε^{3/2}, m₄ = ε²; μ = 18.
+        // κ − 1 = 1/8 caps ε; for a single chord m₃ = ε^{3/2} and m₄ = ε²; μ = 18.
         let one = setting(4.5, 32.0);
         close(theorem_d_minimum_gap(one, n(1)), 9.0 * 0.125);
         close(theorem_d_polyline_gap(one, n(1)), 9.0 * 0.75 * 1.125 * 1.125);
         close(theorem_d_excess(one, n(1)), 9.0 * (0.125 + 0.75 * 1.125 * 1.125));
-        // For one chord E = L².
+        // For a single chord E = L².
         close(theorem_d_length_excess(one, n(1)), 9.0 * (0.125 + 0.75 * 1.125 * 1.125));
-        // 1 + 18/6 = 4: d² (1 − 2/3).
+        // 1 + 18/6 = 4, so the deficit is d² (1 − 2/3).
         close(theorem_d_deficit(one, n(1)), 3.0);
     }
 
-    /// `(G²/12 + μ/12)/N²` as `N → ∞`, and `μ/24` from below.
+    /// As `N → ∞` the bounds tend to `(G²/12 + μ/12)/N²` from above and to `μ/24N²` from below.
     #[test]
     fn the_leading_constants() {
         let (setting, huge) = (setting(4e6, 32.0), 1_usize << 26);

@@ -2,9 +2,9 @@
 
 use tautline_bounds::{Constants, Setting};
 
-/// `φ = 1 + x` on `[0, ∞)` has `c₁ = L_H = 1` and `M_H = 0`, and a geodesic at 0 has
-/// `|φ′|/2φ^{3/2} = ½` for every unit of length. On all of space `M_H = 0` would make the metric
-/// constant and `G = 0`; on a region it must not.
+/// `φ = 1 + x` on `[0, ∞)` has `c₁ = L_H = 1` and `M_H = 0`. A geodesic at 0 has
+/// `|φ′|/2φ^{3/2} = ½` per unit of length. On all of space `M_H = 0` would make the metric constant
+/// and `G = 0`; on a region the bound must not conclude this.
 #[test]
 fn on_a_region_an_incline_without_curvature_still_bends_geodesics() {
     let incline = Constants::new(1.0, 2.0, 1.0).and_then(|c| c.with_m_h(0.0)).expect("in order");

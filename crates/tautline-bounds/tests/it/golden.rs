@@ -1,4 +1,4 @@
-//! The golden numbers in `tests/golden/`: reference values that another program computed.
+//! The golden numbers in `tests/golden/` are reference values that another program computed.
 
 use std::{collections::HashMap, num::NonZeroUsize};
 
@@ -8,11 +8,13 @@ use tautline_bounds::{self as bounds, Constants, PaperRule, Setting};
 /// A table, its number of rows, and the relative tolerance; a reference value of 0 must be exact.
 const TABLES: [(&str, &str, usize, f64); 3] = [
     // Rounding an input has a relative error of 2⁻⁵³. The worst result, C of Theorem 1.3, varies at
-    // most like d⁹, L_H⁷ and c₁^−13, and takes some 40 roundings: together below 70 · 2⁻⁵³ < 8e-15.
+    // most like d⁹, L_H⁷ and c₁^−13 and takes some 40 roundings. The total error is below 70 · 2⁻⁵³
+    // < 8e-15.
     ("paper.csv", include_str!("../golden/paper.csv"), 64, 2e-14),
     // The inputs are rounded and enter with powers up to 9.
     ("theorems_a_and_b.csv", include_str!("../golden/theorems_a_and_b.csv"), 112, 1e-12),
-    // Some fifty roundings; a variance, a difference of numbers near 1, is at least 0.001.
+    // There are some fifty roundings; a variance, which is a difference of numbers near 1, is at
+    // least 0.001.
     ("theorems_c_and_d.csv", include_str!("../golden/theorems_c_and_d.csv"), 247, 1e-13),
 ];
 
@@ -55,7 +57,7 @@ fn problems() -> HashMap<String, Setting> {
         .collect()
 }
 
-/// The quantity of a row; NaN where a bound is `None`.
+/// Returns the quantity of a row, or NaN if a bound is `None`.
 fn quantity(name: &str, rule: &str, n: Option<NonZeroUsize>, s: Setting) -> f64 {
     let rule = || {
         let named = PaperRule::BOTH.into_iter().find(|paper_rule| paper_rule.name() == rule);

@@ -1,4 +1,4 @@
-//! The bounds against reference values, by their properties and in special cases.
+//! Tests of the bounds against reference values, by their properties, and in special cases.
 
 mod bend;
 mod golden;
@@ -22,7 +22,7 @@ fn setting(c1: f64, c2: f64, l_h: f64, distance: f64, dimension: usize) -> Setti
     Setting::new(constants, distance, dimension).expect("a distance")
 }
 
-/// `10^x` for `x` uniform in the range.
+/// Draws `10^x` with `x` uniform in the range.
 fn decades(from: f64, to: f64) -> impl Strategy<Value = f64> {
     (from..to).prop_map(|x| 10_f64.powf(x))
 }

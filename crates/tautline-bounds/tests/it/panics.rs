@@ -14,7 +14,7 @@ fn constants() -> Constants {
     Constants::new(1.0, 5.0, 7.0).and_then(|c| c.with_m_h(6.0)).expect("in order")
 }
 
-/// A call with one bad argument, and how the message of its panic begins.
+/// A call with one bad argument, together with the beginning of its panic message.
 type Call = (&'static str, fn(f64) -> f64);
 
 const CALLS: [Call; 24] = [

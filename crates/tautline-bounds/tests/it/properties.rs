@@ -1,4 +1,4 @@
-//! Units, monotonicity and range of every function of a setting, from one table.
+//! The units, monotonicity and range of every function of a setting, checked from one table.
 
 use std::num::NonZeroUsize;
 
@@ -8,7 +8,7 @@ use tautline_bounds::{self as bounds, Setting};
 
 use crate::{decades, n, setting};
 
-/// A function of the setting and of `N`, with exponents of its formula.
+/// A function of the setting and of `N`, with the exponents of its formula.
 struct Entry {
     name: &'static str,
     value: fn(Setting, NonZeroUsize) -> f64,
@@ -42,8 +42,8 @@ const ENTRIES: [Entry; 16] = [
     Entry { name: "theorem_1_4_length_excess", value: bounds::theorem_1_4_length_excess, ell: 0, m: 2, d: 3, l_h: 1, fall: [0.5, 0.5] },
 ];
 
-/// `c₁`, `κ = c₂ / c₁ ≥ 1`, `δ = L_H d / c₁^{3/2}`, `d` and `D`. With `δ` within one and a half
-/// decades of 1, every term of every formula contributes.
+/// Draws `c₁`, `κ = c₂ / c₁ ≥ 1`, `δ = L_H d / c₁^{3/2}`, `d` and `D`. With `δ` within one and a
+/// half decades of 1, every term of every formula contributes.
 fn settings() -> impl Strategy<Value = Setting> {
     let numbers = (decades(-2.0, 2.0), decades(0.0, 1.5), decades(-1.5, 1.5), decades(-2.0, 2.0));
     (numbers, 1..5_usize).prop_map(|((c1, kappa, delta, d), dimension)| {
@@ -62,7 +62,8 @@ fn scaled(s: Setting, c1: f64, c2: f64, l_h: f64, d: f64) -> Setting {
 }
 
 // Inputs and their factors are rounded up to five times each, and the worst result varies like d⁹,
-// L_H⁷ and c₁^−13: 5 (9 + 7 + 13) + 2 · 40 roundings are below 250 · 2⁻⁵³ < 3e-14.
+// L_H⁷ and c₁^−13. The total error of 5 (9 + 7 + 13) + 2 · 40 roundings is below 250 · 2⁻⁵³ <
+// 3e-14.
 const TOLERANCE: f64 = 1e-13;
 
 proptest! {
@@ -83,7 +84,7 @@ proptest! {
         }
     }
 
-    /// The same for the functions that take `K₁`, `K₂`, `K₃` as arguments.
+    /// The same holds for the functions that take `K₁`, `K₂`, `K₃` as arguments.
     #[test]
     fn functions_of_speeds_are_homogeneous(
         s in settings(), n in subintervals(), ell in decades(-3.0, 3.0), m in decades(-3.0, 3.0),
@@ -106,8 +107,9 @@ proptest! {
         }
     }
 
-    /// All are sums of powers of `d`, `L_H`, `c₂`, `1/c₁` and `1/N`, or roots of such sums. So they
-    /// increase with `d` and `L_H` at least like the least power, and with `c₂` and `1/c₁`.
+    /// All bounds are sums of powers of `d`, `L_H`, `c₂`, `1/c₁` and `1/N`, or roots of sums of
+    /// this form. So they increase with `c₂` and `1/c₁`, and with `d` and `L_H` at least like the
+    /// smallest power.
     #[test]
     fn bounds_are_monotone(s in settings(), n in subintervals(), t in 1.01..10.0_f64) {
         for entry in &ENTRIES {
@@ -126,7 +128,8 @@ proptest! {
         }
     }
 
-    /// From `N` to `4 N` a bound falls by a factor between the two powers of 4 in its formula.
+    /// When `N` becomes `4 N`, a bound falls by a factor between the two powers of 4 in its
+    /// formula.
     #[test]
     fn bounds_fall_with_n(s in settings(), n in subintervals()) {
         let four_n = NonZeroUsize::new(4 * n.get()).expect("positive");
@@ -140,8 +143,8 @@ proptest! {
         }
     }
 
-    /// `C_tra(N) ≤ C_tra♯ / N`, with equality at `N = 1`, and the excesses of the proofs at most
-    /// `C / √N`, again with equality at `N = 1`: exactly, since rounding is monotone.
+    /// `C_tra(N) ≤ C_tra♯ / N`, with equality at `N = 1`. The excesses in the proofs are at most
+    /// `C / √N`, again with equality at `N = 1`. Both hold exactly, since rounding is monotone.
     #[test]
     fn merged_bounds_are_larger(s in settings(), n in subintervals()) {
         prop_assert!(bounds::c_tra_g(s, n) <= bounds::c_tra_sharp_g(s) / n.get() as f64);
@@ -153,8 +156,8 @@ proptest! {
         prop_assert_eq!(bounds::theorem_1_3_excess(s, one), bounds::theorem_1_3_constant(s));
     }
 
-    /// What the proofs use in place of `C / N` and `C / √N` is smaller: the constants contain
-    /// their parts, at the speeds they were made for.
+    /// The proofs yield bounds smaller than `C / N` and `C / √N`: the constants contain these
+    /// bounds as parts, at the speeds for which they were derived.
     #[test]
     fn constants_contain_the_parts_of_their_proofs(s in settings(), n in subintervals()) {
         let (constants, grant) = (s.constants(), 1.0 + TOLERANCE);
@@ -169,9 +172,8 @@ proptest! {
         prop_assert!(through_tra <= bounds::theorem_1_3_minimum_gap(s, n) * grant);
     }
 
-    /// `C_tra♯ / d² = δ + 3 D² δ² + 6 κ D² δ + 9 κ D⁴ δ²`: the same number by a way that knows
-    /// neither `K_{1,g}` nor `K_{2,g}`, and `C` of Theorem 1.1 from it, in units with
-    /// `c₁ = d = 1`, where `L_H = δ`.
+    /// Computes `C_tra♯ / d² = δ + 3 D² δ² + 6 κ D² δ + 9 κ D⁴ δ²` without `K_{1,g}` and `K_{2,g}`,
+    /// and from it the `C` of Theorem 1.1, in units with `c₁ = d = 1`, where `L_H = δ`.
     #[test]
     fn constants_expand_in_delta_and_kappa(s in settings()) {
         let (c, d) = (s.constants(), s.distance());
@@ -194,7 +196,7 @@ proptest! {
         );
     }
 
-    /// From one end of `f64` to the other: never NaN, never negative, and 0 only by underflow.
+    /// Over the whole range of `f64` a bound is never NaN, never negative, and 0 only by underflow.
     #[test]
     fn no_setting_gives_a_nan(
         c1 in decades(-307.0, 307.0), kappa in decades(0.0, 300.0), l_h in decades(-307.0, 307.0),
@@ -202,7 +204,7 @@ proptest! {
         n in 1..usize::MAX, k2 in decades(-307.0, 307.0)
     ) {
         let c2 = (c1 * kappa).min(f64::MAX);
-        // One case in eight has L_H = 0 and one d = 0.
+        // One case in eight has L_H = 0, and one in eight has d = 0.
         let l_h = if zero == 0 { 0.0 } else { l_h };
         let d = if zero == 1 { 0.0 } else { d };
         let (s, n) = (setting(c1, c2, l_h, d, dimension), NonZeroUsize::new(n).expect("positive"));

@@ -1,5 +1,5 @@
-//! Units, monotonicity and flags of the sharper bounds, from one table: with and without `M_H`,
-//! isotropic or not, on a region or on all of space.
+//! The units, monotonicity and flags of the sharper bounds, checked from one table: with and
+//! without `M_H`, isotropic or not, on a region or on all of space.
 
 use std::num::NonZeroUsize;
 
@@ -38,10 +38,10 @@ const ENERGIES: [(&str, Energy); 20] = [
     ("D length", bounds::theorem_d_length_excess),
 ];
 
-/// The number of entries that need `M_H`, at the end.
+/// The number of entries that need `M_H`; they are the last ones.
 const WITH_M_H: usize = 8;
 
-/// A setting in numbers.
+/// The numbers that define a setting.
 #[derive(Clone, Copy, Debug)]
 struct Numbers {
     /// `c₁`, `c₂`, `L_H`, `d`.
@@ -69,7 +69,8 @@ impl Numbers {
     }
 }
 
-/// `δ` and `μ` from 0.01 to 100, so that each entry of each minimum is the least in some cases.
+/// Draws `δ` and `μ` from 0.01 to 100, so that each entry of each minimum is the least in some
+/// cases.
 fn numbers() -> impl Strategy<Value = Numbers> {
     let numbers = (decades(-2.0, 2.0), decades(0.0, 3.0), decades(-2.0, 2.0), decades(-2.0, 2.0));
     let m_h = proptest::option::weighted(0.8, decades(-2.0, 2.0));
@@ -117,9 +118,9 @@ proptest! {
         }
     }
 
-    /// Each increases with `d`, `c₂`, `L_H` and `M_H` and decreases with `c₁`. It is no better on a
-    /// region than on all of space, for a general metric than for an isotropic one, or in a higher
-    /// dimension.
+    /// Each bound increases with `d`, `c₂`, `L_H` and `M_H` and decreases with `c₁`. It does not
+    /// improve from all of space to a region, from an isotropic metric to a general one, or from
+    /// one dimension to a higher one.
     #[test]
     fn worse_constants_give_larger_bounds(
         s in numbers(), n in subintervals(), t in 1.0..10.0_f64
@@ -143,8 +144,8 @@ proptest! {
         }
     }
 
-    /// Without `M_H` those that need it are `None`, and the others have the same values as with it
-    /// on a region, where `M_H` does not improve the bend.
+    /// Without `M_H`, the bounds that need it are `None`. The others have the same values as with
+    /// `M_H` on a region, where `M_H` does not improve the bend.
     #[test]
     fn only_bounds_of_second_order_need_m_h(s in numbers(), n in subintervals()) {
         let unknown = Numbers { m_h: None, ..s }.setting();
@@ -159,8 +160,8 @@ proptest! {
         prop_assert_eq!(bounds::second_order_excess(unknown, n), None);
     }
 
-    /// The least bound is at most every bound, and equals that of its theorem; the constants for
-    /// all `N` are no less than the bounds for one.
+    /// The least bound is at most every bound and equals the bound of the theorem it names. The
+    /// constants for all `N` give bounds at least as large as those for a single `N`.
     #[test]
     fn the_least_bound_is_the_least(s in numbers(), n in subintervals()) {
         let s = s.setting();
@@ -218,7 +219,7 @@ proptest! {
         }
     }
 
-    /// Exactly.
+    /// The bounds are exactly zero.
     #[test]
     fn bounds_are_zero_for_touching_ends_and_for_constant_metrics(s in numbers(), n in subintervals()) {
         let touching = s.times([1.0, 1.0, 1.0, 0.0], 1.0).setting();

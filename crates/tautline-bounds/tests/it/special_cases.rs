@@ -1,4 +1,4 @@
-//! Settings with bounds that can be computed by hand.
+//! Settings for which the bounds can be computed by hand.
 
 use approx::relative_eq;
 use tautline_bounds::{
@@ -11,7 +11,7 @@ use tautline_bounds::{
 
 use crate::{n, setting};
 
-/// Every bound on an energy or a squared length, at `N = 3`.
+/// Returns every bound on an energy or a squared length, at `N = 3`.
 fn energies(s: Setting) -> [f64; 13] {
     let (c, k1, k2, k3, k4) = (s.constants(), k1_g(s), k2_g(s), k3_bar_g(s), k4_bar_g(s));
     [
@@ -31,7 +31,7 @@ fn energies(s: Setting) -> [f64; 13] {
     ]
 }
 
-/// For a constant metric chords are minimal geodesics and the rules are exact.
+/// For a constant metric, chords are minimal geodesics and the rules are exact.
 #[test]
 fn for_a_constant_metric_every_bound_is_zero() {
     for (c1, distance) in [(4.0, 6.0), (4.0, 1e200), (1e-300, 1e300)] {
@@ -44,7 +44,7 @@ fn for_a_constant_metric_every_bound_is_zero() {
     assert_eq!(k1_g(setting(4.0, 9.0, 0.0, 6.0, 3)), 3.0);
 }
 
-/// The ends touch, and the minimiser is constant.
+/// The ends touch, and the minimiser is a constant curve.
 #[test]
 fn at_distance_zero_everything_is_zero() {
     for (c1, l_h) in [(4.0, 5.0), (1e-300, 1e300)] {
@@ -61,14 +61,15 @@ fn overflow_gives_infinity() {
     let far = setting(1e-300, 9.0, 5.0, 1e300, 3);
     assert_eq!(energies(far), [f64::INFINITY; 13]);
     assert_eq!([k1_g, k2_g, k3_bar_g, k4_bar_g].map(|k| k(far)), [f64::INFINITY; 4]);
-    // K_{1,g} and K_{2,g} are finite, their products overflow.
+    // K_{1,g} and K_{2,g} are finite, but their products overflow.
     let bent = setting(1.0, 9.0, 5.0, 1e120, 3);
     assert_eq!(k1_g(bent), 1e120);
     assert!(k2_g(bent).is_finite());
     assert_eq!(energies(bent), [f64::INFINITY; 13]);
 }
 
-/// `c₁ = 4`, `c₂ = 5`, `L_H = 8`, `d = 2`, `D = 1`: dyadic numbers before the first root.
+/// `c₁ = 4`, `c₂ = 5`, `L_H = 8`, `d = 2`, `D = 1`: all numbers are dyadic until the first square
+/// root.
 #[test]
 fn by_hand_in_dimension_one() {
     let s = setting(4.0, 5.0, 8.0, 2.0, 1);
@@ -79,7 +80,7 @@ fn by_hand_in_dimension_one() {
     assert_eq!(c_tra_sharp_g(s), 296.0);
     assert_eq!(c_tra_g(s, n(2)), 103.0);
     let (hundred, root) = (n(100), 3_f64.sqrt());
-    // 296 + 8 · 375 √3 / 4, for the K̄₃ below.
+    // 296 + 8 · 375 √3 / 4, with the K̄₃ below.
     let constant = 296.0 + 750.0 * root;
     // (4 + 296 + 8 · 375 √3 / 2) / 4 = 75 + 375 √3.
     let fourth = 75.0 + 375.0 * root;
@@ -100,7 +101,7 @@ fn by_hand_in_dimension_one() {
         ("length excess of 1.4", theorem_1_4_length_excess(s, hundred), (296.0 + halves) / 10.0),
         ("excess of 1.3", theorem_1_3_excess(s, hundred), 2.96 + halves / 10.0),
     ] {
-        // At most ten roundings of 2⁻⁵³ on either side.
+        // There are at most ten roundings of 2⁻⁵³ on either side.
         assert!(relative_eq!(value, expected, max_relative = 4e-15), "{name}: {value}, {expected}");
     }
 }
@@ -111,7 +112,7 @@ fn dimension_enters_k2_squared() {
     let at = |dimension| setting(4.0, 5.0, 8.0, 2.0, dimension);
     for dimension in 1..=16_usize {
         assert_eq!(k1_g(at(dimension)), 1.0);
-        // Integers up to 768: exact.
+        // The values are integers up to 768, so they are exact.
         assert_eq!(k2_g(at(dimension)), 3.0 * (dimension * dimension) as f64);
     }
 }
@@ -123,7 +124,7 @@ fn n_times_c_tra_has_a_limit() {
     let constants = Constants::new(1.0, 5.0, 7.0).expect("in order");
     for power in 0..40 {
         let n = n(1 << power);
-        // N is a power of two, so all is exact while 344 + 180/N is a double, up to N = 2⁴⁶.
+        // N is a power of two, so everything is exact while 344 + 180/N is a double, up to N = 2⁴⁶.
         let rest = n.get() as f64 * c_tra(constants, 2.0, 3.0, n) - 344.0;
         assert_eq!(rest, 180.0 / n.get() as f64);
     }
