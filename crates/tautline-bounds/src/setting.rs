@@ -179,8 +179,8 @@ mod tests {
         assert_eq!(setting(constants.isotropic(), 2).omega(), 0.5);
         assert_eq!(setting(known, 2).bend(), 4.5);
         assert_eq!(setting(constants, 1).bend(), 1.5);
-        // δ² = 9 is above μ = 27/8, so G² = 1/4. With M_H = 96, δ² is below μ = 54, so G² =
-        // (9/4)(13/12)⁻³.
+        // δ² = 9 is above μ = 27/8, so G² = 1/4. With M_H = 96, δ² is below μ = 54, so
+        // G² = (9/4)(13/12)⁻³.
         assert_eq!(setting(known, 1).bend(), 0.5);
         assert_eq!(setting(known.isotropic(), 5).bend(), 0.5);
         assert_eq!(setting(known.on_a_region(), 1).bend(), 1.5);

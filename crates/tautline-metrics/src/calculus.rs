@@ -1,19 +1,21 @@
-//! The calculus of constants: those of a composed metric, from those of its parts.
+//! The calculus of constants: how the constants of a composed metric follow from those of its
+//! parts.
 //!
 //! Each rule bounds `H`, `DH` and `D²H` by the product rule and the chain rule. Results are rounded
-//! to nearest, like the closed forms of the gallery: a bound may be too small by a few ulp.
+//! to nearest, like the closed forms of the gallery, so a bound may be too small by a few ulps.
 
 use crate::{Constants, HypothesisError};
 
 impl Constants {
-    /// Returns the constants of `s H`: all of them times `s`. It is isotropic if `H` is.
+    /// Returns the constants of `s H`, which are those of `H` multiplied by `s`. The result is
+    /// isotropic if `H` is.
     ///
-    /// Tight.
+    /// The rule is tight.
     ///
     /// # Errors
     ///
-    /// [`HypothesisError::NotAFactor`] unless `s` is positive and finite; the clause that
-    /// fails if a constant overflows, or `c₁` underflows.
+    /// [`HypothesisError::NotAFactor`] unless `s` is positive and finite; the violated hypothesis
+    /// if a constant overflows or `c₁` underflows.
     pub fn scaled(self, s: f64) -> Result<Constants, HypothesisError> {
         if !(s > 0.0 && s.is_finite()) {
             return Err(HypothesisError::NotAFactor { factor: s });
@@ -23,16 +25,17 @@ impl Constants {
         scaled.with_known(m_h, self.is_isotropic(), self.is_local())
     }
 
-    /// Returns the constants of `H + H′`, both on the same `R^D`: the sums.
+    /// Returns the constants of `H + H′`, both on the same `R^D`, which are the sums of the
+    /// constants.
     ///
     /// `M_H` is known if both are; the sum is isotropic if both are.
     ///
-    /// Tight where both metrics attain a constant at the same point in the same directions, as `H`
-    /// and `s H` do.
+    /// The rule is tight if both metrics attain a constant at the same point in the same
+    /// directions, as `H` and `s H` do.
     ///
     /// # Errors
     ///
-    /// The clause that fails if a sum overflows.
+    /// The violated hypothesis if a sum overflows.
     pub fn plus(self, other: Constants) -> Result<Constants, HypothesisError> {
         let m_h = self.m_h().zip(other.m_h()).map(|(a, b)| a + b);
         Constants::new(self.c1() + other.c1(), self.c2() + other.c2(), self.l_h() + other.l_h())?
@@ -43,14 +46,14 @@ impl Constants {
             )
     }
 
-    /// Returns the constants of the product, `diag(H(x), H′(y))` on pairs `(x, y)`: the lesser
-    /// `c₁`, and the greater of each of the others.
+    /// Returns the constants of the product, `diag(H(x), H′(y))` on pairs `(x, y)`: the smaller
+    /// `c₁`, and the larger of each of the other constants.
     ///
-    /// `M_H` is known if both are; the product is not isotropic. The norm of a block-diagonal matrix
-    /// is that of its larger block, and `DH[w]` and `D²H[w, w]` are largest for a `w` that moves one
-    /// of the two points.
+    /// `M_H` is known if both are; the product is not isotropic. The norm of a block-diagonal
+    /// matrix is the larger of the norms of its blocks, and `DH[w]` and `D²H[w, w]` are largest for
+    /// a `w` that moves only one of the two points.
     ///
-    /// Tight.
+    /// The rule is tight.
     #[doc(alias = "product")]
     #[must_use]
     pub fn beside(self, other: Constants) -> Constants {
@@ -70,16 +73,16 @@ impl Constants {
     /// ```
     ///
     /// - `factor`: `c₁ = φ_min`, `c₂ = φ_max`, `L_H = Lip(φ)` in `1/ℓ` and `M_H = Lip(Dφ)` in
-    ///   `1/ℓ²`, for a `φ` without unit.
+    ///   `1/ℓ²`, for a dimensionless `φ`.
     ///
     /// `M_H` is known if both are; `φ H` is isotropic if `H` is.
     ///
-    /// Tight if `φ` or `H` is constant. Otherwise a smooth `φ` does not attain `L_H`, since its
-    /// slope vanishes at its maximum; two tents with a common tip come arbitrarily close.
+    /// The rule is tight if `φ` or `H` is constant. Otherwise a smooth `φ` does not attain `L_H`,
+    /// since its slope vanishes at its maximum; two tents with a common tip come arbitrarily close.
     ///
     /// # Errors
     ///
-    /// The clause that fails if a constant overflows, or `c₁` underflows.
+    /// The violated hypothesis if a constant overflows or `c₁` underflows.
     pub fn conformal(self, factor: Constants) -> Result<Constants, HypothesisError> {
         let l_h = factor.c2() * self.l_h() + factor.l_h() * self.c2();
         // D²(φH)[w, w] = φ D²H[w, w] + 2 Dφ[w] DH[w] + D²φ[w, w] H.
@@ -99,23 +102,23 @@ impl Constants {
     /// c₁ σ_min²,    c₂ σ_max²,    L_H σ_max³,    M_H σ_max⁴
     /// ```
     ///
-    /// - `smin`, `smax`: bounds of the singular values of `A`, in old coordinates per new one. `A`
-    ///   need not be square, but `σ_min` must bound `|A u| / |u|` for every `u`. If they are equal,
-    ///   the pullback is isotropic where `H` is.
+    /// - `smin`, `smax`: bounds on the singular values of `A`, in old coordinates per new one. `A`
+    ///   need not be square, but `σ_min` must bound `|A u| / |u|` from below for every `u`. If the
+    ///   two are equal, the pullback is isotropic if `H` is.
     ///
-    /// Tight if `A` is a multiple of an isometry, or if it maps the direction that it stretches most
-    /// (for `c₁`: least) to one in which `H` attains its constants.
+    /// The rule is tight if `A` is a multiple of an isometry, or if `A` maps the direction that it
+    /// stretches most (for `c₁`: least) to a direction in which `H` attains its constants.
     ///
     /// # Errors
     ///
-    /// [`HypothesisError::NotStretches`] unless `0 < σ_min ≤ σ_max < ∞`; the clause that fails
-    /// if a constant overflows, or `c₁` underflows.
+    /// [`HypothesisError::NotStretches`] unless `0 < σ_min ≤ σ_max < ∞`; the violated hypothesis if
+    /// a constant overflows or `c₁` underflows.
     pub fn pulled_back(self, smin: f64, smax: f64) -> Result<Constants, HypothesisError> {
         if !(smin > 0.0 && smin <= smax && smax.is_finite()) {
             return Err(HypothesisError::NotStretches { smin, smax });
         }
-        // From the left, so that a constant that is 0 stays 0 where a power of σ_max alone
-        // would overflow.
+        // The product starts from the constant, so that a constant equal to 0 stays 0 even where a
+        // power of σ_max alone would overflow.
         let power = |constant: f64, s: f64, n: usize| (0..n).fold(constant, |y, _| y * s);
         let m_h = self.m_h().map(|m_h| power(m_h, smax, 4));
         Constants::new(
@@ -126,12 +129,12 @@ impl Constants {
         .with_known(m_h, self.is_isotropic() && smin == smax, self.is_local())
     }
 
-    /// Returns `c₁`, `c₂`, `L_H` and `M_H` times these factors: a change of units, or a false claim
-    /// for a test. The flags stay.
+    /// Returns `c₁`, `c₂`, `L_H` and `M_H` multiplied by these factors: a change of units, or a
+    /// false claim for a test. The flags do not change.
     ///
     /// # Errors
     ///
-    /// The clause that fails.
+    /// The violated hypothesis.
     pub fn times(self, [c1, c2, l_h, m_h]: [f64; 4]) -> Result<Constants, HypothesisError> {
         Constants::new(self.c1() * c1, self.c2() * c2, self.l_h() * l_h)?.with_known(
             self.m_h().map(|known| known * m_h),
@@ -156,7 +159,7 @@ impl Constants {
 mod tests {
     use super::{Constants, HypothesisError};
 
-    /// Small integers: every product below is exact.
+    /// The constants are small integers, so every product below is exact.
     fn constants(c1: f64, c2: f64, l_h: f64, m_h: f64) -> Constants {
         Constants::new(c1, c2, l_h).and_then(|c| c.with_m_h(m_h)).expect("in order")
     }
@@ -168,13 +171,14 @@ mod tests {
         assert_eq!(h.plus(g), Ok(constants(3.0, 16.0, 16.0, 11.0)));
         assert_eq!(h.beside(g), constants(1.0, 11.0, 13.0, 7.0));
         assert_eq!(h.beside(h), h);
-        // 11 · 3 + 13 · 5 and 11 · 7 + 2 · 13 · 3 + 4 · 5.
+        // 11 · 3 + 13 · 5 = 98 and 11 · 7 + 2 · 13 · 3 + 4 · 5 = 175.
         assert_eq!(h.conformal(g), Ok(constants(2.0, 55.0, 98.0, 175.0)));
         assert_eq!(h.pulled_back(2.0, 3.0), Ok(constants(8.0, 45.0, 81.0, 567.0)));
         assert_eq!(h.times([0.5, 2.0, 3.0, 4.0]), Ok(constants(1.0, 10.0, 9.0, 28.0)));
     }
 
-    /// `φ I = I · φ`, and `s H` is `φ H` for a constant `φ` and the pullback by `√s`.
+    /// `φ I` and `I · φ` have the same constants. For a constant `φ = s`, so do `φ H`, `s H` and
+    /// the pullback by `√s`.
     #[test]
     fn the_rules_agree_where_they_meet() {
         let (h, g) = (constants(2.0, 5.0, 3.0, 7.0), constants(1.0, 11.0, 13.0, 4.0));
@@ -189,13 +193,14 @@ mod tests {
         assert_eq!(twice, h.pulled_back(1.0, 12.0));
     }
 
-    /// Each rule of one metric: by a factor, by a similarity, by another map, by factors.
+    /// Applies each rule for one metric: scaling, pulling back by a similarity or another map, and
+    /// a change of units.
     fn alone(h: Constants) -> [Constants; 4] {
         [h.scaled(2.0), h.pulled_back(2.0, 2.0), h.pulled_back(1.0, 2.0), h.times([1.0; 4])]
             .map(|outcome| outcome.expect("finite"))
     }
 
-    /// Each rule of two metrics.
+    /// Applies each rule for two metrics.
     fn together(a: Constants, b: Constants) -> [Constants; 3] {
         [a.plus(b).expect("finite"), a.beside(b), a.conformal(b).expect("finite")]
     }
@@ -261,7 +266,7 @@ mod tests {
         }
     }
 
-    /// Each overflow on its own, and the underflow of `c₁`; but `L_H = M_H = 0` stay 0.
+    /// Each constant overflows on its own, and `c₁` underflows; but `L_H = M_H = 0` stay 0.
     #[test]
     fn the_constant_that_overflows_is_named() {
         let huge = 1e200;

@@ -1,4 +1,4 @@
-//! Christoffel symbols, by first-order jets of the metric's formula.
+//! Christoffel symbols, computed from first-order jets of the metric's formula.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Jet1;
@@ -22,7 +22,7 @@ pub fn christoffel<const D: usize>(
 ) -> Result<[SMatrix<f64, D, D>; D], MetricError> {
     let factor = cholesky(&check_gram(metric, x)?);
     let jets = metric.gram(&SVector::from(Jet1::variables(&(*x).into())));
-    // ∂ₖ Hᵢⱼ, from the half i ≤ j.
+    // ∂ₖ Hᵢⱼ, read from the half i ≤ j.
     let d = |k: usize, i: usize, j: usize| jets[(i.min(j), i.max(j))].first(k);
     let mut gamma = [SMatrix::zeros(); D];
     for i in 0..D {
@@ -58,8 +58,8 @@ mod tests {
             - delta(i, j) * gradient_of_log[k])
     }
 
-    /// For the pullback of the Euclidean metric by `Φ`, `Γᵏᵢⱼ = Σₘ (DΦ⁻¹)ₖₘ ∂ᵢ∂ⱼ Φₘ`. The matrices are
-    /// full, so that no two indices can be exchanged unnoticed.
+    /// For the pullback of the Euclidean metric by `Φ`, `Γᵏᵢⱼ = Σₘ (DΦ⁻¹)ₖₘ ∂ᵢ∂ⱼ Φₘ`. The matrices
+    /// are full, so an exchange of two indices cannot go unnoticed.
     #[test]
     fn flat_metrics_have_the_second_derivatives_of_their_chart() {
         #[track_caller]
@@ -77,7 +77,7 @@ mod tests {
             {
                 let bend = vector![flat[0].second(i, j), flat[1].second(i, j)];
                 let exact = inverse.row(k).transpose().dot(&bend);
-                // Some thirty roundings of numbers below 10.
+                // This allows for about thirty roundings of numbers below 10.
                 assert_relative_eq!(gamma[k][(i, j)], exact, epsilon = 1e-14, max_relative = 1e-13);
             }
         }

@@ -1,4 +1,4 @@
-//! `Constants`: the numbers `c₁`, `c₂`, `L_H` and `M_H` that the theorems use of a metric.
+//! `Constants`: the numbers `c₁`, `c₂`, `L_H` and `M_H` that describe a metric in the theorems.
 
 /// The constants of Theorem 1.1, for all `x, y, u, w`:
 ///
@@ -7,10 +7,10 @@
 /// ```
 ///
 /// with the Euclidean norm of vectors and the operator norm of matrices. `M_H` is optional and not
-/// in the paper; nor is the flag for an isotropic metric, `H = φ I`, whose geodesics bend less.
+/// in the paper. Neither is the flag for an isotropic metric, `H = φ I`, whose geodesics bend less.
 ///
-/// Invariant: `0 < c₁ ≤ c₂ < ∞`, `0 ≤ L_H < ∞`, `0 ≤ M_H < ∞`. [`Constants::new`] is the only
-/// way in, so a function that takes `Constants` need not check again.
+/// Invariant: `0 < c₁ ≤ c₂ < ∞`, `0 ≤ L_H < ∞`, `0 ≤ M_H < ∞`. Every value is made by
+/// [`Constants::new`], so a function that takes `Constants` need not check again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constants {
     c1: f64,
@@ -22,11 +22,11 @@ pub struct Constants {
 }
 
 impl Constants {
-    /// Checks the clauses in the paper's order; `c₁`, `c₂` in `m²/ℓ²`, `L_H` in `m²/ℓ³`.
+    /// Checks the hypotheses in the paper's order; `c₁`, `c₂` in `m²/ℓ²`, `L_H` in `m²/ℓ³`.
     ///
     /// # Errors
     ///
-    /// The first clause that fails, with its numbers.
+    /// The first violated hypothesis, with its numbers.
     pub fn new(c1: f64, c2: f64, l_h: f64) -> Result<Constants, HypothesisError> {
         if !(c1 > 0.0 && c1.is_finite()) {
             return Err(HypothesisError::NotCoercive { c1 });
@@ -40,7 +40,7 @@ impl Constants {
         Ok(Constants { c1, c2, l_h, m_h: None, isotropic: false, local: false })
     }
 
-    /// Adds `M_H`, in `m²/ℓ⁴`; a Lipschitz constant of `DH` is enough.
+    /// Adds `M_H`, in `m²/ℓ⁴`. A Lipschitz constant of `DH` will do.
     ///
     /// # Errors
     ///
@@ -52,8 +52,8 @@ impl Constants {
         Ok(Constants { m_h: Some(m_h), ..self })
     }
 
-    /// Marks the metric as isotropic, `H(x) = φ(x) I` with a number `φ(x)`: conformal to the
-    /// Euclidean metric, as every metric on the line is.
+    /// Marks the metric as isotropic: `H(x) = φ(x) I` with a number `φ(x)`. Isotropic metrics are
+    /// conformal to the Euclidean metric; every metric on the line is isotropic.
     #[doc(alias = "conformal")]
     #[must_use]
     pub fn isotropic(self) -> Constants {
@@ -84,7 +84,7 @@ impl Constants {
         self.l_h
     }
 
-    /// Returns the bound `M_H` of the second derivatives of `H`, in `m²/ℓ⁴`, if known.
+    /// Returns the bound `M_H` on the second derivatives of `H`, in `m²/ℓ⁴`, if it is known.
     #[must_use]
     pub fn m_h(&self) -> Option<f64> {
         self.m_h
@@ -107,13 +107,13 @@ impl Constants {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum HypothesisError {
-    /// `c₁ > 0`: without it the energy does not control the speed.
+    /// `c₁ > 0` is violated; without it the energy does not control the speed.
     #[error("c1 = {c1} must be positive and finite (Theorem 1.1)")]
     NotCoercive {
         /// The constant that was given.
         c1: f64,
     },
-    /// `c₁ ≤ c₂ < ∞`.
+    /// `c₁ ≤ c₂ < ∞` is violated.
     #[error("c2 = {c2} must be finite and at least c1 = {c1} (Theorem 1.1)")]
     CrossedBounds {
         /// The lower constant that was given.
@@ -121,25 +121,26 @@ pub enum HypothesisError {
         /// The upper constant that was given.
         c2: f64,
     },
-    /// `H` has a finite Lipschitz constant.
+    /// `L_H` is not a finite Lipschitz constant of `H`.
     #[error("L_H = {l_h} must be nonnegative and finite (Theorem 1.1)")]
     NotLipschitz {
         /// The constant that was given.
         l_h: f64,
     },
-    /// `D²H` has a finite bound.
+    /// `M_H` is not a finite bound on `D²H`.
     #[error("M_H = {m_h} must be nonnegative and finite")]
     NotTwiceBounded {
         /// The constant that was given.
         m_h: f64,
     },
-    /// `s H` is a metric for `s > 0` only.
+    /// The factor is not positive and finite; `s H` is a metric only for `s > 0`.
     #[error("the factor {factor} of a metric must be positive and finite")]
     NotAFactor {
         /// The factor that was given.
         factor: f64,
     },
-    /// `|A u|` lies between `σ_min |u|` and `σ_max |u|` with `0 < σ_min ≤ σ_max < ∞`.
+    /// The bounds on the singular values violate `0 < σ_min ≤ σ_max < ∞`, where `|A u|` lies
+    /// between `σ_min |u|` and `σ_max |u|`.
     #[error(
         "the singular values of a map must lie between two positive finite numbers, \
          not between {smin} and {smax}"
@@ -180,7 +181,7 @@ mod tests {
         }
         let infinite = Err(HypothesisError::NotTwiceBounded { m_h: INFINITE });
         assert_eq!(constants.with_m_h(INFINITE), infinite);
-        // The extreme numbers that are valid.
+        // These are the extreme numbers that are still valid.
         assert!(new(1.0, 1.0, 0.0).and_then(|c| c.with_m_h(0.0)).is_ok());
         assert!(new(f64::from_bits(1), f64::MAX, f64::MAX).is_ok());
     }

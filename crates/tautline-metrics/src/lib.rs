@@ -1,8 +1,8 @@
 //! Riemannian metrics on `R^D`, each given by its Gram matrix `H(x)`.
 //!
-//! A metric is a field of symmetric positive definite matrices, `g_x(u, v) = uᵀ H(x) v`.
-//! It is written once, as a formula over [`Scalar`]; values, derivatives and Christoffel
-//! symbols follow from that one function.
+//! A metric is a field of symmetric positive definite matrices, `g_x(u, v) = uᵀ H(x) v`. You write
+//! it once, as a formula over [`Scalar`]; values, derivatives and Christoffel symbols follow from
+//! this one function.
 //!
 //! ```
 //! use nalgebra::{SMatrix, SVector, vector};

@@ -6,11 +6,11 @@ use crate::{Constants, HypothesisError, Metric};
 
 /// A metric that knows its constants on balls.
 ///
-/// Some metrics, such as `4 / (1 + r²)² I`, have no constant `c₁ > 0` on all of `R^D`, and none of
-/// the paper's theorems applies to them. But shortest curves and discrete minimisers stay near their
-/// ends, where the constants of a ball suffice (Proposition S.8). A [`Bounded`](crate::Bounded)
-/// metric, such as [`Constant`](crate::gallery::Constant), may be locally bounded too: the constants
-/// of a ball can be better.
+/// Some metrics, for example `4 / (1 + r²)² I`, have no constant `c₁ > 0` on all of `R^D`, and none
+/// of the paper's theorems applies to them. But shortest curves and discrete minimisers stay near
+/// their ends, where the constants of a ball suffice (Proposition S.8). A
+/// [`Bounded`](crate::Bounded) metric, for example [`Constant`](crate::gallery::Constant), may be
+/// locally bounded too, since the constants of a ball can be better.
 ///
 /// ```
 /// use tautline_metrics::{LocallyBounded, gallery::Sphere};
@@ -22,12 +22,13 @@ use crate::{Constants, HypothesisError, Metric};
 /// # Ok::<(), tautline_metrics::LocalError>(())
 /// ```
 pub trait LocallyBounded<const D: usize>: Metric<D> {
-    /// Returns constants that hold for all `x` and `y` of the ball `|x − centre| ≤ radius`, both in
-    /// `ℓ`, marked as [local](Constants::is_local).
+    /// Returns constants that hold for all `x` and `y` in the ball `|x − centre| ≤ radius`, both in
+    /// `ℓ`. They are marked as [local](Constants::is_local).
     ///
     /// # Errors
     ///
-    /// [`LocalError`] if the metric has none there, or if [`LocalError::check_ball`] refuses the ball.
+    /// [`LocalError`] if the metric has no constants there, or if [`LocalError::check_ball`]
+    /// refuses the ball.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -45,7 +46,7 @@ impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for &M {
     }
 }
 
-/// Why a metric has no constants on a ball.
+/// The reason why a metric has no constants on a ball.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LocalError {
@@ -54,9 +55,9 @@ pub enum LocalError {
     LeavesTheDomain {
         /// The radius of the ball, in `ℓ`.
         radius: f64,
-        /// How far the ball reaches, in the coordinate or the norm that is limited.
+        /// How far the ball reaches, measured in the coordinate or the norm that is limited.
         reach: f64,
-        /// Where the metric ends.
+        /// The value at which the domain of the metric ends.
         limit: f64,
     },
     /// The radius is negative or NaN.
@@ -78,7 +79,7 @@ pub enum LocalError {
     NotProved {
         /// The radius of the ball, in `ℓ`.
         radius: f64,
-        /// Why not, as the search reports it.
+        /// The reason that the search reports.
         reason: String,
     },
     /// A constant is 0, infinite or NaN on the ball.
@@ -91,7 +92,8 @@ impl LocalError {
     ///
     /// # Errors
     ///
-    /// [`LocalError::NotACentre`], [`LocalError::NotARadius`].
+    /// [`LocalError::NotACentre`] if the centre is not finite; [`LocalError::NotARadius`] if the
+    /// radius is negative or NaN.
     pub fn check_ball<const D: usize>(
         centre: &SVector<f64, D>,
         radius: f64,
@@ -123,7 +125,7 @@ mod tests {
     fn norms_of_a_ball_and_the_balls_that_are_refused() {
         assert_eq!(norms_within(&vector![3.0, 4.0], 2.0), Ok([3.0, 7.0]));
         assert_eq!(norms_within(&vector![3.0, 4.0], 6.0), Ok([0.0, 11.0]));
-        // A single point, and all of space.
+        // The ball is a single point, then all of space.
         assert_eq!(norms_within(&vector![3.0, 4.0], 0.0), Ok([5.0, 5.0]));
         assert_eq!(norms_within(&vector![3.0, 4.0], 5.0), Ok([0.0, 10.0]));
         assert_eq!(norms_within(&vector![3.0, 4.0], f64::INFINITY), Ok([0.0, f64::INFINITY]));
@@ -133,7 +135,7 @@ mod tests {
         }
         let error = norms_within(&vector![0.0, f64::INFINITY], 1.0).expect_err("no centre");
         assert_eq!(error, LocalError::NotACentre { index: 1, value: f64::INFINITY });
-        // Names the first of two.
+        // The error names the first of two bad coordinates.
         let error = norms_within(&vector![f64::NEG_INFINITY, f64::NAN], 1.0).expect_err("none");
         assert_eq!(error, LocalError::NotACentre { index: 0, value: f64::NEG_INFINITY });
     }

@@ -1,4 +1,4 @@
-//! `Metric`: a Riemannian metric on `R^D`, and what else may be known about it.
+//! `Metric`: a Riemannian metric on `R^D`, and traits for what else may be known about it.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
@@ -9,16 +9,16 @@ use crate::Constants;
 ///
 /// # Laws
 ///
-/// `H(x)` is symmetric and positive definite at every `x` where the metric is defined, and
-/// not finite (NaN or infinite) where it is not. It is twice continuously differentiable.
-/// It is a pure function of `x`, does not panic on finite input, and may be evaluated by several
-/// threads at once.
+/// `H(x)` is symmetric and positive definite at every `x` where the metric is defined, and not
+/// finite (NaN or infinite) at every other `x`. It is twice continuously differentiable. `gram` is
+/// a pure function of `x`, does not panic on finite input, and may be called by several threads at
+/// once.
 pub trait Metric<const D: usize>: Sync {
-    /// Returns the Gram matrix `H(x)`, in `m²/ℓ²`, shape `D × D`.
+    /// Returns the Gram matrix `H(x)`, in `m²/ℓ²`, of size `D × D`.
     ///
-    /// The formula is generic in the number type. Literals are `f64`, on either side of an operator;
-    /// functions are the methods of [`Scalar`]. An entry that does not depend on `x` is
-    /// `S::constant(2.0)`, `S::zero()` or `S::one()`.
+    /// The formula is generic in the number type. Literals are `f64` and may be on either side of
+    /// an operator; functions are the methods of [`Scalar`]. Write an entry that does not depend on
+    /// `x` as `S::constant(2.0)`, `S::zero()` or `S::one()`.
     ///
     /// ```
     /// use nalgebra::{SMatrix, SVector, matrix, vector};
@@ -78,14 +78,14 @@ impl<const D: usize, M: Bounded<D>> Bounded<D> for &M {
     }
 }
 
-/// A metric with a known distance for some pairs of points: in closed form, or by a quadrature
-/// exact to rounding.
+/// A metric with a known distance for some pairs of points, either in closed form or by a
+/// quadrature that is exact to rounding.
 pub trait KnownDistance<const D: usize>: Metric<D> {
-    /// Returns `d^g(x, y)`, in `m`; `None` if it is not known exactly.
+    /// Returns `d^g(x, y)`, in `m`, or `None` if it is not known exactly.
     ///
     /// # Laws
     ///
-    /// Symmetric, zero for `x = y`; no curve from `x` to `y` is shorter.
+    /// The distance is symmetric and zero for `x = y`; no curve from `x` to `y` is shorter.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64>;
 }
 

@@ -1,18 +1,18 @@
-//! Symmetric positive definite matrices: the check that `H(x)` is one, and its Cholesky factor.
+//! Symmetric positive definite matrices: the check that `H(x)` is one, and the Cholesky factor.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_scalar::Lanes;
 
 use crate::Metric;
 
-/// Why the Gram matrix at a point is not that of a metric.
+/// The reason why the Gram matrix at a point is not that of a metric.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MetricError {
     /// An entry of `H` is NaN or infinite.
     #[error("H({point:?}) has the entry {entry} at ({row}, {column}): it must be finite")]
     NotFinite {
-        /// Where `H` was evaluated.
+        /// The point at which `H` was evaluated.
         point: Vec<f64>,
         /// The row of the entry, from 0.
         row: usize,
@@ -26,7 +26,7 @@ pub enum MetricError {
         "H({point:?}) is not symmetric: entry ({row}, {column}) is {above}, its mirror {below}"
     )]
     NotSymmetric {
-        /// Where `H` was evaluated.
+        /// The point at which `H` was evaluated.
         point: Vec<f64>,
         /// The row of the entry, from 0.
         row: usize,
@@ -40,19 +40,19 @@ pub enum MetricError {
     /// `H` has an eigenvalue that is not positive.
     #[error("H({point:?}) is not positive definite: its least eigenvalue is {eigenvalue}")]
     NotPositiveDefinite {
-        /// Where `H` was evaluated.
+        /// The point at which `H` was evaluated.
         point: Vec<f64>,
         /// The least eigenvalue of `H`, up to rounding.
         eigenvalue: f64,
     },
 }
 
-/// Returns whether a matrix, in every lane of its entries, is finite, symmetric up to rounding, and
-/// positive definite.
+/// Returns whether a matrix is finite, symmetric up to rounding, and positive definite, in every
+/// lane of its entries.
 ///
-/// Two entries that are one formula in a different order differ by some roundings of its terms,
-/// which for a positive definite `H` have at most the size `√(Hᵢᵢ Hⱼⱼ)`: the tolerance is `10⁻¹²` of
-/// that.
+/// Two entries computed by the same formula in a different order differ by a few roundings of its
+/// terms. For a positive definite `H` these are at most of size `√(Hᵢᵢ Hⱼⱼ)`, and the tolerance is
+/// `10⁻¹²` times this number.
 #[must_use]
 #[inline]
 pub fn is_gram<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>) -> bool {
@@ -60,8 +60,8 @@ pub fn is_gram<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>) -> bool {
         && (0..D).all(|i| (i + 1..D).all(|j| h[(i, j)] == h[(j, i)] || is_symmetric(h, i, j)))
 }
 
-/// Whether the upper triangle is finite and positive definite: by pivots, as in [`cholesky`], but
-/// without roots.
+/// Returns whether the upper triangle is finite and positive definite. The pivots are computed as
+/// in [`cholesky`], but without square roots.
 #[inline]
 fn is_definite<T: Lanes, const D: usize>(mut a: SMatrix<T, D, D>) -> bool {
     for k in 0..D {
@@ -84,12 +84,13 @@ fn is_definite<T: Lanes, const D: usize>(mut a: SMatrix<T, D, D>) -> bool {
     true
 }
 
-/// Whether the entries `(i, j)` and `(j, i)` are the same up to rounding.
+/// Returns whether the entries `(i, j)` and `(j, i)` are the same up to rounding.
 fn is_symmetric<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>, i: usize, j: usize) -> bool {
     (0..T::LANES).all(|lane| {
         let entry = |i, j| h[(i, j)].lane(lane);
         let (above, below) = (entry(i, j), entry(j, i));
-        // The product of the entries may overflow, and would then allow any difference.
+        // We take the roots first: the product of the entries may overflow, which would allow any
+        // difference.
         let scale = entry(i, i).abs().sqrt() * entry(j, j).abs().sqrt();
         (above - below).abs() <= 1e-12 * scale.max(above.abs())
     })
@@ -137,10 +138,10 @@ pub fn check_matrix<const D: usize>(
     Ok(h)
 }
 
-/// Returns the lower triangular `L` with `L Lᵀ = A`, reading the entries `i ≤ j` of `A`;
+/// Returns the lower triangular `L` with `L Lᵀ = A`, reading the entries `i ≤ j` of `A`. Returns
 /// `None` if `A` is not positive definite (or not finite).
 ///
-/// Written out so that the loops unroll for small `D`.
+/// The loops are written out so that they unroll for small `D`.
 #[must_use]
 pub fn cholesky<const D: usize>(a: &SMatrix<f64, D, D>) -> Option<SMatrix<f64, D, D>> {
     let mut l = SMatrix::<f64, D, D>::zeros();
@@ -184,7 +185,8 @@ mod tests {
         }
     }
 
-    /// In an indefinite matrix the tolerance is relative to the entry, if that exceeds the diagonal.
+    /// In an indefinite matrix the tolerance is relative to the entry if the entry exceeds the
+    /// diagonal.
     #[test]
     fn a_rounding_of_a_large_entry_is_no_asymmetry() {
         let error = |below| check_gram(&Matrix([[1e-20, 1.0], [below, 1e-20]]), &vector![0.0, 0.0]);
@@ -218,12 +220,12 @@ mod tests {
     fn the_cholesky_factor_multiplies_back() {
         let a = matrix![4.0, 2.0, -1.0; 2.0, 5.0, 0.5; -1.0, 0.5, 3.0];
         let l = cholesky(&a).expect("diagonally dominant");
-        // Entries of size 5, three products each: some 1e-15.
+        // The entries are of size 5 with three products each, so the rounding is about 1e-15.
         assert!((l * l.transpose() - a).amax() < 1e-14);
         assert!(cholesky(&matrix![1.0, 2.0; 2.0, 1.0]).is_none());
     }
 
-    /// Cancelling terms of size 10⁶ leave an entry of size 1, off by their rounding.
+    /// Cancelling terms of size 10⁶ leave an entry of size 1, with the rounding error of the terms.
     #[test]
     fn the_halves_may_differ_by_the_rounding_of_the_diagonal() {
         let off = |by: f64| check_gram(&Matrix([[2.0, 1.0], [1.0 + by, 2.0]]), &vector![0.0, 0.0]);
@@ -236,7 +238,8 @@ mod tests {
         assert!(matches!(off(4e-6), Err(MetricError::NotSymmetric { .. })));
     }
 
-    /// In any unit of length: the squares of these entries overflow or underflow.
+    /// This holds in any unit of length, although the squares of these entries overflow or
+    /// underflow.
     #[test]
     fn the_halves_may_differ_by_as_much_in_every_unit() {
         for unit in [1e-300, 1e-200, 1.0, 1e200, 1e300] {
@@ -246,14 +249,15 @@ mod tests {
                 assert_eq!(checked.is_ok(), is_gram(&h), "{by} in {unit:e}");
                 is_gram(&h)
             };
-            // 10⁻¹² of √(10⁴ · 4 · 10⁴) = 2 · 10⁴.
+            // The tolerance is 10⁻¹² of √(10⁴ · 4 · 10⁴) = 2 · 10⁴.
             assert!(off(1e-8) && off(-1e-8) && !off(4e-8) && !off(-4e-8) && !off(-1.0), "{unit:e}");
-            // Relative to the entry where that is larger, but then nothing is definite.
+            // The tolerance is relative to the entry where that is larger, but then the matrix is
+            // not definite.
             assert!(!is_gram(&(matrix![1.0, 2.0; 2.0, 1.0] * unit)));
         }
     }
 
-    /// One defect at a time, in each entry, and in each of two lanes.
+    /// There is one defect at a time, in each entry, and in each of two lanes.
     #[test]
     fn every_entry_of_every_lane_is_checked() {
         let good = matrix![4.0, 2.0, -1.0; 2.0, 5.0, 0.5; -1.0, 0.5, 3.0];
@@ -277,14 +281,14 @@ mod tests {
                 assert_eq!((row, column), place);
             }
         }
-        // Singular: the last pivot is zero.
+        // The matrix is singular: its last pivot is zero.
         let singular = matrix![1.0, 1.0; 1.0, 1.0];
         assert!(!is_gram(&singular) && cholesky(&singular).is_none());
         assert!(!is_gram(&matrix![0.0]) && is_gram(&matrix![f64::MIN_POSITIVE]));
     }
 
-    /// `is_gram`, by pivots, and `cholesky` agree on random matrices, definite or not. Only the upper
-    /// half is read.
+    /// `is_gram`, which uses pivots, and `cholesky` agree on random matrices, definite or not. Both
+    /// read only the upper half.
     #[test]
     fn the_pivots_and_the_factor_agree() {
         let mut definite = 0;
@@ -295,7 +299,7 @@ mod tests {
             });
             let least = a.symmetric_eigenvalues().min();
             let factor = cholesky(&a);
-            // Far beyond the rounding of entries up to 1.3.
+            // This is far beyond the rounding of entries up to 1.3.
             if least.abs() > 1e-12 {
                 assert_eq!((factor.is_some(), is_gram(&a)), (least > 0.0, least > 0.0), "{a}");
             }

@@ -4,7 +4,8 @@ use std::ops::AddAssign;
 
 /// A computed integral and an estimate of its error, in the same unit.
 ///
-/// The error compares two rules of different order: an estimate, not a bound.
+/// The error is the difference between two rules of different order. It is an estimate, not a
+/// bound.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Integral {
     /// The value.
@@ -22,14 +23,15 @@ impl AddAssign for Integral {
 
 /// The nodes of the 7-point Kronrod rule on `[−1, 1]`.
 ///
-/// A. S. Kronrod, *Nodes and Weights of Quadrature Formulas*, 1965; exact for polynomials of degree 11.
+/// A. S. Kronrod, *Nodes and Weights of Quadrature Formulas*, 1965. The rule is exact for
+/// polynomials of degree 11.
 const PLACES: [f64; 7] = [0.0, -INNER, INNER, -MIDDLE, MIDDLE, -OUTER, OUTER];
 const INNER: f64 = 0.434_243_749_346_802_56;
 const MIDDLE: f64 = 0.774_596_669_241_483_4;
 const OUTER: f64 = 0.960_491_268_708_020_3;
 
-/// The weights of the nodes, and of the 3-point Gauss rule on a subset of them, which is exact for
-/// polynomials of degree 5.
+/// The weights of the nodes, for this rule and for the 3-point Gauss rule on a subset of the nodes,
+/// which is exact for polynomials of degree 5.
 const WEIGHTS: [(f64, f64); 7] = {
     let (centre, inner) = ((0.450_916_538_658_474_14, 8.0 / 9.0), (0.401_397_414_775_962_2, 0.0));
     let (middle, outer) = ((0.268_488_089_868_333_44, 5.0 / 9.0), (0.104_656_226_026_467_27, 0.0));
@@ -48,14 +50,15 @@ pub const FIRST_NODES: [f64; 7] = {
 };
 
 /// Returns whether [`integrate`] would stop after one application of the rule, given the values of
-/// the integrand at the [`FIRST_NODES`]. NaN ends the subdivision.
+/// the integrand at the [`FIRST_NODES`]. A NaN value ends the subdivision.
 #[must_use]
 pub fn is_integrated(values: &[f64; 7], tolerance: f64) -> bool {
     let (integral, magnitude) = by_values(values, 1.0);
     is_enough(integral, magnitude, tolerance) || integral.value.is_nan()
 }
 
-/// Below `4 ε |f|` the two rules differ only by rounding.
+/// Returns whether the error is small enough. Below `4 ε |f|` the two rules differ only by
+/// rounding.
 fn is_enough(integral: Integral, magnitude: f64, tolerance: f64) -> bool {
     integral.error <= tolerance.max(4.0 * f64::EPSILON) * magnitude
 }
@@ -63,19 +66,19 @@ fn is_enough(integral: Integral, magnitude: f64, tolerance: f64) -> bool {
 /// No integrand here needs more than this many intervals unless it is singular.
 const MAX_INTERVALS: usize = 4096;
 
-/// Returns `∫ₐᵇ f`, halving intervals until the estimated error of each is at most
-/// `tolerance` times the integral of `|f|` over it (or rounding is reached).
+/// Returns `∫ₐᵇ f`. It halves intervals until the estimated error on each is at most `tolerance`
+/// times the integral of `|f|` over it (or until rounding is reached).
 ///
-/// Always ends: a singular integrand after at most 4096 intervals with a large error estimate, one
-/// that is NaN somewhere with the value NaN.
+/// The subdivision always ends. A singular integrand ends it after at most 4096 intervals with a
+/// large error estimate, and an integrand that is NaN somewhere gives the value NaN.
 pub fn integrate(f: impl Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Integral {
     adaptive(&f, a, b, tolerance)
 }
 
-/// Compiled once for all integrands: an indirect call costs little beside a metric.
+/// This is compiled once for all integrands; an indirect call costs little compared with a metric.
 fn adaptive(f: &dyn Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Integral {
     let mut total = Integral::default();
-    // The intervals left to do, all to the right of [a, b].
+    // The intervals still to be done, all of which lie to the right of [a, b].
     let mut pending = Vec::new();
     let mut next = Some((a, b));
     let mut intervals = 0;
@@ -96,13 +99,13 @@ fn adaptive(f: &dyn Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Integral 
     total
 }
 
-/// One application of the rule: the integral with its error, and the integral of `|f|`.
+/// Applies the rule once and returns the integral with its error, and the integral of `|f|`.
 fn kronrod(f: &dyn Fn(f64) -> f64, a: f64, b: f64) -> (Integral, f64) {
     let (centre, half) = (0.5 * (a + b), 0.5 * (b - a));
     by_values(&PLACES.map(|place| f(centre + half * place)), half)
 }
 
-/// The same, from the values at the [`PLACES`].
+/// Does the same, given the values at the [`PLACES`].
 fn by_values(values: &[f64; 7], half: f64) -> (Integral, f64) {
     let (mut kronrod, mut gauss, mut magnitude) = (0.0, 0.0, 0.0);
     for (y, (weight, gauss_weight)) in values.iter().zip(WEIGHTS) {
@@ -110,8 +113,9 @@ fn by_values(values: &[f64; 7], half: f64) -> (Integral, f64) {
         gauss += gauss_weight * y;
         magnitude += weight * y.abs();
     }
-    // QUADPACK's sharpening: the difference is the error of the Gauss rule, and the Kronrod
-    // rule is better by the factor (200 × relative difference)^{1/2} where that is small.
+    // This is the sharpening used in QUADPACK: the difference is the error of the Gauss rule, and
+    // the Kronrod rule is better by the factor (200 × relative difference)^{1/2} where this factor
+    // is small.
     let mean = 0.5 * kronrod;
     let terms = values.iter().zip(WEIGHTS);
     let spread: f64 = terms.map(|(y, (weight, _))| weight * (y - mean).abs()).sum();
@@ -122,7 +126,7 @@ fn by_values(values: &[f64; 7], half: f64) -> (Integral, f64) {
     } else {
         difference
     };
-    // The rounding of a sum of seven terms.
+    // The last term is the rounding of a sum of seven terms.
     let error = error.max(2.0 * f64::EPSILON * magnitude);
     let integral = Integral { value: kronrod * half, error: error * half.abs() };
     (integral, magnitude * half.abs())
@@ -132,7 +136,7 @@ fn by_values(values: &[f64; 7], half: f64) -> (Integral, f64) {
 mod tests {
     use super::{FIRST_NODES, Integral, integrate, is_integrated};
 
-    /// The rule is exact up to degree 11: a mistyped node or weight fails here.
+    /// The rule is exact up to degree 11, so a mistyped node or weight fails here.
     #[test]
     fn polynomials_of_degree_11_are_exact() {
         for degree in 0..=11 {
@@ -154,7 +158,7 @@ mod tests {
         approx::assert_relative_eq!(backwards.value, -1_f64.sin(), max_relative = 1e-14);
     }
 
-    /// The Gauss rule misses 16 % of `x⁶`, so that the error is `Σ w |y − mean|`, with the mean 1/7.
+    /// The Gauss rule misses 16 % of `x⁶`, so the error is `Σ w |y − mean|` with the mean 1/7.
     #[test]
     fn the_error_is_the_spread_where_the_rules_differ_widely() {
         let (integral, magnitude) = super::kronrod(&|x: f64| x.powi(6), -1.0, 1.0);
@@ -169,20 +173,21 @@ mod tests {
         assert_eq!(sum, Integral { value: 3.0, error: 0.75 });
     }
 
-    /// The bits of `x`, scrambled, which no number of intervals resolves. It ends when 4096 intervals
-    /// of seven nodes are done or pending, plus one; or when neighbouring numbers are reached.
+    /// The integrand is a scramble of the bits of `x`, which no number of intervals resolves. The
+    /// subdivision ends when 4096 intervals of seven nodes, plus one, are done or pending, or when
+    /// it reaches neighbouring numbers.
     #[test]
     fn noise_exhausts_the_intervals_or_the_numbers() {
         let noise = |x: f64| (x.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as f64;
         let (integral, count) = evaluations(noise, 1.0, 2.0, 1e-12);
         assert!(integral.error > 0.0);
         assert_eq!(count, 7 * 4097);
-        // Eight spacings: at most 15 intervals.
+        // The interval has eight spacings, so there are at most 15 intervals.
         let (integral, count) = evaluations(noise, 1.0, 1.0 + 8.0 * f64::EPSILON, 1e-12);
         assert!(integral.error > 0.0 && count <= 7 * 15);
     }
 
-    /// The integral, and how often `integrate` evaluates the integrand.
+    /// Returns the integral and the number of times that `integrate` evaluates the integrand.
     fn evaluations(f: impl Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> (Integral, usize) {
         let count = std::cell::Cell::new(0);
         let counted = |x: f64| {
@@ -221,7 +226,7 @@ mod tests {
         assert!(done.iter().all(|&count| count >= 5), "{done:?}");
     }
 
-    /// Where the rules differ only by rounding, or where a value is NaN.
+    /// No interval is halved if the rules differ only by rounding or if a value is NaN.
     #[test]
     fn nothing_is_halved_in_vain() {
         assert_eq!(evaluations(|_| 3.0, 0.0, 1.0, 0.0).1, 7);
@@ -231,7 +236,8 @@ mod tests {
         assert!(half.value.is_nan() && count == 7, "{count}");
     }
 
-    /// Rounding is an error too, for values of either sign: 2 ε of the integral of `|f|`.
+    /// Rounding counts as an error too, for values of either sign: it is 2 ε times the integral of
+    /// `|f|`.
     #[test]
     fn the_error_is_no_less_than_rounding() {
         for f in [|_: f64| 3.0, |_: f64| -3.0] {
@@ -239,7 +245,7 @@ mod tests {
             approx::assert_relative_eq!(magnitude, 6.0, max_relative = 1e-14);
             assert!(integral.error >= 1.9 * f64::EPSILON * 6.0, "{integral:?}");
         }
-        // An odd function: 0, from large values.
+        // The integral of an odd function is 0, although its values are large.
         let (integral, magnitude) = super::kronrod(&|x: f64| x, -2.0, 2.0);
         assert!(
             magnitude > 3.5 && integral.error >= 1.9 * f64::EPSILON * magnitude,
@@ -248,7 +254,7 @@ mod tests {
         assert!(integral.value.abs() <= integral.error);
     }
 
-    /// No number lies between neighbours, whichever of the two the mean rounds to.
+    /// There is no number between two neighbours, whichever of the two their mean rounds to.
     #[test]
     fn neighbours_are_not_halved() {
         // The two rules disagree about these values.

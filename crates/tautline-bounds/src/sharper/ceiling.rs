@@ -101,8 +101,8 @@ mod tests {
         assert_eq!(first_order(tame, PaperRule::LeftEndpoint, n(2)), 0.125);
         assert_eq!(second_order(tame, n(2)), Some(0.125));
         assert_eq!(second_variation(tame, n(2)), Some(0.125));
-        // N = 1 and ω = 3/2: 3/4 + 9/8 is less than 9/2 + 3/4, which is less than (81/4)(25/48 +
-        // …).
+        // N = 1 and ω = 3/2: 3/4 + 9/8 is less than 9/2 + 3/4, which is less than
+        // (81/4)(25/48 + …).
         let plane = setting(4e6, 2);
         assert_eq!(second_variation(plane, n(1)), Some(1.875));
         // At N = 1000 the leading terms dominate, and the last surplus is the least.

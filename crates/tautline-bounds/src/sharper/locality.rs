@@ -64,9 +64,9 @@ pub enum LocalityError<E> {
 /// - `constants_within`: returns the constants on the convex hull of the points within a given
 ///   distance of the bounded end, or an error.
 ///
-/// Needs: constants that do not improve on a larger region. Overestimation: the radius is within 1
-/// % of the least sufficient one, unless `√c₁ R` has a flat piece there; `constants_within` may be
-/// called with radii up to 1 % larger than the result. If `upper` is 0, the radius is 0.
+/// Needs: constants that do not improve on a larger region. Overestimation: the radius is within
+/// 1 % of the least sufficient one, unless `√c₁ R` has a flat piece there; `constants_within` may
+/// be called with radii up to 1 % larger than the result. If `upper` is 0, the radius is 0.
 ///
 /// # Errors
 ///
@@ -163,8 +163,8 @@ mod tests {
             let region = competitors(2, rule, NonZeroUsize::MIN, 1.0, within).expect("bounded");
             assert!((2_f64.sqrt()..1.03 * 2_f64.sqrt()).contains(&region.radius), "{region:?}");
         }
-        // With four chords, e = 1 + δ/8, and by the second variation e = 1 + 9·(25/16/12 +
-        // ½/√360)/16.
+        // With four chords, e = 1 + δ/8, and by the second variation
+        // e = 1 + 9·(25/16/12 + ½/√360)/16.
         let left = competitors(2, PaperRule::LeftEndpoint, n(4), 1.0, within).expect("bounded");
         assert!((1.25_f64.sqrt()..1.03 * 1.25_f64.sqrt()).contains(&left.radius), "{left:?}");
         let tra = competitors(2, TRA, n(4), 1.0, within).expect("bounded");

@@ -8,8 +8,8 @@ use tautline_bounds::{self as bounds, Constants, PaperRule, Setting};
 /// A table, its number of rows, and the relative tolerance; a reference value of 0 must be exact.
 const TABLES: [(&str, &str, usize, f64); 3] = [
     // Rounding an input has a relative error of 2⁻⁵³. The worst result, C of Theorem 1.3, varies at
-    // most like d⁹, L_H⁷ and c₁^−13 and takes some 40 roundings. The total error is below 70 · 2⁻⁵³
-    // < 8e-15.
+    // most like d⁹, L_H⁷ and c₁^−13 and takes some 40 roundings. The total error is below
+    // 70 · 2⁻⁵³ < 8e-15.
     ("paper.csv", include_str!("../golden/paper.csv"), 64, 2e-14),
     // The inputs are rounded and enter with powers up to 9.
     ("theorems_a_and_b.csv", include_str!("../golden/theorems_a_and_b.csv"), 112, 1e-12),

@@ -62,8 +62,8 @@ fn scaled(s: Setting, c1: f64, c2: f64, l_h: f64, d: f64) -> Setting {
 }
 
 // Inputs and their factors are rounded up to five times each, and the worst result varies like d⁹,
-// L_H⁷ and c₁^−13. The total error of 5 (9 + 7 + 13) + 2 · 40 roundings is below 250 · 2⁻⁵³ <
-// 3e-14.
+// L_H⁷ and c₁^−13. The total error of 5 (9 + 7 + 13) + 2 · 40 roundings is below
+// 250 · 2⁻⁵³ < 3e-14.
 const TOLERANCE: f64 = 1e-13;
 
 proptest! {

@@ -8,14 +8,14 @@ use crate::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
 };
 
-/// `Aᵀ H(A x + b) A` for an invertible matrix `A`: the metric `H` in coordinates `x` whose points
-/// are `A x + b`. A rotation, a shift, other units.
+/// `Aᵀ H(A x + b) A` for an invertible matrix `A`: the metric `H` in terms of coordinates `x` of
+/// the point `A x + b`. Examples are a rotation, a shift, or other units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AffinePullback<M, const D: usize> {
     metric: M,
     matrix: SMatrix<f64, D, D>,
     shift: SVector<f64, D>,
-    /// Bounds on the singular values of the matrix: positive, finite, in order.
+    /// Bounds on the singular values of the matrix, positive, finite and in increasing order.
     stretches: (f64, f64),
 }
 
@@ -24,9 +24,9 @@ impl<M, const D: usize> AffinePullback<M, D> {
     ///
     /// # Errors
     ///
-    /// [`CompositionError::NotFinite`] with an entry of `A` or `b`;
-    /// [`HypothesisError::NotStretches`] if `A` is singular, or its condition number so large,
-    /// some `10¹⁴`, that its least singular value is not certain to be positive.
+    /// [`CompositionError::NotFinite`] with the entry of `A` or `b` that is not finite;
+    /// [`HypothesisError::NotStretches`] if `A` is singular, or if its condition number is so large
+    /// (some `10¹⁴`) that its least singular value is not certain to be positive.
     pub fn new(
         metric: M,
         matrix: SMatrix<f64, D, D>,
@@ -57,10 +57,10 @@ impl<M, const D: usize> AffinePullback<M, D> {
     }
 }
 
-/// Bounds on the singular values of a finite matrix, by a margin of `16 D` ulp of its norm: more than
-/// the errors of the reduction to bidiagonal form and of the iteration.
+/// Returns bounds on the singular values of a finite matrix. Their margin is `16 D` ulps of its
+/// norm, which exceeds the errors of the bidiagonalisation and of the iteration.
 fn stretches<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (f64, f64) {
-    // Entries up to 1, so that no intermediate square overflows.
+    // Scaling the entries to at most 1 keeps intermediate squares from overflowing.
     let scale = matrix.amax();
     if scale == 0.0 {
         return (0.0, 0.0);
@@ -92,11 +92,12 @@ impl<M: Metric<D>, const D: usize> Metric<D> for AffinePullback<M, D> {
 }
 
 impl<M: Bounded<D>, const D: usize> Bounded<D> for AffinePullback<M, D> {
-    /// [`Constants::pulled_back`] by the singular values of `A`, moved apart by some ulp.
+    /// Returns [`Constants::pulled_back`] for the singular values of `A`, moved apart by a few
+    /// ulps.
     ///
     /// # Panics
     ///
-    /// If one of them overflows, or `c₁` underflows.
+    /// If a constant overflows, or if `c₁` underflows.
     fn constants(&self) -> Constants {
         let (smin, smax) = self.stretches;
         self.metric.constants().pulled_back(smin, smax).expect("stretches within the range of f64")
@@ -104,8 +105,8 @@ impl<M: Bounded<D>, const D: usize> Bounded<D> for AffinePullback<M, D> {
 }
 
 impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for AffinePullback<M, D> {
-    /// The image of the ball lies in the ball of `σ_max` times its radius about the image of its
-    /// centre.
+    /// The image of the ball lies in a ball about the image of its centre, with `σ_max` times its
+    /// radius.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -118,7 +119,7 @@ impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for AffinePullback<
 }
 
 impl<M: KnownDistance<D>, const D: usize> KnownDistance<D> for AffinePullback<M, D> {
-    /// The distance of the images `A x + b` and `A y + b`.
+    /// Returns the distance between the images `A x + b` and `A y + b`.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         self.metric.distance(&self.image(x), &self.image(y))
     }
@@ -130,14 +131,15 @@ mod tests {
 
     use super::stretches;
 
-    /// `[[a, b], [b, a]]` has the singular values `a + b` and `a − b`, exact for short `a > b`.
+    /// `[[a, b], [b, a]]` has the singular values `a + b` and `a − b`, which are exact for short
+    /// `a > b`.
     #[test]
     fn stretches_are_bounds_on_both_sides() {
         for (k, l) in (2..60).flat_map(|k| (1..k).map(move |l| (k, l))) {
             let (a, b) = (1.0 + f64::from(k) / 64.0, f64::from(l) / 64.0);
             let (low, high) = stretches(&matrix![a, b; b, a]);
             assert!(low <= a - b && a + b <= high, "{a} {b}: {low} {high}");
-            // By hardly more than the margin, 16 D ulp of the norm.
+            // The bounds are hardly wider than the margin, 16 D ulps of the norm.
             let close = 64.0 * f64::EPSILON * (a + b);
             assert!(a - b - low <= close && high - a - b <= close, "{a} {b}: {low} {high}");
         }

@@ -1,4 +1,4 @@
-//! Metrics built from metrics.
+//! Metrics built from other metrics.
 //!
 //! | metric | on | `H` | constants by | distance |
 //! | --- | --- | --- | --- | --- |
@@ -7,7 +7,8 @@
 //! | [`Product`] | `R^{D₁ + D₂}` | `diag(H(x), H′(y))` | [`Constants::beside`] | `√(d² + d′²)` |
 //! | [`AffinePullback`] | `R^D` | `Aᵀ H(A x + b) A` | [`Constants::pulled_back`] | of the images |
 //!
-//! Each is [`Bounded`] if its parts are, and (except for the sum) knows its distance if they do.
+//! Each composition is [`Bounded`] if its parts are. Except for the sum, it knows its distance if
+//! its parts do.
 //!
 //! ```
 //! use nalgebra::{matrix, vector};
@@ -17,7 +18,7 @@
 //!     gallery::{Ramp, Shear},
 //! };
 //!
-//! // A ramp, in a coordinate that is doubled, beside a shear of the plane.
+//! // A ramp in a doubled coordinate, and a shear of the plane.
 //! let ramp = Ramp::new(0.5, 1.0)?;
 //! let shear = Shear::new(0.5, 1.0)?;
 //! let twice = AffinePullback::new(ramp, matrix![2.0], [0.0])?;

@@ -5,10 +5,10 @@ use tautline_scalar::Scalar;
 
 use crate::{Bounded, Constants, KnownDistance, LocalError, LocallyBounded, Metric};
 
-/// `diag(H(x), H′(y))` on the pairs `(x, y)` of `R^{D₁} × R^{D₂}`: two systems that move
-/// together, each under its own metric.
+/// `diag(H(x), H′(y))` on the pairs `(x, y)` of `R^{D₁} × R^{D₂}`: two systems that move together,
+/// each with its own metric.
 ///
-/// A curve is a geodesic if both of its parts are. Only `D = D₁ + D₂` compiles:
+/// A curve is a geodesic if both of its parts are. The product compiles only for `D = D₁ + D₂`:
 ///
 /// ```compile_fail
 /// use tautline_metrics::{Metric, composition::Product, gallery::Valleys};
@@ -30,12 +30,12 @@ impl<A: Metric<D1>, B: Metric<D2>, const D1: usize, const D2: usize> Product<A, 
     }
 }
 
-/// Does not compile for another `D` than `D₁ + D₂`.
+/// Does not compile unless `D = D₁ + D₂`.
 fn dimensions_add_up<const D1: usize, const D2: usize, const D: usize>() {
     const { assert!(D1 + D2 == D, "a product of R^D1 and R^D2 is a metric on R^(D1 + D2)") };
 }
 
-/// The first `D₁` and the last `D₂` entries of a vector.
+/// Returns the first `D₁` and the last `D₂` entries of a vector.
 fn split<T: nalgebra::Scalar + Copy, const D1: usize, const D2: usize, const D: usize>(
     x: &SVector<T, D>,
 ) -> (SVector<T, D1>, SVector<T, D2>) {
@@ -65,7 +65,8 @@ where
     A: Bounded<D1>,
     B: Bounded<D2>,
 {
-    /// The lesser `c₁`, and the greater of each of the others ([`Constants::beside`]).
+    /// Returns the smaller `c₁` and the larger of each of the other constants
+    /// ([`Constants::beside`]).
     fn constants(&self) -> Constants {
         dimensions_add_up::<D1, D2, D>();
         self.first.constants().beside(self.second.constants())
@@ -78,7 +79,7 @@ where
     A: LocallyBounded<D1>,
     B: LocallyBounded<D2>,
 {
-    /// A ball lies in the product of balls of its radius.
+    /// A ball lies in the product of two balls of the same radius.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -96,7 +97,7 @@ where
     A: KnownDistance<D1>,
     B: KnownDistance<D2>,
 {
-    /// `√(d² + d′²)`; `None` if either is not known.
+    /// Returns `√(d² + d′²)`, or `None` if one of the two is not known.
     ///
     /// Since `∫ √(a² + b²) ≥ √((∫ a)² + (∫ b)²)`, with equality for constant `a` and `b`, the pair of
     /// minimal geodesics is minimal.

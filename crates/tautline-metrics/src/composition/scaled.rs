@@ -1,4 +1,4 @@
-//! A metric in another unit of length: `s H`.
+//! A metric with another unit of length: `s H`.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
@@ -8,7 +8,7 @@ use crate::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
 };
 
-/// `s H(x)`: the same geodesics, all lengths times `√s`.
+/// `s H(x)`, which has the same geodesics as `H`, with all lengths multiplied by `√s`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaled<M> {
     metric: M,
@@ -37,11 +37,11 @@ impl<M: Metric<D>, const D: usize> Metric<D> for Scaled<M> {
 }
 
 impl<M: Bounded<D>, const D: usize> Bounded<D> for Scaled<M> {
-    /// All constants of `H` times `s` ([`Constants::scaled`]).
+    /// Returns the constants of `H`, multiplied by `s` ([`Constants::scaled`]).
     ///
     /// # Panics
     ///
-    /// If one of them overflows, or `c₁` underflows.
+    /// If a constant overflows, or if `c₁` underflows.
     fn constants(&self) -> Constants {
         self.metric.constants().scaled(self.factor).expect("a factor within the range of f64")
     }
@@ -58,7 +58,7 @@ impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for Scaled<M> {
 }
 
 impl<M: KnownDistance<D>, const D: usize> KnownDistance<D> for Scaled<M> {
-    /// `√s` times the distance of `H`.
+    /// Returns `√s` times the distance in the metric `H`.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         self.metric.distance(x, y).map(|distance| distance * self.factor.sqrt())
     }

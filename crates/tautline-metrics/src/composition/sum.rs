@@ -5,10 +5,10 @@ use tautline_scalar::Scalar;
 
 use crate::{Bounded, Constants, LocalError, LocallyBounded, Metric};
 
-/// `H(x) + H′(x)`: the squared speeds add up.
+/// `H(x) + H′(x)`: the squared speeds in the two metrics add up.
 ///
-/// Its distance is at least `√(d² + d′²)`, with equality if one curve is minimal in both metrics, at
-/// proportional speeds; in general it does not follow from `d` and `d′`.
+/// Its distance is at least `√(d² + d′²)`, with equality if one curve is minimal in both metrics,
+/// with proportional speeds. In general `d` and `d′` do not determine it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sum<A, B> {
     first: A,
@@ -31,7 +31,7 @@ impl<A: Metric<D>, B: Metric<D>, const D: usize> Metric<D> for Sum<A, B> {
 }
 
 impl<A: Bounded<D>, B: Bounded<D>, const D: usize> Bounded<D> for Sum<A, B> {
-    /// The sums ([`Constants::plus`]).
+    /// Returns the sums of the constants ([`Constants::plus`]).
     ///
     /// # Panics
     ///

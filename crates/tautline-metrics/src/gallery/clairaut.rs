@@ -1,22 +1,24 @@
-//! Layers: metrics `f² I` with `f ≥ 1` a function of one coordinate, and Clairaut's relation.
+//! Layered metrics `f² I`, where `f ≥ 1` is a function of one coordinate, and Clairaut's relation.
 
 use crate::quadrature::{Integral, integrate};
 
-/// The largest relative error estimate of an integral that counts as known.
+/// If the relative error estimate of an integral exceeds this, the distance does not count as
+/// known.
 const TRUSTED: f64 = 1e-8;
 
-/// Returns the distance of two points with the layered coordinates `knots[0]` and `knots[last]`, and
-/// `across ≥ 0` apart in the others. `excess` is `f² − 1`, without cancellation where it vanishes.
-/// The knots ascend, and between two of them one quadrature misses no detail.
+/// Returns the distance between two points whose layered coordinates are `knots[0]` and
+/// `knots[last]`, and which are `across ≥ 0` apart in the other coordinates. `excess` is `f² − 1`,
+/// computed without cancellation where it vanishes. The knots increase, and they are so close that
+/// a quadrature between two neighbours misses no detail.
 ///
-/// For `0 ≤ p < 1` the function `u = p s + ∫ √(f² − p²)`, with `s` the coordinate along the
-/// difference of the other coordinates, satisfies `|∇u| = f` everywhere. So `d ≥ u(y) − u(x)`,
-/// with equality along the curve of steepest ascent, which joins the points if
-/// `∫ p / √(f² − p²)` is their difference in `s` (Clairaut's relation).
+/// Let `s` be the coordinate along the difference in the other coordinates. For `0 ≤ p < 1` the
+/// function `u = p s + ∫ √(f² − p²)` satisfies `|∇u| = f` everywhere. So `d ≥ u(y) − u(x)`, with
+/// equality along the curve of steepest ascent. This curve joins the points if `∫ p / √(f² − p²)`
+/// equals their difference in `s` (Clairaut's relation).
 ///
-/// `None` if no such `p` exists (up to `1 − 10⁻¹²`): the minimal geodesic then turns back in the
-/// layered coordinate. `None` too if a quadrature does not converge, because there are too many
-/// layers between two knots.
+/// Returns `None` if no such `p` exists (up to `1 − 10⁻¹²`), because the minimal geodesic then
+/// turns back in the layered coordinate. Also returns `None` if a quadrature does not converge
+/// because there are too many layers between two knots.
 pub(super) fn across_layers(
     excess: impl Fn(f64) -> f64,
     knots: &[f64],
@@ -29,8 +31,8 @@ pub(super) fn across_layers(
         }
         sum
     };
-    // In q = 1 − p, where f² − p² = (f² − 1) + q (2 − q) does not cancel: noise would exhaust the
-    // intervals of the quadrature.
+    // We work with q = 1 − p, for which f² − p² = (f² − 1) + q (2 − q) does not cancel. The noise
+    // due to cancellation would exhaust the intervals of the quadrature.
     let root = |x: f64, q: f64| (excess(x) + q * (2.0 - q)).sqrt();
     let reach_of = |q: f64| sum(&|x| (1.0 - q) / root(x, q), 1e-10);
     let reach = |q: f64| reach_of(q).value;
@@ -38,9 +40,9 @@ pub(super) fn across_layers(
     if !(reach(low) >= across) {
         return None;
     }
-    // u(y) − u(x) is stationary in p. The error of p is some 1e-9 q, from the bisection and from
-    // the reach, and the derivative of the reach is of the order of q^{−3/2} at most: that of
-    // u(y) − u(x) is some 1e-18.
+    // u(y) − u(x) is stationary in p. The error in p, due to the bisection and the reach, is about
+    // 1e-9 q. The derivative of the reach is at most of order q^{−3/2}, so the resulting error in
+    // u(y) − u(x) is about 1e-18.
     if across > 0.0 {
         for _ in 0..35 {
             let middle = (low * high).sqrt();
@@ -48,7 +50,8 @@ pub(super) fn across_layers(
         }
     }
     let climb = sum(&|x| root(x, high), 1e-15);
-    // Both are accurate to some 1e-10, unless the intervals were exhausted: then p may be wrong.
+    // Both are accurate to about 1e-10 unless the intervals were exhausted, and then p may be
+    // wrong.
     let known = |found: Integral| found.error <= TRUSTED * found.value;
     (known(climb) && (across == 0.0 || known(reach_of(high))))
         .then_some((1.0 - high) * across + climb.value)

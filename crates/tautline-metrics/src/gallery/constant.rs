@@ -6,17 +6,17 @@ use tautline_scalar::Scalar;
 use super::{GalleryError, eigenvalues::eigenvalue_bounds};
 use crate::{Bounded, Constants, KnownDistance, LocalError, LocallyBounded, Metric, check_gram};
 
-/// `H(x) = A`, a symmetric positive definite matrix in `m²/ℓ²`: Euclidean geometry in
-/// oblique coordinates.
+/// `H(x) = A`, a symmetric positive definite matrix in `m²/ℓ²`: Euclidean geometry in oblique
+/// coordinates.
 ///
-/// `L_H = M_H = 0`, so that every bound of a discretization error is exactly `0`.
+/// `L_H = M_H = 0`, so every bound on a discretization error is exactly `0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constant<const D: usize> {
     matrix: SMatrix<f64, D, D>,
     constants: Constants,
 }
 
-/// A matrix that has not been checked yet, as a metric.
+/// The metric of a matrix that has not been checked yet.
 struct Unchecked<'a, const D: usize>(&'a SMatrix<f64, D, D>);
 
 impl<const D: usize> Metric<D> for Unchecked<'_, D> {
@@ -27,12 +27,12 @@ impl<const D: usize> Metric<D> for Unchecked<'_, D> {
 }
 
 impl<const D: usize> Constant<D> {
-    /// Returns the metric `H = A`. Only the upper triangle of `A` is read, after the check.
+    /// Returns the metric `H = A`. After the check only the upper triangle of `A` is read.
     ///
     /// # Errors
     ///
     /// [`GalleryError::Matrix`] if `A` is not finite, symmetric and positive definite;
-    /// [`GalleryError::Constants`] if its condition number is so large, some `10¹⁴`, that rounding
+    /// [`GalleryError::Constants`] if its condition number is so large (some `10¹⁴`) that rounding
     /// leaves no certain `c₁ > 0`.
     pub fn new(matrix: SMatrix<f64, D, D>) -> Result<Self, GalleryError> {
         check_gram(&Unchecked(&matrix), &SVector::zeros())?;
@@ -51,15 +51,15 @@ impl<const D: usize> Metric<D> for Constant<D> {
 }
 
 impl<const D: usize> Bounded<D> for Constant<D> {
-    /// `c₁`, `c₂`: the least and the greatest eigenvalue of `A`, moved apart by some ulp of the norm
-    /// to cover rounding; `L_H = M_H = 0`.
+    /// `c₁` and `c₂` are the least and the greatest eigenvalue of `A`, moved apart by a few ulps of
+    /// the norm to cover rounding; `L_H = M_H = 0`.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl<const D: usize> LocallyBounded<D> for Constant<D> {
-    /// The constants on all of `R^D`.
+    /// Returns the constants on all of `R^D`.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -71,7 +71,7 @@ impl<const D: usize> LocallyBounded<D> for Constant<D> {
 }
 
 impl<const D: usize> KnownDistance<D> for Constant<D> {
-    /// `|A^{1/2} (x − y)|`.
+    /// Returns `|A^{1/2} (x − y)|`.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let chord = x - y;
         Some(chord.dot(&(self.matrix * chord)).sqrt())

@@ -1,4 +1,4 @@
-//! Corrugated iron: the cylinder surface over `f(x₁) = a sin kx₁`.
+//! Corrugated iron: the cylindrical surface over `f(x₁) = a sin kx₁`.
 
 use std::f64::consts::PI;
 
@@ -11,12 +11,12 @@ use super::{
 };
 use crate::{Bounded, Constants, KnownDistance, Metric, quadrature::integrate};
 
-/// `H(x) = I + f′(x₁)² e₁e₁ᵀ` with `f = a sin kx₁`, in any dimension: the metric of the graph
-/// of `f` in `R^{D+1}`, a bent sheet.
+/// `H(x) = I + f′(x₁)² e₁e₁ᵀ` with `f = a sin kx₁`, in any dimension: the metric of the graph of
+/// `f` in `R^{D+1}`, which is a bent sheet.
 ///
-/// Flat: with the arc length `s(x₁) = ∫₀ √(1 + f′²)` it is the pullback of the Euclidean metric
-/// by `(s(x₁), x₂, …)`. This map takes boxes to boxes and half-spaces `{xᵢ ≥ c}` to half-spaces, so
-/// that distances between such sets are known too.
+/// The metric is flat: with the arc length `s(x₁) = ∫₀ √(1 + f′²)` it is the pullback of the
+/// Euclidean metric by `(s(x₁), x₂, …)`. This map takes boxes to boxes and half-spaces `{xᵢ ≥ c}`
+/// to half-spaces, so the distances between these sets are known too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corrugated {
     amplitude: f64,
@@ -27,12 +27,12 @@ pub struct Corrugated {
 }
 
 impl Corrugated {
-    /// Returns the sheet of amplitude `a` in `ℓ`, of any sign, and wave number `k > 0` in `1/ℓ`
-    /// (here `m` is the unit of the coordinates).
+    /// Returns the sheet with amplitude `a` in `ℓ`, of either sign, and wave number `k > 0` in
+    /// `1/ℓ` (here `m` is the unit of the coordinates).
     ///
     /// # Errors
     ///
-    /// [`GalleryError`] with the parameter that is out of its range.
+    /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(amplitude: f64, wave_number: f64) -> Result<Self, GalleryError> {
         let k = positive("wave number", wave_number)?;
         let slope2 = (finite("amplitude", amplitude)? * k).powi(2);
@@ -44,7 +44,7 @@ impl Corrugated {
         Ok(sheet)
     }
 
-    /// The arc length from `a` to `b`, at most half a wave apart.
+    /// Returns the arc length from `a` to `b`, which are at most half a wave apart.
     fn piece(&self, a: f64, b: f64) -> f64 {
         let slope = self.amplitude * self.wave_number;
         integrate(|x| (slope * (self.wave_number * x).cos()).hypot(1.0), a, b, 1e-15).value
@@ -54,7 +54,7 @@ impl Corrugated {
     #[must_use]
     pub fn arc_length(&self, a: f64, b: f64) -> f64 {
         let (low, high) = (a.min(b), a.max(b));
-        // √(1 + f′²) has the period π/k. Whole periods are counted, not integrated.
+        // √(1 + f′²) has the period π/k. We count whole periods instead of integrating over them.
         let period = PI / self.wave_number;
         let whole = ((high - low) / period).floor();
         whole * self.half_wave + self.piece(low + whole * period, high)
@@ -72,15 +72,15 @@ impl<const D: usize> Metric<D> for Corrugated {
 }
 
 impl<const D: usize> Bounded<D> for Corrugated {
-    /// `c₁ = 1` and `c₂ = 1 + a²k²` (where `cos kx₁` is 0 and 1), `L_H = a²k³` (where
-    /// `sin 2kx₁ = 1`), `M_H = 2a²k⁴` (where `cos 2kx₁ = 1`); all attained.
+    /// All constants are attained: `c₁ = 1` and `c₂ = 1 + a²k²` where `cos kx₁` is 0 and 1,
+    /// `L_H = a²k³` where `sin 2kx₁ = 1`, and `M_H = 2a²k⁴` where `cos 2kx₁ = 1`.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl<const D: usize> KnownDistance<D> for Corrugated {
-    /// `√((s(x₁) − s(y₁))² + (x₂ − y₂)² + …)`.
+    /// Returns `√((s(x₁) − s(y₁))² + (x₂ − y₂)² + …)`.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let along = self.arc_length(x[0], y[0]);
         Some((1..D).map(|i| x[i] - y[i]).fold(along, f64::hypot))

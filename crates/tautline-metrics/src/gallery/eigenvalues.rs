@@ -2,11 +2,12 @@
 
 use nalgebra::{DMatrix, SMatrix};
 
-/// Returns bounds on the eigenvalues of the symmetric `a`, with a margin of `16 D` ulp of its norm.
+/// Returns bounds on the eigenvalues of the symmetric `a`, with a margin of `16 D` ulps of its
+/// norm.
 ///
-/// The reduction to tridiagonal form and the iteration after it each err by a small multiple of `D`
-/// ulp of the norm. The margin exceeds both, so that constants derived from eigenvalues are bounds
-/// despite rounding.
+/// The error of the reduction to tridiagonal form and that of the subsequent iteration are small
+/// multiples of `D` ulps of the norm. The margin exceeds their sum, so constants derived from
+/// eigenvalues are bounds despite rounding.
 pub(super) fn eigenvalue_bounds<const D: usize>(a: &SMatrix<f64, D, D>) -> (f64, f64) {
     let eigenvalues = DMatrix::from_fn(D, D, |i, j| a[(i, j)]).symmetric_eigenvalues();
     let (low, high) = (eigenvalues.min(), eigenvalues.max());

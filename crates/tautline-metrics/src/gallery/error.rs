@@ -1,15 +1,16 @@
-//! `GalleryError`: why a metric of the gallery cannot be built, and the checks of single parameters.
+//! `GalleryError`: the reasons why a metric of the gallery cannot be built, and the checks of
+//! single parameters.
 
 use crate::{HypothesisError, MetricError};
 
-/// A parameter for which the formula is not a metric, or has no finite constants.
+/// A parameter for which the formula is not a metric or has no finite constants.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GalleryError {
     /// A parameter is NaN or infinite.
     #[error("{name} = {value} must be finite")]
     NotFinite {
-        /// The parameter, as the constructor calls it.
+        /// The name of the parameter in the constructor.
         name: &'static str,
         /// The number that was given.
         value: f64,
@@ -17,7 +18,7 @@ pub enum GalleryError {
     /// A width, a wave number or an eigenvalue is not positive.
     #[error("{name} = {value} must be positive and finite")]
     NotPositive {
-        /// The parameter, as the constructor calls it.
+        /// The name of the parameter in the constructor.
         name: &'static str,
         /// The number that was given.
         value: f64,
@@ -25,23 +26,23 @@ pub enum GalleryError {
     /// A height, a mass or an inertia is negative.
     #[error("{name} = {value} must be nonnegative and finite")]
     Negative {
-        /// The parameter, as the constructor calls it.
+        /// The name of the parameter in the constructor.
         name: &'static str,
         /// The number that was given.
         value: f64,
     },
-    /// A relative amplitude `a` for which `1 + a sin` or `1 + a tanh` is not positive.
+    /// `1 + a sin` or `1 + a tanh` is not positive for this relative amplitude `a`.
     #[error("{name} = {value} must lie strictly between -1 and 1")]
     NotBelowOne {
-        /// The parameter, as the constructor calls it.
+        /// The name of the parameter in the constructor.
         name: &'static str,
         /// The number that was given.
         value: f64,
     },
-    /// A radius for which the patch does not exist, or overflows.
+    /// The patch does not exist for this radius, or it overflows.
     #[error("{name} = {value:?} must lie strictly between {low:?} and {high:?}")]
     OutOfRange {
-        /// The parameter, as the constructor calls it.
+        /// The name of the parameter in the constructor.
         name: &'static str,
         /// The number that was given.
         value: f64,

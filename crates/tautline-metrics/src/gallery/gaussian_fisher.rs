@@ -1,5 +1,5 @@
-//! The Fisher metric of normal distributions: `H = diag(e^{−2t}, 2)` in the mean and the logarithm of
-//! the standard deviation.
+//! The Fisher metric of normal distributions, `H = diag(e^{−2t}, 2)`, in terms of the mean and the
+//! logarithm of the standard deviation.
 
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
@@ -8,8 +8,8 @@ use tautline_scalar::Scalar;
 
 use crate::{Constants, KnownDistance, LocalError, LocallyBounded, Metric};
 
-/// `H(μ, t) = diag(e^{−2t}, 2)`: the Fisher metric of the normal distributions with the mean `μ` and
-/// the standard deviation `σ = e^t`, that is `(dμ² + 2 dσ²)/σ²`. All numbers are pure.
+/// `H(μ, t) = diag(e^{−2t}, 2)`: the Fisher metric of the normal distributions with mean `μ` and
+/// standard deviation `σ = e^t`, that is `(dμ² + 2 dσ²)/σ²`. All numbers are pure.
 ///
 /// It has constants on every ball, but not on the whole plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,8 +24,8 @@ impl Metric<2> for GaussianFisher {
 }
 
 impl LocallyBounded<2> for GaussianFisher {
-    /// `c₁ = min(e^{−2t}, 2)` at the top of the ball; `c₂ = max(e^{−2t}, 2)`, `L_H = 2 e^{−2t}` and
-    /// `M_H = 4 e^{−2t}` at its bottom. All exact.
+    /// All constants are exact: `c₁ = min(e^{−2t}, 2)` at the top of the ball;
+    /// `c₂ = max(e^{−2t}, 2)`, `L_H = 2 e^{−2t}` and `M_H = 4 e^{−2t}` at its bottom.
     fn constants_within(
         &self,
         centre: &SVector<f64, 2>,
@@ -40,8 +40,10 @@ impl LocallyBounded<2> for GaussianFisher {
 }
 
 impl KnownDistance<2> for GaussianFisher {
-    /// `√2 arcosh(1 + ((Δμ)²/2 + (Δσ)²) / (2σσ′)) = 2√2 arsinh √(sinh²(Δt/2) + (Δμ)²/(8σσ′))`, for all
-    /// pairs: in `(μ/√2, σ)` it is `√2` times the hyperbolic distance of the upper half-plane.
+    /// Returns
+    /// `√2 arcosh(1 + ((Δμ)²/2 + (Δσ)²) / (2σσ′)) = 2√2 arsinh √(sinh²(Δt/2) + (Δμ)²/(8σσ′))`, for
+    /// all pairs. In the coordinates `(μ/√2, σ)` it is `√2` times the hyperbolic distance of the
+    /// upper half-plane.
     fn distance(&self, x: &SVector<f64, 2>, y: &SVector<f64, 2>) -> Option<f64> {
         let across = (x[0] - y[0]).abs() * FRAC_1_SQRT_2;
         let (half, mean) = (0.5 * (x[1] - y[1]), 0.5 * (x[1] + y[1]));

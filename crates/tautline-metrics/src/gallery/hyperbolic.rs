@@ -8,27 +8,28 @@ use crate::{
     Constants, KnownDistance, LocalError, LocallyBounded, Metric, locally_bounded::norms_within,
 };
 
-/// `H(x) = 4 / (1 − |x|²)² I` in the open unit ball; NaN outside, infinite on its boundary.
+/// `H(x) = 4 / (1 − |x|²)² I` in the open unit ball. It is NaN outside and infinite on the
+/// boundary.
 ///
-/// It is not defined on all of `R^D` and has no constant `c₂`, so that none of the paper's theorems
-/// applies; but it has all constants on every ball inside the unit ball.
+/// The metric is not defined on all of `R^D` and has no constant `c₂`, so none of the paper's
+/// theorems applies. It does have all constants on every ball inside the unit ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hyperbolic;
 
 impl<const D: usize> Metric<D> for Hyperbolic {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        // The root makes it NaN outside the ball, where (1 − |x|²)² is positive again and would pass
-        // for a metric.
+        // The square root makes the result NaN outside the ball. There (1 − |x|²)² is positive
+        // again and would pass for a metric.
         let root = (-squared_norm(x) + 1.0).sqrt();
         SMatrix::from_diagonal_element((root.sqr().recip() * 2.0).sqr())
     }
 }
 
 impl<const D: usize> LocallyBounded<D> for Hyperbolic {
-    /// With `s = |x|²`: `c₁ = 4/(1 − s)²` where the ball is nearest to the origin; `c₂`,
-    /// `L_H = 16 √s/(1 − s)³` and `M_H = 16 (1 + 5s)/(1 − s)⁴`, along the ray, where it is farthest.
-    /// All exact.
+    /// All constants are exact. With `s = |x|²`: `c₁ = 4/(1 − s)²` where the ball is nearest to the
+    /// origin; `c₂`, and along the ray `L_H = 16 √s/(1 − s)³` and `M_H = 16 (1 + 5s)/(1 − s)⁴`,
+    /// where the ball is farthest from the origin.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -38,7 +39,7 @@ impl<const D: usize> LocallyBounded<D> for Hyperbolic {
         if !(far < 1.0) {
             return Err(LocalError::LeavesTheDomain { radius, reach: far, limit: 1.0 });
         }
-        // 1 − s without cancellation.
+        // 1 − s, computed without cancellation.
         let inner = |r: f64| (1.0 - r) * (1.0 + r);
         let l_h = 16.0 * far / inner(far).powi(3);
         let m_h = 16.0 * (1.0 + 5.0 * far * far) / inner(far).powi(4);
@@ -48,8 +49,9 @@ impl<const D: usize> LocallyBounded<D> for Hyperbolic {
 }
 
 impl<const D: usize> KnownDistance<D> for Hyperbolic {
-    /// `arcosh(1 + 2δ) = 2 arsinh √δ` with `δ = |x − y|² / ((1 − |x|²)(1 − |y|²))`, of which the second
-    /// does not cancel for near points; `None` if a point is not in the open ball.
+    /// Returns `arcosh(1 + 2δ) = 2 arsinh √δ` with `δ = |x − y|² / ((1 − |x|²)(1 − |y|²))`, by the
+    /// second form, which does not cancel for near points. Returns `None` if a point is not in the
+    /// open ball.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let (inner_x, inner_y) = (1.0 - x.norm_squared(), 1.0 - y.norm_squared());
         let inside = inner_x > 0.0 && inner_y > 0.0;
@@ -64,7 +66,7 @@ mod tests {
     use super::Hyperbolic;
     use crate::{KnownDistance, LocalError, LocallyBounded};
 
-    /// For one or for two points on the rim or beyond.
+    /// One or both of the points lie on the rim or beyond.
     #[test]
     fn there_is_no_distance_to_the_rim_or_beyond() {
         let inside = vector![0.3, 0.4];

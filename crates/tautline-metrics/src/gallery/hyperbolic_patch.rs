@@ -17,8 +17,9 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 /// S(q) = q / (1 + (q/Q)^p)^{1/p},    p = 128,    Q = 4R²/3 < 1
 /// ```
 ///
-/// In the ball `|x| ≤ R` it agrees with [`Hyperbolic`], up to some ulp in the value and the first
-/// derivatives, and up to `10⁻¹²` in the second. Far outside it is the constant `4 / (1 − Q)²`.
+/// In the ball `|x| ≤ R` it agrees with [`Hyperbolic`] to within a few ulps in the value and the
+/// first derivatives, and to within `10⁻¹²` in the second derivatives. Far outside it is the
+/// constant `4 / (1 − Q)²`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HyperbolicPatch {
     radius: f64,
@@ -32,7 +33,7 @@ impl HyperbolicPatch {
     ///
     /// # Errors
     ///
-    /// [`GalleryError::OutOfRange`] unless `10⁻⁵⁰ < R < 0.86`: at `√3/2` the limit `Q` is 1.
+    /// [`GalleryError::OutOfRange`] unless `10⁻⁵⁰ < R < 0.86`; at `√3/2` the limit `Q` would be 1.
     pub fn new(radius: f64) -> Result<Self, GalleryError> {
         between("radius", radius, 1e-50, 0.86)?;
         let limit = radius * radius / PLATEAU;
@@ -55,7 +56,7 @@ impl HyperbolicPatch {
             32.0 * f64::from(P + 1) * b.powi(P) * rest(a, 1.0 + INVERSE) / (1.0 - s(b)).powi(3)
         };
         let across = |a: f64, b: f64| 16.0 * rest(a, 1.0 + INVERSE) / (1.0 - s(b)).powi(3);
-        // Exchanging the ends of a cell turns an upper bound of a term into a lower one.
+        // Exchanging the ends of a cell turns an upper bound on a term into a lower bound.
         let m_h = greatest(|a, b| grows(a, b) - bends(b, a))
             .max(greatest(|a, b| bends(a, b) - grows(b, a)))
             .max(greatest(across));
@@ -74,20 +75,21 @@ impl<const D: usize> Metric<D> for HyperbolicPatch {
 }
 
 impl<const D: usize> Bounded<D> for HyperbolicPatch {
-    /// `c₁ = 4` at the centre, `c₂ = 4 / (1 − Q)²` in the limit. `L_H` and `M_H` are maxima of
-    /// functions of `S` over the transition, by branch and bound: too large by at most a relative
-    /// `10⁻³`.
+    /// `c₁ = 4` at the centre; `c₂ = 4 / (1 − Q)²` holds in the limit. `L_H` and `M_H` are maxima
+    /// of functions of `S` over the transition, computed by branch and bound; their relative error
+    /// is at most `10⁻³`, upwards.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl<const D: usize> KnownDistance<D> for HyperbolicPatch {
-    /// The distance of [`Hyperbolic`] if both points lie in the patch; `None` for others.
+    /// Returns the distance in the metric [`Hyperbolic`] if both points lie in the patch, and
+    /// `None` for other pairs.
     ///
-    /// Outside, `φ` does not decrease along a ray: projecting a curve to the rim along rays makes no
-    /// piece longer. So no curve is shorter than those in the patch, which have their hyperbolic
-    /// length. Balls are convex: the geodesic stays in the patch.
+    /// Outside the patch `φ` does not decrease along a ray, so projecting a curve to the rim along
+    /// rays makes no piece longer. So no curve is shorter than the curves in the patch, which have
+    /// their hyperbolic length. Balls are convex, so the geodesic stays in the patch.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let r2 = self.radius * self.radius;
         let inside = x.norm_squared() <= r2 && y.norm_squared() <= r2;

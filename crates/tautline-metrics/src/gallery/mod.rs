@@ -1,5 +1,5 @@
-//! A gallery of metrics, one per file: each with its formula, its constants in closed form and,
-//! where known, its exact distance.
+//! A gallery of metrics, one per file. Each has its formula, its constants in closed form and,
+//! where it is known, its exact distance.
 //!
 //! | metric | `D` | `H(x)` | constants | distance |
 //! | --- | --- | --- | --- | --- |
@@ -29,17 +29,17 @@
 //! | [`GaussianFisherPatch`] | 2 | `diag(e^{−2t}, 2)`, `∣t∣ ≤ T` | exact | in the strip |
 //! | [`TanhDecoder`] | any | `JᵀJ + μ I` of `W₂ tanh(W₁ x)` | bounds | |
 //!
-//! *Exact* constants are the best ones: no smaller `c₂`, `L_H`, `M_H` and no larger `c₁` holds
-//! on all of `R^D`. Three metrics have constants only on balls inside their domain
+//! *Exact* constants are the best ones: no smaller `c₂`, `L_H`, `M_H` and no larger `c₁` holds on
+//! all of `R^D`. Three of the metrics have constants only on balls inside their domain
 //! ([`LocallyBounded`](crate::LocallyBounded)).
 //!
-//! The three with an `R` or a `T` are patches of these: beyond it they pass to a constant matrix,
-//! which gives them constants on all of `R^D`, *exact* up to `2 · 10⁻³` for `L_H` and `M_H`. A
-//! distance is known if the geodesic stays in the patch.
+//! The three metrics with an `R` or a `T` are patches of these. Beyond the rim they become
+//! constant, which gives them constants on all of `R^D`, *exact* up to `2 · 10⁻³` for `L_H` and
+//! `M_H`. A distance is known if the geodesic stays in the patch.
 //!
-//! Constructors check the parameters, so that every value is a metric. A new metric is a file, its
-//! lines here, and a sample in [`for_each_sample`]: the tests of the gallery and the table of proved
-//! constants follow.
+//! Constructors check the parameters, so every value is a metric. To add a metric, write its file,
+//! its lines here, and a sample in [`for_each_sample`]. The tests of the gallery and the table of
+//! proved constants then include it.
 
 mod bump;
 mod checkerboard;
@@ -100,13 +100,14 @@ pub use two_channels::TwoChannels;
 pub use two_link_arm::{Link, TwoLinkArm};
 pub use valleys::Valleys;
 
-/// Passes the samples to the macro `$each`: every metric of the gallery that has constants on all of
-/// `R^D`, with parameters. Tests and tables of the whole gallery are made from this list.
+/// Passes the samples to the macro `$each`: every metric of the gallery that has constants on all
+/// of `R^D`, with parameters. Tests and tables of the whole gallery are generated from this list.
 ///
-/// A sample is an identifier, the name in tables, the `Result` of a constructor, the dimension, a cell
-/// in which the constants are attained or nearly so (a period, or six widths to each side, where a
-/// Gaussian is below `10⁻⁷`), and which of `c₁`, `c₂`, `L_H`, `M_H` are exact; `with distances` if the
-/// metric is a [`KnownDistance`](crate::KnownDistance). The caller imports the gallery:
+/// A sample consists of an identifier, the name in tables, the `Result` of a constructor, the
+/// dimension, a cell in which the constants are attained or nearly attained (a period, or six
+/// widths to each side, where a Gaussian is below `10⁻⁷`), and which of `c₁`, `c₂`, `L_H`, `M_H`
+/// are exact. It ends with `with distances` if the metric is a
+/// [`KnownDistance`](crate::KnownDistance). The caller imports the gallery:
 ///
 /// ```
 /// use tautline_metrics::gallery::*;

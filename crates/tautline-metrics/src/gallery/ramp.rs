@@ -11,11 +11,11 @@ use super::{
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
-/// `H(x) = f²` with `f = 1 + a tanh kx`, on the line: cost `1 − a` far to the left, `1 + a`
-/// far to the right.
+/// `H(x) = f²` with `f = 1 + a tanh kx`, on the line. The cost is `1 − a` far to the left and
+/// `1 + a` far to the right.
 ///
-/// A metric on the line is flat: its distance is an integral. Unlike the periodic metrics, this one
-/// has no symmetry that could make a leading error constant vanish.
+/// Every metric on the line is flat, and its distance is an integral. Unlike the periodic metrics,
+/// this one has no symmetry that could make a leading error constant vanish.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ramp {
     amplitude: f64,
@@ -24,33 +24,33 @@ pub struct Ramp {
 }
 
 impl Ramp {
-    /// Returns the ramp of relative amplitude `a`, `|a| < 1`, and steepness `k > 0` in `1/ℓ`.
+    /// Returns the ramp with relative amplitude `a`, `|a| < 1`, and steepness `k > 0` in `1/ℓ`.
     ///
     /// # Errors
     ///
-    /// [`GalleryError`] with the parameter that is out of its range.
+    /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(amplitude: f64, wave_number: f64) -> Result<Self, GalleryError> {
         let a = below_one("amplitude", amplitude)?.abs();
         let k = positive("wave number", wave_number)?;
         // |H′| = 2|a|k (1 + |a|τ)(1 − τ²) with τ = ± tanh kx is stationary where
-        // 3|a|τ² + 2τ − |a| = 0. The root in [0, 1), written without cancellation at a = 0:
+        // 3|a|τ² + 2τ − |a| = 0. This is the root in [0, 1), written without cancellation at a = 0:
         let tau = a / (1.0 + (1.0 + 3.0 * a * a).sqrt());
         let l_h = 2.0 * a * k * (1.0 + a * tau) * (1.0 - tau * tau);
-        // H″ = 2ak² (−2τ(1 − τ²) + a (1 − τ²)(1 − 3τ²)): the first part is at most 4/(3√3) (at
-        // τ² = 1/3), the second at most |a| (at τ = 0).
+        // H″ = 2ak² (−2τ(1 − τ²) + a (1 − τ²)(1 − 3τ²)): the first term in the bracket is at most
+        // 4/(3√3) (at τ² = 1/3), and the second at most |a| (at τ = 0).
         let m_h = 2.0 * a * k * k * (4.0 / 27_f64.sqrt() + a);
         let constants =
             Constants::new((1.0 - a).powi(2), (1.0 + a).powi(2), l_h)?.with_m_h(m_h)?.isotropic();
         Ok(Self { amplitude, wave_number, constants })
     }
 
-    /// `F` with `F′ = f` and `F(0) = 0`.
+    /// Returns the `F` with `F′ = f` and `F(0) = 0`.
     fn primitive(&self, x: f64) -> f64 {
         x + self.amplitude / self.wave_number * ln_cosh(self.wave_number * x)
     }
 }
 
-/// `ln cosh u`, without the overflow of `cosh`.
+/// Returns `ln cosh u`, without overflow in `cosh`.
 fn ln_cosh(u: f64) -> f64 {
     u.abs() + (-2.0 * u.abs()).exp().ln_1p() - LN_2
 }
@@ -64,16 +64,16 @@ impl Metric<1> for Ramp {
 }
 
 impl Bounded<1> for Ramp {
-    /// `c₁ = (1 − |a|)²` and `c₂ = (1 + |a|)²` in the limit; `L_H = 2|a|k (1 + |a|τ)(1 − τ²)`
-    /// at `τ = |a| / (1 + √(1 + 3a²))`, attained; `M_H = 2|a|k² (4/√27 + |a|)`, an upper bound, at
-    /// most 1.5 times too large.
+    /// `c₁ = (1 − |a|)²` and `c₂ = (1 + |a|)²` hold in the limit; `L_H = 2|a|k (1 + |a|τ)(1 − τ²)`
+    /// is attained at `τ = |a| / (1 + √(1 + 3a²))`; `M_H = 2|a|k² (4/√27 + |a|)` is an upper bound,
+    /// at most 1.5 times too large.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl KnownDistance<1> for Ramp {
-    /// `|F(x) − F(y)|` with `F(x) = x + (a/k) ln cosh kx`.
+    /// Returns `|F(x) − F(y)|` with `F(x) = x + (a/k) ln cosh kx`.
     fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
         Some((self.primitive(x[0]) - self.primitive(y[0])).abs())
     }

@@ -9,8 +9,8 @@ use super::{
 };
 use crate::{Bounded, Constants, Metric};
 
-/// `H(x) = Q(θ) diag(λ₁, λ₂) Q(θ)ᵀ` in the plane, with the rotation `Q` by the angle
-/// `θ = k·x`: constant eigenvalues, in directions that turn.
+/// `H(x) = Q(θ) diag(λ₁, λ₂) Q(θ)ᵀ` in the plane, where `Q` is the rotation by the angle `θ = k·x`.
+/// The eigenvalues are constant, and their directions turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RotatingAnisotropy {
     eigenvalues: [f64; 2],
@@ -23,7 +23,7 @@ impl RotatingAnisotropy {
     /// the wave vector `k` in `1/ℓ`.
     ///
     /// # Errors
-    ///
+    /// [`GalleryError`] with the parameter that is out of range.
     /// [`GalleryError`] with the parameter that is out of its range.
     pub fn new(
         eigenvalues: [f64; 2],
@@ -37,8 +37,8 @@ impl RotatingAnisotropy {
             finite("entry of the wave vector", entry)?;
         }
         // H = ½ (λ₁ + λ₂) I + ½ (λ₁ − λ₂) R(2θ) with the reflection R = [[cos, sin], [sin, −cos]].
-        // R′ and R″ are orthogonal, so that DH[w] and D²H[w, w] have the norms
-        // |λ₁ − λ₂| |k·w| and 2 |λ₁ − λ₂| (k·w)² at every point.
+        // R′ and R″ are orthogonal, so DH[w] and D²H[w, w] have the norms |λ₁ − λ₂| |k·w| and
+        // 2 |λ₁ − λ₂| (k·w)² at every point.
         let (difference, k) = ((first - second).abs(), wave_vector.norm());
         let constants = Constants::new(first.min(second), first.max(second), difference * k)?
             .with_m_h(2.0 * difference * k * k)?;
@@ -59,8 +59,8 @@ impl Metric<2> for RotatingAnisotropy {
 }
 
 impl Bounded<2> for RotatingAnisotropy {
-    /// `c₁ = min(λ₁, λ₂)`, `c₂ = max(λ₁, λ₂)`, `L_H = |λ₁ − λ₂| |k|`, `M_H = 2 |λ₁ − λ₂| |k|²`;
-    /// all attained at every point.
+    /// `c₁ = min(λ₁, λ₂)`, `c₂ = max(λ₁, λ₂)`, `L_H = |λ₁ − λ₂| |k|` and `M_H = 2 |λ₁ − λ₂| |k|²`
+    /// are attained at every point.
     fn constants(&self) -> Constants {
         self.constants
     }

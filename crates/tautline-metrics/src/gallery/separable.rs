@@ -12,8 +12,8 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 /// `H(x) = diag(fᵢ²)` with `fᵢ = 1 + aᵢ sin kᵢxᵢ`, in any dimension: the pullback of the
 /// Euclidean metric by `F(x) = (F₁(x₁), …)` with `Fᵢ′ = fᵢ`.
 ///
-/// `F` increases in each coordinate, so that it maps boxes to boxes and half-spaces `{xᵢ ≥ c}` to
-/// half-spaces: distances between such sets are known too.
+/// `F` increases in each coordinate, so it maps boxes to boxes and half-spaces `{xᵢ ≥ c}` to
+/// half-spaces. The distances between these sets are therefore known too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separable<const D: usize> {
     amplitudes: SVector<f64, D>,
@@ -22,11 +22,11 @@ pub struct Separable<const D: usize> {
 }
 
 impl<const D: usize> Separable<D> {
-    /// Returns the metric of relative amplitudes `|aᵢ| < 1` and wave numbers `kᵢ > 0` in `1/ℓ`.
+    /// Returns the metric with relative amplitudes `|aᵢ| < 1` and wave numbers `kᵢ > 0` in `1/ℓ`.
     ///
     /// # Errors
     ///
-    /// [`GalleryError`] with the parameter that is out of its range.
+    /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(
         amplitudes: impl Into<SVector<f64, D>>,
         wave_numbers: impl Into<SVector<f64, D>>,
@@ -40,22 +40,23 @@ impl<const D: usize> Separable<D> {
             c1 = c1.min((1.0 - a).powi(2));
             c2 = c2.max((1.0 + a).powi(2));
             // |(f²)′| = 2|a|k (1 + |a|s) √(1 − s²) with s = ± sin kx is stationary where
-            // 2|a|s² + s − |a| = 0. The root in [0, 1), written without cancellation at a = 0:
+            // 2|a|s² + s − |a| = 0. This is the root in [0, 1), written without cancellation at
+            // a = 0:
             let s = 2.0 * a / (1.0 + (1.0 + 8.0 * a * a).sqrt());
             l_h = l_h.max(2.0 * a * k * (1.0 + a * s) * (1.0 - s * s).sqrt());
-            // (f²)″ = 2k² (a² − |a|s − 2a²s²), a parabola in s: −2k² (|a| + a²) at s = 1. Its
-            // value at s = −1 is smaller, and at its vertex s = −1/(4|a|), if that is within
-            // reach, it is 2k² (a² + 1/8) with 1/8 < 1/4 ≤ |a|.
+            // (f²)″ = 2k² (a² − |a|s − 2a²s²) is a parabola in s. At s = 1 it is −2k² (|a| + a²).
+            // Its absolute value at s = −1 is smaller. At its vertex s = −1/(4|a|), if |s| ≤ 1
+            // there, it is 2k² (a² + 1/8), and 1/8 < 1/4 ≤ |a|.
             m_h = m_h.max(2.0 * k * k * (a + a * a));
         }
-        // The matrices DH[w] and D²H[w, w] are diagonal: their norm is their largest entry, and
-        // it is largest for w along one axis.
+        // The matrices DH[w] and D²H[w, w] are diagonal, so their norm is their largest entry. It
+        // is largest for w along one axis.
         let constants = Constants::new(c1, c2, l_h)?.with_m_h(m_h)?;
         Ok(Self { amplitudes, wave_numbers, constants })
     }
 
-    /// Returns `F(x)`, in `m`, with `Fᵢ(xᵢ) = xᵢ + (aᵢ/kᵢ)(1 − cos kᵢxᵢ)`: distances are
-    /// Euclidean there.
+    /// Returns `F(x)`, in `m`, with `Fᵢ(xᵢ) = xᵢ + (aᵢ/kᵢ)(1 − cos kᵢxᵢ)`. In these coordinates
+    /// distances are Euclidean.
     pub fn flatten<S: Scalar>(&self, x: &SVector<S, D>) -> SVector<S, D> {
         SVector::from_fn(|i, _| {
             let (a, k) = (self.amplitudes[i], self.wave_numbers[i]);
@@ -74,15 +75,16 @@ impl<const D: usize> Metric<D> for Separable<D> {
 }
 
 impl<const D: usize> Bounded<D> for Separable<D> {
-    /// `c₁ = min (1 − |aᵢ|)²`, `c₂ = max (1 + |aᵢ|)²`, `L_H = max 2|aᵢ|kᵢ (1 + |aᵢ|s) √(1 − s²)`
-    /// at `s = 2|aᵢ| / (1 + √(1 + 8aᵢ²))`, `M_H = max 2kᵢ² (|aᵢ| + aᵢ²)`; all attained.
+    /// All constants are attained: `c₁ = min (1 − |aᵢ|)²`, `c₂ = max (1 + |aᵢ|)²`,
+    /// `L_H = max 2|aᵢ|kᵢ (1 + |aᵢ|s) √(1 − s²)` at `s = 2|aᵢ| / (1 + √(1 + 8aᵢ²))`, and
+    /// `M_H = max 2kᵢ² (|aᵢ| + aᵢ²)`.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl<const D: usize> KnownDistance<D> for Separable<D> {
-    /// `|F(x) − F(y)|`.
+    /// Returns `|F(x) − F(y)|`.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         Some((self.flatten(x) - self.flatten(y)).norm())
     }

@@ -12,9 +12,9 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 
 /// `H = JᵀJ = [[1, s], [s, 1 + s²]]` with `J = DΦ`, `s = S cos kx₂` and `S = ak`.
 ///
-/// Flat, but neither conformal nor diagonal. Geodesics are the preimages of straight lines.
-/// `Φ` maps each line `{x₂ = c}` and each half-plane `{x₂ ≥ c}` onto itself, so that distances
-/// to these are known too.
+/// The metric is flat, but neither conformal nor diagonal. Geodesics are the preimages of straight
+/// lines. `Φ` maps each line `{x₂ = c}` and each half-plane `{x₂ ≥ c}` onto itself, so distances to
+/// these sets are known too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shear {
     amplitude: f64,
@@ -23,31 +23,33 @@ pub struct Shear {
 }
 
 impl Shear {
-    /// Returns the shear of amplitude `a` in `ℓ`, of any sign, and wave number `k > 0` in
+    /// Returns the shear with amplitude `a` in `ℓ`, of either sign, and wave number `k > 0` in
     /// `1/ℓ`.
     ///
     /// # Errors
     ///
-    /// [`GalleryError`] with the parameter that is out of its range.
+    /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(amplitude: f64, wave_number: f64) -> Result<Self, GalleryError> {
         let k = positive("wave number", wave_number)?;
         let slope = finite("amplitude", amplitude)?.abs() * k;
-        // H has determinant 1 and trace 2 + s², hence the eigenvalues (√(1 + s²/4) ± |s|/2)²;
-        // c₁ = 1/c₂ rather than the difference, which cancels.
+        // H has determinant 1 and trace 2 + s², hence the eigenvalues (√(1 + s²/4) ± |s|/2)². We
+        // compute c₁ as 1/c₂ rather than as the difference, which cancels.
         let c2 = ((1.0 + 0.25 * slope * slope).sqrt() + 0.5 * slope).powi(2);
         // DH[w] = w₂ s′ [[0, 1], [1, 2s]] has the norm |w₂ s′| (|s| + √(1 + s²)), where
-        // s′² = k² (S² − s²). With |s| = sinh u its square is k² (S² − sinh² u) e^{2u}, which is
-        // stationary where S² = sinh u (sinh u + cosh u), that is e^{2u} = 1 + 2S². There it is
+        // s′² = k² (S² − s²). With |s| = sinh u, the square of the norm is k² (S² − sinh²
+        // u) e^{2u}, which is stationary where S² = sinh u (sinh u + cosh u), that is,
+        // e^{2u} = 1 + 2S². There it is
         // k² sinh u cosh u e^{2u} = k² (e^{4u} − 1)/4 = k² S² (1 + S²).
         let root = slope * (1.0 + slope * slope).sqrt();
         // D²H[w, w] = w₂² k² [[0, −s], [−s, q]] with q = 2S² − 4s² has the norm
-        // w₂² k² (|q|/2 + √(q²/4 + s²)): largest at s² = S², where |q| and s² both are.
+        // w₂² k² (|q|/2 + √(q²/4 + s²)). It is largest at s² = S², where both |q| and s² are
+        // largest.
         let m_h = k * k * (slope * slope + root);
         let constants = Constants::new(1.0 / c2, c2, k * root)?.with_m_h(m_h)?;
         Ok(Self { amplitude, wave_number, constants })
     }
 
-    /// Returns `Φ(x)`, in `m`: distances are Euclidean there.
+    /// Returns `Φ(x)`, in `m`. In these coordinates distances are Euclidean.
     pub fn flatten<S: Scalar>(&self, x: &SVector<S, 2>) -> SVector<S, 2> {
         vector![x[0] + (x[1] * self.wave_number).sin() * self.amplitude, x[1]]
     }
@@ -67,15 +69,15 @@ impl Metric<2> for Shear {
 }
 
 impl Bounded<2> for Shear {
-    /// `c₂ = (√(1 + S²/4) + |S|/2)² = 1/c₁`, `L_H = k|S| √(1 + S²)` and
-    /// `M_H = k² (S² + |S| √(1 + S²))`; all attained.
+    /// All constants are attained: `c₂ = (√(1 + S²/4) + |S|/2)² = 1/c₁`, `L_H = k|S| √(1 + S²)` and
+    /// `M_H = k² (S² + |S| √(1 + S²))`.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl KnownDistance<2> for Shear {
-    /// `|Φ(x) − Φ(y)|`.
+    /// Returns `|Φ(x) − Φ(y)|`.
     fn distance(&self, x: &SVector<f64, 2>, y: &SVector<f64, 2>) -> Option<f64> {
         Some((self.flatten(x) - self.flatten(y)).norm())
     }

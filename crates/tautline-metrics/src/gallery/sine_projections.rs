@@ -11,12 +11,12 @@ use crate::{Bounded, Constants, Metric};
 pub struct SineProjection<const D: usize> {
     /// The wave vector `w`, in `1/ℓ`.
     pub wave_vector: SVector<f64, D>,
-    /// The direction `a` that it makes expensive, in `m/ℓ`.
+    /// The direction `a` in which the term adds to the cost, in `m/ℓ`.
     pub direction: SVector<f64, D>,
 }
 
-/// `H(x) = I + ½ Σₖ sin²(wₖ·x) aₖ aₖᵀ`, with any number of terms, in any dimension: a full
-/// matrix, at `D²` multiplications per term.
+/// `H(x) = I + ½ Σₖ sin²(wₖ·x) aₖ aₖᵀ`, with any number of terms, in any dimension. It is a full
+/// matrix that costs `D²` multiplications per term.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SineProjections<const D: usize> {
     terms: Vec<SineProjection<D>>,
@@ -28,7 +28,7 @@ impl<const D: usize> SineProjections<D> {
     ///
     /// # Errors
     ///
-    /// [`GalleryError`] with an entry that is not finite, or the constant that overflows.
+    /// [`GalleryError`] with an entry that is not finite, or with the constant that overflows.
     pub fn new(terms: Vec<SineProjection<D>>) -> Result<Self, GalleryError> {
         let mut sum = SMatrix::<f64, D, D>::zeros();
         let mut longest = 0.0_f64;
@@ -55,7 +55,7 @@ impl SineProjections<8> {
     /// Returns the instance that the benchmarks use: `D = 8` with eight terms,
     /// `aₖ[i] = ½ cos(1.3 k i)` and `wₖ[i] = sin(0.7 k + i)` for `k, i = 1, …, 8`.
     ///
-    /// By the addition theorem its wave vectors span a plane: it is constant in the other six
+    /// By the addition theorem its wave vectors span a plane, so it is constant in the other six
     /// dimensions.
     #[must_use]
     pub fn benchmark() -> Self {
@@ -67,7 +67,7 @@ impl SineProjections<8> {
     }
 }
 
-/// `w·x`.
+/// Returns `w·x`.
 #[inline]
 fn phase<S: Scalar, const D: usize>(w: &SVector<f64, D>, x: &SVector<S, D>) -> S {
     let mut phase = S::zero();
@@ -95,8 +95,8 @@ impl<const D: usize> Metric<D> for SineProjections<D> {
 }
 
 impl<const D: usize> Bounded<D> for SineProjections<D> {
-    /// `c₁ = 1` (at `x = 0`); with `λ` the greatest eigenvalue of `Σ aₖ aₖᵀ`, the upper bounds
-    /// `c₂ = 1 + ½ λ`, `L_H = ½ λ max |wₖ|` and `M_H = λ max |wₖ|²`, attained for one term.
+    /// `c₁ = 1` at `x = 0`. With `λ` the greatest eigenvalue of `Σ aₖ aₖᵀ`, `c₂ = 1 + ½ λ`,
+    /// `L_H = ½ λ max |wₖ|` and `M_H = λ max |wₖ|²` are upper bounds, which a single term attains.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -21,8 +21,8 @@ pub struct Obstacle<const D: usize> {
     pub width: f64,
 }
 
-/// `H(x) = φ I` with `φ = 1 + Σᵢ aᵢ e^{−|x − oᵢ|²/2sᵢ²}`: any number of obstacles that are expensive,
-/// but not forbidden, to cross. Without any the metric is Euclidean.
+/// `H(x) = φ I` with `φ = 1 + Σᵢ aᵢ e^{−|x − oᵢ|²/2sᵢ²}`: any number of obstacles that are
+/// expensive, but not forbidden, to cross. Without obstacles the metric is Euclidean.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SoftObstacles<const D: usize> {
     obstacles: Vec<Obstacle<D>>,
@@ -34,10 +34,10 @@ impl<const D: usize> SoftObstacles<D> {
     ///
     /// # Errors
     ///
-    /// [`GalleryError`] with the parameter that is out of its range.
+    /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(obstacles: Vec<Obstacle<D>>) -> Result<Self, GalleryError> {
-        // Sums of the exact constants of single lenses, c₂ = 1 + a, L_H = (a/s) e^{−1/2} and
-        // M_H = a/s².
+        // The bounds are sums of the exact constants of single lenses, c₂ = 1 + a,
+        // L_H = (a/s) e^{−1/2} and M_H = a/s².
         let (mut c2, mut l_h, mut m_h) = (1.0, 0.0, 0.0);
         for obstacle in &obstacles {
             for &coordinate in &obstacle.centre {
@@ -66,8 +66,9 @@ impl<const D: usize> Metric<D> for SoftObstacles<D> {
 }
 
 impl<const D: usize> Bounded<D> for SoftObstacles<D> {
-    /// `c₁ = 1` in the limit, `c₂ = 1 + Σ aᵢ`, `L_H = Σ (aᵢ/sᵢ) e^{−1/2}`, `M_H = Σ aᵢ/sᵢ²`;
-    /// attained for one obstacle, otherwise upper bounds, looser the farther they are apart.
+    /// `c₁ = 1` holds in the limit. `c₂ = 1 + Σ aᵢ`, `L_H = Σ (aᵢ/sᵢ) e^{−1/2}` and
+    /// `M_H = Σ aᵢ/sᵢ²` are attained for a single obstacle. Otherwise they are upper bounds, which
+    /// are looser the farther apart the obstacles are.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -8,11 +8,11 @@ use crate::{
     Constants, KnownDistance, LocalError, LocallyBounded, Metric, locally_bounded::norms_within,
 };
 
-/// `H(x) = 4 / (1 + |x|²)² I`: the unit sphere `S^D` without a point.
+/// `H(x) = 4 / (1 + |x|²)² I`: the unit sphere `S^D` without one point.
 ///
-/// It has no constant `c₁ > 0` on all of `R^D`, so that none of the paper's theorems applies: the
-/// trapezoidal energy has the infimum `0` for `N ≥ 2` (one jump far out and back), and only minimisers
-/// among the sequences of a ball are meaningful (Proposition S.8).
+/// The metric has no constant `c₁ > 0` on all of `R^D`, so none of the paper's theorems applies.
+/// For `N ≥ 2` the infimum of the trapezoidal energy is `0` (a single jump far out and back), and
+/// only minimisers among the sequences of a ball are meaningful (Proposition S.8).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sphere;
 
@@ -24,10 +24,11 @@ impl<const D: usize> Metric<D> for Sphere {
 }
 
 impl<const D: usize> LocallyBounded<D> for Sphere {
-    /// With `s = |x|²`: `c₁ = 4/(1 + s)²` where the ball is farthest from the origin, `c₂` where it is
-    /// nearest; `L_H = 16 √s/(1 + s)³` at `s = 1/5`; `M_H` the larger of `16/(1 + s)³` across the ray,
-    /// where the ball is nearest, and `16 (5s − 1)/(1 + s)⁴` along it, at `s = 3/5`. Where the ball
-    /// lacks such an `s`, at the nearest it has. All exact if `D ≥ 2`.
+    /// All constants are exact if `D ≥ 2`. With `s = |x|²`: `c₁ = 4/(1 + s)²` where the ball is
+    /// farthest from the origin, and `c₂` where it is nearest; `L_H = 16 √s/(1 + s)³` at `s = 1/5`;
+    /// `M_H` is the larger of `16/(1 + s)³` (across the ray, where the ball is nearest) and
+    /// `16 (5s − 1)/(1 + s)⁴` (along the ray, at `s = 3/5`). If the ball contains no point with
+    /// such an `s`, the nearest `s` in the ball replaces it.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -45,11 +46,11 @@ impl<const D: usize> LocallyBounded<D> for Sphere {
 }
 
 impl<const D: usize> KnownDistance<D> for Sphere {
-    /// `2 arctan(|x − y| / √(1 + 2 x·y + |x|² |y|²))`, the angle between the points: in the
+    /// Returns `2 arctan(|x − y| / √(1 + 2 x·y + |x|² |y|²))`, the angle between the points. In the
     /// plane the denominator is `|1 + x̄ y|`.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let (x2, y2, xy) = (x.norm_squared(), y.norm_squared(), x.dot(y));
-        // (1 + x·y)² + |x|²|y|² − (x·y)², since the expanded sum cancels at antipodes.
+        // We use (1 + x·y)² + |x|²|y|² − (x·y)², since the expanded sum cancels at antipodes.
         let denominator = ((1.0 + xy).powi(2) + (x2 * y2 - xy * xy).max(0.0)).sqrt();
         Some(2.0 * (x - y).norm().atan2(denominator))
     }
@@ -62,14 +63,16 @@ mod tests {
     use super::Sphere;
     use crate::KnownDistance;
 
-    /// On a line through the origin `|x|²|y|² − (x·y)²` is zero, and rounds to either side of it.
+    /// On a line through the origin `|x|²|y|² − (x·y)²` is zero, and its computed value may have
+    /// either sign.
     #[test]
     fn antipodes_on_any_line_are_pi_apart() {
         for k in 1..2000 {
             let x = vector![f64::from(k).sin(), 2.0 * (0.7 * f64::from(k)).cos()];
             let y = -x / x.norm_squared();
             let d = Sphere.distance(&x, &y).expect("always known");
-            // The denominator is the root of rounding, some √(4 ε) of |x − y| ≥ 2.
+            // The denominator is the square root of a rounding error, about √(4 ε), and
+            // |x − y| ≥ 2.
             assert!((d - std::f64::consts::PI).abs() <= 1e-7, "{x}: {d}");
         }
     }

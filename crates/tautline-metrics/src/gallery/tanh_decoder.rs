@@ -10,9 +10,10 @@ use super::{
 };
 use crate::{Bounded, Constants, HypothesisError, Metric};
 
-/// `H(x) = J(x)ᵀ J(x) + μ I` with the Jacobian `J = W₂ diag(1/cosh²(W₁ x)) W₁` of the decoder
-/// `f(x) = W₂ tanh(W₁ x)`, from `R^D` through `HIDDEN` neurons to `R^OUT`: the length of the image of
-/// a curve, with a floor `μ` that keeps `H` positive definite where the neurons are saturated.
+/// `H(x) = J(x)ᵀ J(x) + μ I`, where `J = W₂ diag(1/cosh²(W₁ x)) W₁` is the Jacobian of the decoder
+/// `f(x) = W₂ tanh(W₁ x)`, from `R^D` through `HIDDEN` neurons to `R^OUT`. It measures the length
+/// of the image of a curve, with a floor `μ` that keeps `H` positive definite where the neurons are
+/// saturated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "latent space")]
 pub struct TanhDecoder<const D: usize, const HIDDEN: usize, const OUT: usize> {
@@ -23,13 +24,13 @@ pub struct TanhDecoder<const D: usize, const HIDDEN: usize, const OUT: usize> {
 }
 
 impl<const D: usize, const HIDDEN: usize, const OUT: usize> TanhDecoder<D, HIDDEN, OUT> {
-    /// Returns the metric of the decoder with the weights `W₁` in `1/ℓ` and `W₂` in `m`, and the
+    /// Returns the metric of the decoder with weights `W₁` in `1/ℓ` and `W₂` in `m`, and with the
     /// floor `μ > 0` in `m²/ℓ²`.
     ///
     /// # Errors
     ///
-    /// [`GalleryError`] with the entry that is not finite or the floor that is not positive, or
-    /// the constant that overflows.
+    /// [`GalleryError`] with the entry that is not finite, with the floor if it is not positive, or
+    /// with the constant that overflows.
     pub fn new(
         inner: SMatrix<f64, HIDDEN, D>,
         outer: SMatrix<f64, OUT, HIDDEN>,
@@ -40,20 +41,21 @@ impl<const D: usize, const HIDDEN: usize, const OUT: usize> TanhDecoder<D, HIDDE
         positive("floor", floor)?;
         let (inner_square, outer_square) = (norm_squared(&inner)?, norm_squared(&outer)?);
         let longest = inner.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
-        // Let aₖ = wₖ·x with the rows wₖ of W₁, σ = 1/cosh²(a) and τ = tanh² a: σ = 1 − τ,
+        // Let aₖ = wₖ·x with the rows wₖ of W₁, σ = 1/cosh²(a) and τ = tanh² a. Then σ = 1 − τ,
         // σ′² = 4τ(1 − τ)² and σ″ = (1 − τ)(6τ − 2). For a unit vector u put v = W₁u and K = W₂ᵀW₂,
         // so that uᵀJᵀJu = (σv)ᵀ K (σv) with entrywise products; |v|² ≤ |W₁|², |K| = |W₂|².
         //
-        // With σ ≤ 1 this is at most |W₂|² |W₁|².
+        // Since σ ≤ 1, the form is at most |W₂|² |W₁|².
         let most = inner_square * outer_square;
-        // Along a unit vector w each entry's derivative has a factor wₖ·w, at most `longest`. The
-        // first derivative is 2 (σv)ᵀ K (σ′v), at most |K| times the sum over λ σ² + σ′²/λ for any
-        // λ, times v². With λ = 2/√5 that is (1 − τ)² (2/√5)(1 + 5τ), largest at τ = 1/5: there
-        // 64/(25√5).
+        // Along a unit vector w the derivative of each entry has a factor wₖ·w, which is at most
+        // `longest`. The first derivative is 2 (σv)ᵀ K (σ′v). It is at most |K| times the sum of
+        // λ σ² + σ′²/λ times v², for any λ. With λ = 2/√5 this factor is (1 − τ)² (2/√5)(1 + 5τ),
+        // which is largest at τ = 1/5, where it is 64/(25√5).
         let l_h = most * longest * (64.0 / (25.0 * 5_f64.sqrt()));
-        // The second is 2 (σv)ᵀ K (σ″v) + 2 (σ′v)ᵀ K (σ′v), at most |K| times the sum over
-        // 2σ² + σ″²/2 + 2σ′² = (1 − τ)² (4 − 4τ + 18τ²). That is at most (1 − τ)(4 − 4τ + 18τ²) =
-        // 4 − 2τ (4 − 11τ + 9τ²) ≤ 4, since the last bracket has no real root.
+        // The second derivative is 2 (σv)ᵀ K (σ″v) + 2 (σ′v)ᵀ K (σ′v). It is at most |K| times the
+        // sum of 2σ² + σ″²/2 + 2σ′² = (1 − τ)² (4 − 4τ + 18τ²) times v². This factor is at most
+        // (1 − τ)(4 − 4τ + 18τ²) = 4 − 2τ (4 − 11τ + 9τ²) ≤ 4, since the last bracket has no real
+        // root.
         let m_h = most * longest * longest * 4.0;
         let constants = Constants::new(floor, floor + most, l_h)?.with_m_h(m_h)?;
         Ok(Self { inner, outer, floor, constants })
@@ -67,18 +69,18 @@ impl<const D: usize, const HIDDEN: usize, const OUT: usize> TanhDecoder<D, HIDDE
         })
     }
 
-    /// `W₁ x`.
+    /// Returns `W₁ x`.
     fn activations<S: Scalar>(&self, x: &SVector<S, D>) -> SVector<S, HIDDEN> {
         SVector::from_fn(|k, _| (0..D).fold(S::zero(), |sum, i| sum + x[i] * self.inner[(k, i)]))
     }
 
-    /// `1/cosh²(W₁ x)` as `1 − tanh²`, since `cosh` overflows.
+    /// Returns `1/cosh²(W₁ x)`, computed as `1 − tanh²`, since `cosh` overflows.
     fn slopes<S: Scalar>(&self, x: &SVector<S, D>) -> SVector<S, HIDDEN> {
         self.activations(x).map(|a| -a.tanh().sqr() + 1.0)
     }
 }
 
-/// An upper bound on the squared operator norm of a finite matrix.
+/// Returns an upper bound on the squared operator norm of a finite matrix.
 fn norm_squared<const R: usize, const C: usize>(
     matrix: &SMatrix<f64, R, C>,
 ) -> Result<f64, GalleryError> {
@@ -119,16 +121,16 @@ impl<const D: usize, const HIDDEN: usize, const OUT: usize> Metric<D>
 impl<const D: usize, const HIDDEN: usize, const OUT: usize> Bounded<D>
     for TanhDecoder<D, HIDDEN, OUT>
 {
-    /// `c₁ = μ` in the limit. With the operator norms `|W₁|`, `|W₂|` and the longest row `w` of
-    /// `W₁`, the upper bounds
+    /// `c₁ = μ` holds in the limit. With the operator norms `|W₁|`, `|W₂|` and the longest row `w`
+    /// of `W₁`, the other constants are the upper bounds
     ///
     /// ```text
     /// c₂ = μ + |W₁|² |W₂|²,    L_H = (64/25√5) |W₁|² |W₂|² |w|,    M_H = 4 |W₁|² |W₂|² |w|²
     /// ```
     ///
-    /// Attained for one neuron; for several, looser the less they are aligned. For a dozen decoders
-    /// of random weights, with 3 to 16 neurons, a scan found `c₂` 1 to 6 times, `L_H` 1 to 9 times and
-    /// `M_H` 1 to 10 times too large.
+    /// They are attained for a single neuron; for several, they are looser the less the neurons are
+    /// aligned. For a dozen decoders with random weights and 3 to 16 neurons, a scan found `c₂` 1
+    /// to 6 times, `L_H` 1 to 9 times and `M_H` 1 to 10 times too large.
     fn constants(&self) -> Constants {
         self.constants
     }

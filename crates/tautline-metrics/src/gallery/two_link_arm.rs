@@ -16,9 +16,9 @@ use crate::{Bounded, Constants, Metric};
 pub struct Link {
     /// Its mass, nonnegative.
     pub mass: f64,
-    /// The distance of its two joints, nonnegative; of the second link it does not matter.
+    /// The distance between its two joints, nonnegative. For the second link it does not matter.
     pub length: f64,
-    /// The distance of its centre of mass from the joint before it, nonnegative.
+    /// The distance between its centre of mass and the joint before it, nonnegative.
     pub centre: f64,
     /// Its moment of inertia about its centre of mass, nonnegative.
     pub inertia: f64,
@@ -31,7 +31,7 @@ pub struct Link {
 /// H(q) = [[A + 2B cos q₂, C + B cos q₂], [C + B cos q₂, C]],    kinetic energy ½ q̇ᵀ H(q) q̇
 /// ```
 ///
-/// Here `ℓ` is the radian and `m²` the unit of a moment of inertia.
+/// Here `ℓ` is the radian, and `m²` is the unit of a moment of inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "robot")]
 pub struct TwoLinkArm {
@@ -47,29 +47,29 @@ impl TwoLinkArm {
     /// # Errors
     ///
     /// [`GalleryError::SingularArm`] unless `C (A − C) − B² > 0`; [`GalleryError`] with the
-    /// parameter if it is not finite, or `C` not positive.
+    /// parameter if it is not finite, or if `C` is not positive.
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self, GalleryError> {
         finite("A", a)?;
         finite("B", b)?;
         positive("C", c)?;
-        // det H = C (A − C) − B² cos² q₂ and trace H = A + C + 2B cos q₂. Where B cos q₂ = |B|,
-        // the determinant is least and the trace T greatest: there both eigenvalues,
-        // ½ (T + √(T² − 4 det)) and 2 det / (T + √(T² − 4 det)), are extreme.
+        // det H = C (A − C) − B² cos² q₂ and trace H = A + C + 2B cos q₂. Where B cos q₂ = |B|, the
+        // determinant is least and the trace T is greatest. Hence both eigenvalues,
+        // ½ (T + √(T² − 4 det)) and 2 det / (T + √(T² − 4 det)), are extreme there.
         let determinant = c * (a - c) - b * b;
         if !(determinant > 0.0) {
             return Err(GalleryError::SingularArm { determinant });
         }
         let trace = a + c + 2.0 * b.abs();
         let c2 = 0.5 * (trace + (trace * trace - 4.0 * determinant).sqrt());
-        // DH[w] = −w₂ B sin q₂ [[2, 1], [1, 0]] and D²H[w, w] = −w₂² B cos q₂ [[2, 1], [1, 0]],
-        // a matrix with the eigenvalues 1 ± √2.
+        // DH[w] = −w₂ B sin q₂ [[2, 1], [1, 0]] and D²H[w, w] = −w₂² B cos q₂ [[2, 1], [1, 0]]; the
+        // matrix has the eigenvalues 1 ± √2.
         let l_h = b.abs() * (1.0 + SQRT_2);
         let constants = Constants::new(determinant / c2, c2, l_h)?.with_m_h(l_h)?;
         Ok(Self { a, b, c, constants })
     }
 
-    /// Returns the arm with the given links: with masses `mᵢ`, inertias `Iᵢ`, centres of mass
-    /// `rᵢ` and the length `l` of the first link,
+    /// Returns the arm with the given links. If they have masses `mᵢ`, inertias `Iᵢ` and centres of
+    /// mass `rᵢ`, and the first link has the length `l`, then
     ///
     /// ```text
     /// A = I₁ + I₂ + m₁ r₁² + m₂ (l² + r₂²),    B = m₂ l r₂,    C = I₂ + m₂ r₂²
@@ -102,8 +102,8 @@ impl Metric<2> for TwoLinkArm {
 }
 
 impl Bounded<2> for TwoLinkArm {
-    /// The eigenvalues `c₁`, `c₂` of the arm stretched (`q₂ = 0`; folded if `B < 0`), and
-    /// `L_H = M_H = |B| (1 + √2)`; all attained.
+    /// All constants are attained: `c₁` and `c₂` are the eigenvalues for the stretched arm
+    /// (`q₂ = 0`; folded if `B < 0`), and `L_H = M_H = |B| (1 + √2)`.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -11,15 +11,15 @@ use tautline_scalar::Scalar;
 use super::clairaut::across_layers;
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
-/// `H(x) = f² I` with `f = 2 − cos x₁`: cheap along `x₁ = 0, 2π, 4π`, three times as expensive
-/// between.
+/// `H(x) = f² I` with `f = 2 − cos x₁`, which is cheap along `x₁ = 0, 2π, 4π` and three times as
+/// expensive between these lines.
 ///
-/// The counterexample of Section 5: from `(0, 0)` to `(4π, 0)` the distance is `8π`, but
-/// the discrete *lengths* have the minimum `4π` for every `N`.
+/// This is the counterexample of Section 5: the distance from `(0, 0)` to `(4π, 0)` is `8π`, but
+/// the minimum of the discrete *lengths* is `4π` for every `N`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Valleys;
 
-/// `F` with `F′ = f`.
+/// Returns an `F` with `F′ = f`.
 fn primitive(x: f64) -> f64 {
     2.0 * x - x.sin()
 }
@@ -32,8 +32,8 @@ impl<const D: usize> Metric<D> for Valleys {
 }
 
 impl<const D: usize> Bounded<D> for Valleys {
-    /// `c₁ = 1`, `c₂ = 9`, `L_H = (3 + √3) 3^{1/4} / √2` (where `cos x₁ = (1 − √3)/2`),
-    /// `M_H = 6` (at `x₁ = π`); all attained.
+    /// All constants are attained: `c₁ = 1`, `c₂ = 9`, `L_H = (3 + √3) 3^{1/4} / √2` where
+    /// `cos x₁ = (1 − √3)/2`, and `M_H = 6` at `x₁ = π`.
     fn constants(&self) -> Constants {
         let root = 3_f64.sqrt();
         Constants::new(1.0, 9.0, (3.0 + root) * root.sqrt() / SQRT_2)
@@ -43,15 +43,16 @@ impl<const D: usize> Bounded<D> for Valleys {
 }
 
 impl<const D: usize> KnownDistance<D> for Valleys {
-    /// `F(b) − F(a)` with `F = 2x₁ − sin x₁` along `x₁`; otherwise by Clairaut's relation, `None` if
-    /// the minimal geodesic turns back in `x₁`, or crosses more than ten thousand valleys.
+    /// Along `x₁` the distance is `F(b) − F(a)` with `F = 2x₁ − sin x₁`; otherwise it follows from
+    /// Clairaut's relation. Returns `None` if the minimal geodesic turns back in `x₁` or crosses
+    /// more than ten thousand valleys.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let (a, b) = (x[0].min(y[0]), x[0].max(y[0]));
         let across = (1..D).map(|i| (x[i] - y[i]).powi(2)).sum::<f64>().sqrt();
         if across == 0.0 {
             return Some(primitive(b) - primitive(a));
         }
-        // One quadrature per valley.
+        // There is one quadrature per valley.
         let (first, last) = ((a / TAU).floor() + 1.0, (b / TAU).ceil() - 1.0);
         if !(last - first <= 1e4) {
             return None;
@@ -73,8 +74,8 @@ mod tests {
     use super::Valleys;
     use crate::{Bounded, KnownDistance};
 
-    /// A geodesic over `m` valleys is periodic, and `m` times as long as over one. A single quadrature
-    /// over all of them would not converge.
+    /// A geodesic over `m` valleys is periodic and `m` times as long as a geodesic over one. A
+    /// single quadrature over all of them would not converge.
     #[test]
     fn the_distance_over_many_valleys_is_a_multiple_of_the_distance_over_one() {
         let over = |valleys: f64, across: f64| {
@@ -92,8 +93,8 @@ mod tests {
         assert_eq!(far, None);
     }
 
-    /// As `p → 1` the distance tends to `20 + ∫ √(f² − 1) dx₁`, which is elementary in
-    /// `u = cos x₁/2`, up to a multiple of `e^{−20}`.
+    /// As `p → 1` the distance tends to `20 + ∫ √(f² − 1) dx₁`, up to a multiple of `e^{−20}`. The
+    /// integral is elementary in `u = cos x₁/2`.
     #[test]
     fn a_long_way_along_a_valley_keeps_its_digits() {
         let d =

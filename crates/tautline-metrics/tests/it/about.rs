@@ -1,4 +1,4 @@
-//! A metric with constants on balls, seen from the centre of one.
+//! A metric with constants on balls, seen from the centre of a ball.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Bounded, Constants, LocallyBounded, Metric, Scalar};
@@ -31,7 +31,8 @@ impl<M: Metric<D>, const D: usize> Bounded<D> for About<M, D> {
     }
 }
 
-/// Half the half-width of the largest cube in a ball, since one point of a pair may be twice as far out.
+/// Returns half of the half-width of the largest cube in a ball, since one point of a pair may be
+/// twice as far out.
 pub(crate) fn in_ball<const D: usize>(radius: f64) -> f64 {
     0.5 * radius / (D as f64).sqrt()
 }

@@ -1,4 +1,4 @@
-//! Constants hold at random points, for random parameters, and for near pairs.
+//! Constants hold at random points, for random parameters, and for pairs of points close together.
 
 use nalgebra::SVector;
 use proptest::{array::uniform, prelude::*};
@@ -6,12 +6,12 @@ use tautline_metrics::Bounded;
 
 use crate::measure::{extremes, first, norm, runner, second};
 
-/// Points of `[−1, 1]^D`.
+/// Draws points of `[−1, 1]^D`.
 pub(crate) fn cube<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
     uniform(-1.0..1.0_f64).prop_map(SVector::from)
 }
 
-/// One test per line: the constants of `$build(parameters)` hold in dimension `$D`.
+/// Makes one test per line: the constants of `$build(parameters)` hold in dimension `$D`.
 macro_rules! constants_hold {
     ($($test:ident, $D:literal, seed $seed:literal: $parameters:expr, $build:expr;)*) => {$(
         #[test]
@@ -22,8 +22,8 @@ macro_rules! constants_hold {
 }
 pub(crate) use constants_hold;
 
-/// Checks every constant of `build(parameters)` in the cube about the origin of the half-width that
-/// it returns.
+/// Checks every constant of `build(parameters)` in the cube about the origin whose half-width
+/// `build` also returns.
 pub(crate) fn hold<const D: usize, P: std::fmt::Debug, M: Bounded<D>>(
     seed: u64,
     parameters: impl Strategy<Value = P>,
@@ -51,11 +51,11 @@ fn hold_at<const D: usize>(
     let h = g.gram(x);
     prop_assert_eq!(h, h.transpose());
     let (low, high) = extremes(&h);
-    // An entry has some ten roundings of terms of size c₂, an eigenvalue D times as many.
+    // An entry has about ten roundings of terms of size c₂, and an eigenvalue D times as many.
     let rounding = 1e-14 * constants.c2() * D as f64;
     prop_assert!(constants.c1() <= low + rounding, "c1 {} > {low}", constants.c1());
     prop_assert!(high <= constants.c2() + rounding, "c2 {} < {high}", constants.c2());
-    // The terms of the derivatives have the size of the constants.
+    // The terms of the derivatives are of the size of the constants.
     let slope = norm(&first(g, x, w));
     let bound = constants.l_h() * w.norm();
     prop_assert!(slope <= bound * (1.0 + 1e-12), "L_H |w| {bound} < {slope}");
@@ -73,7 +73,7 @@ fn lipschitz<const D: usize>(
     let constants = g.constants();
     let difference = norm(&(g.gram(x) - g.gram::<f64>(y)));
     let bound = constants.l_h() * (x - y).norm();
-    // As above: the roundings of H(x) and H(y).
+    // As above, this covers the roundings of H(x) and H(y).
     let rounding = 2e-14 * constants.c2() * D as f64;
     prop_assert!(difference <= bound + rounding, "L_H |x - y| {bound} < {difference}");
     Ok(())

@@ -1,4 +1,4 @@
-//! The metrics of the gallery and the ways to compose metrics: values, laws and proved constants.
+//! The metrics of the gallery and the compositions of metrics: values, laws and proved constants.
 
 mod about;
 mod composition;

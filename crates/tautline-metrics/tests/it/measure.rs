@@ -1,33 +1,34 @@
-//! Measurements of a metric, from its formula alone: `H`, its derivatives, their norms, and the places
-//! that attain its constants.
+//! Measurements of a metric from its formula alone: `H`, its derivatives, their norms, and the
+//! places at which its constants are attained.
 //!
-//! A measured value is a formula of some ten roundings and an eigenvalue of a small matrix, some 1e-14,
-//! and constants that are computed eigenvalues have a margin of as much. The tolerance is 1e-12; a
-//! constant that is off by one percent exceeds it by ten decades.
+//! A measured value is a formula with about ten roundings and an eigenvalue of a small matrix,
+//! which gives an error of about 1e-14. Constants that are computed eigenvalues have a margin of
+//! the same size. The tolerance is 1e-12; an error of one percent in a constant exceeds it by ten
+//! decades.
 
 use approx::assert_relative_eq;
 use nalgebra::{DMatrix, SMatrix, SVector};
 use proptest::test_runner::TestRunner;
 use tautline_metrics::{Bounded, Jet1, Jet2, Metric};
 
-/// Random cases, the same in every run unless the environment overrides the seed.
+/// Runs random cases, which are the same in every run unless the environment overrides the seed.
 pub(crate) fn runner(seed: u64) -> TestRunner {
     TestRunner::new(tautline_chance::config(seed, 256))
 }
 
-/// The least and the greatest eigenvalue.
+/// Returns the least and the greatest eigenvalue.
 pub(crate) fn extremes<const D: usize>(h: &SMatrix<f64, D, D>) -> (f64, f64) {
     let eigenvalues = DMatrix::from_fn(D, D, |i, j| h[(i, j)]).symmetric_eigenvalues();
     (eigenvalues.min(), eigenvalues.max())
 }
 
-/// The operator norm of a symmetric matrix.
+/// Returns the operator norm of a symmetric matrix.
 pub(crate) fn norm<const D: usize>(h: &SMatrix<f64, D, D>) -> f64 {
     let (low, high) = extremes(h);
     low.abs().max(high.abs())
 }
 
-/// `DH(x)[w]`, from the first jet along `t ↦ x + t w`.
+/// Returns `DH(x)[w]`, from the first jet along `t ↦ x + t w`.
 pub(crate) fn first<const D: usize>(
     g: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -37,7 +38,7 @@ pub(crate) fn first<const D: usize>(
     g.gram(&SVector::from_fn(|i, _| t * w[i] + x[i])).map(|entry: Jet1<f64, 1>| entry.first(0))
 }
 
-/// `D²H(x)[w, w]`, from the second jet along `t ↦ x + t w`.
+/// Returns `D²H(x)[w, w]`, from the second jet along `t ↦ x + t w`.
 pub(crate) fn second<const D: usize>(
     g: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -78,8 +79,8 @@ pub(crate) fn curvature<const D: usize>(
     assert_relative_eq!(measured, m_h, max_relative = 1e-12);
 }
 
-/// The largest `‖DH(x)[w]‖` and `‖D²H(x)[w, w]‖` over points and unit directions, as parts of `L_H`
-/// and `M_H`.
+/// Returns the largest `‖DH(x)[w]‖` and `‖D²H(x)[w, w]‖` over points and unit directions, as
+/// fractions of `L_H` and `M_H`.
 pub(crate) fn scan<const D: usize>(
     g: &impl Bounded<D>,
     places: impl IntoIterator<Item = (SVector<f64, D>, SVector<f64, D>)>,
@@ -93,7 +94,7 @@ pub(crate) fn scan<const D: usize>(
     [slope / constants.l_h(), curvature / constants.m_h().expect("known")]
 }
 
-/// Some unit vectors of the plane, all over half a circle.
+/// Returns some unit vectors of the plane, spread over half a circle.
 pub(crate) fn directions(count: u32) -> impl Iterator<Item = SVector<f64, 2>> + Clone {
     (0..count).map(move |j| {
         let (sin, cos) = (f64::from(j) * std::f64::consts::PI / f64::from(count)).sin_cos();

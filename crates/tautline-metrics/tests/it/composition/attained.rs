@@ -1,5 +1,5 @@
-//! The rules of the calculus are tight where they claim to be: compositions attain their constants,
-//! so that a wrong power of a factor fails, too large or too small.
+//! The rules of the calculus are tight where they claim to be. The compositions here attain their
+//! constants, so a wrong power of a factor fails whether it is too large or too small.
 
 use std::f64::consts::PI;
 
@@ -14,8 +14,8 @@ use tautline_metrics::{
 use super::conformal::Conformal;
 use crate::measure::{curvature, extremes, high, low, slope};
 
-/// The four constants of `g` are attained at these places: `c₁`, `c₂`, then `L_H` and `M_H` in a
-/// direction.
+/// Asserts that `g` attains its four constants at these places: `c₁`, `c₂`, then `L_H` and `M_H` in
+/// a direction.
 #[track_caller]
 fn attained<const D: usize>(
     g: &impl Bounded<D>,
@@ -28,7 +28,7 @@ fn attained<const D: usize>(
     curvature(g, bent, across);
 }
 
-/// Where the valleys are steepest, in `x₁`.
+/// Returns the `x₁` at which the valleys are steepest.
 fn steepest() -> f64 {
     (0.5 * (1.0 - 3_f64.sqrt())).acos()
 }
@@ -43,7 +43,8 @@ fn scaled_attains_all() {
     }
 }
 
-/// `H + s H`, and `λ₁, λ₂` in directions that rotate together.
+/// The sums are `H + s H`, and two metrics with eigenvalues `λ₁, λ₂` whose directions rotate
+/// together.
 #[test]
 fn sum_attains_all_for_aligned_metrics() {
     let g = Sum::new(Valleys, Scaled::new(Valleys, 3.0).expect("positive"));
@@ -53,13 +54,14 @@ fn sum_attains_all_for_aligned_metrics() {
     let turning = |eigenvalues| RotatingAnisotropy::new(eigenvalues, k).expect("positive");
     let g = Sum::new(turning([1.0, 4.0]), turning([0.5, 0.6]));
     attained(&g, [x, x], [(x, k), (x, k)]);
-    // Against each other they cancel: c₂ is 4.6, but 4.5 and 1.6 are the eigenvalues.
+    // With the directions exchanged, the anisotropies cancel: c₂ is 4.6, but 4.5 and 1.6 are the
+    // eigenvalues.
     let g = Sum::new(turning([1.0, 4.0]), turning([0.6, 0.5]));
     assert_relative_eq!(extremes(&g.gram(&x)).1, 4.5, max_relative = 1e-13);
     assert_relative_eq!(g.constants().c2(), 4.6, max_relative = 1e-13);
 }
 
-/// The shear provides `c₁`, `L_H` and `M_H`, the lens `c₂`.
+/// The shear determines `c₁`, `L_H` and `M_H`, and the lens `c₂`.
 #[test]
 fn product_attains_all() {
     let (lens, shear) =
@@ -67,7 +69,7 @@ fn product_attains_all() {
     let (flat, steep) = (Bounded::<2>::constants(&lens), shear.constants());
     assert!(steep.c1() < flat.c1() && flat.c2() > steep.c2());
     assert!(steep.l_h() > flat.l_h() && steep.m_h() > flat.m_h());
-    // sinh u = S cos kx₂ with e^{2u} = 1 + 2S², where the shear is steepest.
+    // The shear is steepest where sinh u = S cos kx₂ with e^{2u} = 1 + 2S².
     let u = 0.5 * 19_f64.ln();
     let y = (u.sinh() / 3.0).acos() / 1.5;
     let (x, w) = (vector![0.0, 0.0, 0.5, y], vector![0.0, 0.0, 0.0, 1.0]);
@@ -75,15 +77,15 @@ fn product_attains_all() {
     let places = [(x, w), (vector![0.0, 0.0, 0.5, PI / 1.5], w)];
     let g = Product::<_, _, 2, 2>::new(lens, shear);
     attained(&g, [low, vector![0.0, 0.0, 1.0, 1.0]], places);
-    // And in the other order.
+    // The same holds with the factors in the other order.
     let turn = |x: SVector<f64, 4>| vector![x[2], x[3], x[0], x[1]];
     let g = Product::<_, _, 2, 2>::new(shear, lens);
     let places = places.map(|(x, w)| (turn(x), turn(w)));
     attained(&g, [turn(low), vector![1.0, 1.0, 0.0, 0.0]], places);
 }
 
-/// On the line, and by a multiple of a rotation: `σ²` in place of `σ³`, or any other power, is off by
-/// a factor of 3.
+/// The maps are a similarity of the line and a multiple of a rotation. With `σ²` in place of `σ³`,
+/// or any other power, a constant would be off by a factor of 3.
 #[test]
 fn a_similarity_attains_all() {
     for s in [-3.0, 1.0 / 3.0] {
@@ -102,7 +104,8 @@ fn a_similarity_attains_all() {
     }
 }
 
-/// Stretches 1/2 and 4: exchanging `σ_min` and `σ_max` is off by at least 64.
+/// The stretches are 1/2 and 4, so exchanging `σ_min` and `σ_max` changes a constant by a factor of
+/// at least 64.
 #[test]
 fn a_stretch_along_the_right_axis_attains_all() {
     let (sin, cos) = 1.1_f64.sin_cos();
@@ -116,7 +119,7 @@ fn a_stretch_along_the_right_axis_attains_all() {
     attained(&g, [at(vector![0.0, 2.0]), at(vector![PI, 1.0])], places);
 }
 
-/// `4 I`.
+/// The metric `4 I`.
 struct Four;
 
 impl Metric<2> for Four {
@@ -139,7 +142,7 @@ fn conformal_attains_all_if_a_factor_is_constant() {
     attained(&Conformal(Valleys, Four), [low, high], places);
 }
 
-/// Two tents `1 + L (1 − |x − 1|)` on the line: near the tip their product has the slope
+/// Two tents `1 + L (1 − |x − 1|)` on the line: near the tip, the slope of their product is
 /// `φ_max L + Lip(φ) c₂ = 2 · 2L`, minus the size of the step.
 #[test]
 fn conformal_attains_l_h_in_the_limit_of_two_tents() {

@@ -1,5 +1,5 @@
-//! Compositions of metrics with constants on balls: their constants hold, and are those of the parts on
-//! their own balls.
+//! Compositions of metrics with constants on balls: their constants hold and follow from those of
+//! the parts on their own balls.
 
 use nalgebra::{SMatrix, SVector, vector};
 use proptest::prelude::*;
@@ -47,7 +47,7 @@ constants_hold! {
         };
 }
 
-/// The calculus of constants, applied to those of the parts on their own balls.
+/// Applies the calculus of constants to those of the parts on their own balls.
 #[test]
 fn constants_on_balls_are_those_of_the_parts() {
     fn of<M: LocallyBounded<D>, const D: usize>(metric: M, x: [f64; D], radius: f64) -> Constants {
@@ -65,7 +65,7 @@ fn constants_on_balls_are_those_of_the_parts() {
     let flat = Constant::new(SMatrix::identity() * 2.0).expect("positive definite");
     let sum = sphere.plus(of(flat, x, radius)).expect("in range");
     assert!(sum.is_local() && of(Sum::new(Sphere, flat), x, radius) == sum);
-    // A similarity by 2: on the ball of twice the radius about the image.
+    // A similarity by the factor 2 uses the ball of twice the radius about the image of the centre.
     let turn = SMatrix::<f64, 2, 2>::from([[1.2, 1.6], [-1.6, 1.2]]);
     let pulled = AffinePullback::new(Sphere, turn, vector![0.1, -0.2]).expect("regular");
     let image = turn * SVector::from(x) + vector![0.1, -0.2];
@@ -75,11 +75,11 @@ fn constants_on_balls_are_those_of_the_parts() {
     assert!(close(found.c1(), expected.c1()) && close(found.c2(), expected.c2()), "{found:?}");
     assert!(close(found.l_h(), expected.l_h()) && found.is_local());
     assert!(close(found.m_h().expect("known"), expected.m_h().expect("known")), "{found:?}");
-    // A reference has the constants of the metric.
+    // A reference to a metric has the constants of the metric.
     assert_eq!(of::<&Sphere, 2>(&Sphere, x, radius), sphere);
 }
 
-/// The patch has constants everywhere, and its metric has better ones in a small ball.
+/// The patch has constants everywhere, and the underlying metric has better ones on a small ball.
 #[test]
 fn constants_of_a_ball_are_better_than_those_of_the_plane() {
     let patch = tautline_metrics::gallery::SpherePatch::new(2.0).expect("a radius");

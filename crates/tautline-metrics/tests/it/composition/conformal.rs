@@ -1,4 +1,5 @@
-//! `φ H`, a metric to test the rule for conformal factors, which no composition of the library uses.
+//! `φ H`, a metric that tests the rule for conformal factors. No composition of the library uses
+//! this rule.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Bounded, Constants, Metric, Scalar};

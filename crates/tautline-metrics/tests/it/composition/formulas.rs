@@ -33,7 +33,7 @@ fn each_is_its_matrix() {
     let pulled: SMatrix<f64, 2, 2> =
         AffinePullback::new(shear, map, shift).expect("invertible").gram(&x);
     let at_image: SMatrix<f64, 2, 2> = shear.gram(&(map * x + shift));
-    // Entries up to 10 of eight terms.
+    // The entries are at most 10 and are sums of eight terms.
     assert!((pulled - map.transpose() * at_image * map).amax() < 1e-14);
 }
 
@@ -53,7 +53,7 @@ fn distances_are_those_of_the_parts() {
     assert_relative_eq!(pulled_d, d, max_relative = 1e-14);
 }
 
-/// The shear beside the lens, whose distance is known on rays only.
+/// The product of the shear and the lens; the distance of the lens is known on rays only.
 #[test]
 fn the_square_of_a_distance_in_a_product_is_the_sum_of_squares() {
     let (shear, lens) = (Shear::new(0.5, 1.0).expect("k > 0"), Lens::new(2.0, 0.7).expect("s > 0"));
@@ -61,7 +61,7 @@ fn the_square_of_a_distance_in_a_product_is_the_sum_of_squares() {
     let (x, y) = (vector![0.3, -0.8, 0.3, 0.4], vector![1.9, 2.0, 1.2, 1.6]);
     let d = product.distance(&x, &y).expect("on a ray");
     let first = shear.distance(&vector![0.3, -0.8], &vector![1.9, 2.0]).expect("all pairs");
-    // The reference for this lens and this ray is that of the gallery's test.
+    // The reference for this lens and this ray is the one in the gallery's test.
     assert_relative_eq!(
         d * d,
         first * first + 1.848_184_957_482_796_7_f64.powi(2),
@@ -76,7 +76,8 @@ fn the_square_of_a_distance_in_a_product_is_the_sum_of_squares() {
     );
 }
 
-/// A separable metric is a product of metrics on the line, so that its distance is known in two ways.
+/// A separable metric is a product of metrics on the line, so its distance can be computed in two
+/// ways.
 #[test]
 fn a_product_is_a_metric_whose_distance_is_known_otherwise() {
     let separable = |i: usize| {
@@ -104,13 +105,13 @@ fn a_product_is_a_metric_whose_distance_is_known_otherwise() {
     }
 }
 
-/// A part may have neither constants nor a distance for all pairs.
+/// A part may lack constants, or a distance for all pairs.
 #[test]
 fn unbounded_parts_make_metrics_too() {
     let ramp = Ramp::new(0.5, 1.0).expect("|a| < 1");
     let product = Product::<_, _, 2, 1>::new(Sphere, ramp);
     let d = product.distance(&vector![0.0, 0.0, 1.0], &vector![1.0, 0.0, 1.0]);
-    // A quarter of a great circle.
+    // The arc is a quarter of a great circle.
     assert_relative_eq!(d.expect("all pairs"), std::f64::consts::FRAC_PI_2, max_relative = 1e-15);
     let scaled = Scaled::new(Valleys, 2.0).expect("positive");
     assert_eq!(scaled.distance(&vector![3.0, 0.0], &vector![3.0, 5.0]), None, "on a ridge");

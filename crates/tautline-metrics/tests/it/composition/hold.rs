@@ -28,13 +28,13 @@ fn ramp() -> impl Strategy<Value = Ramp> {
     (-0.95..0.95_f64, 0.2..4.0_f64).prop_map(|(a, k)| Ramp::new(a, k).expect("|a| < 1"))
 }
 
-/// C = 1 and A = 1 + B² + excess.
+/// Draws an arm with C = 1 and A = 1 + B² + excess.
 fn arm() -> impl Strategy<Value = TwoLinkArm> {
     (-2.0..2.0_f64, 0.01..2.0_f64)
         .prop_map(|(b, excess)| TwoLinkArm::new(1.0 + b * b + excess, b, 1.0).expect("definite"))
 }
 
-/// The entries of an invertible map, and a shift.
+/// Draws the entries of an invertible map, and a shift.
 fn map() -> impl Strategy<Value = ([f64; 4], SVector<f64, 2>)> {
     (uniform::<_, 4>(-2.0..2.0_f64), cube::<2>()).prop_filter("invertible", |(entries, _)| {
         (entries[0] * entries[3] - entries[1] * entries[2]).abs() > 1e-3
@@ -65,12 +65,12 @@ constants_hold! {
     constants_of_conformal_hold, 2, seed 67: (lens(), arm()), |(lens, arm)| {
         (Conformal(lens, arm), 4.0)
     };
-    // All of them nested.
+    // This composition nests all of them.
     constants_of_nested_compositions_hold, 3, seed 68:
         (shear(), rotating(), cube::<3>(), 0.1..2.0_f64), |(g, h, b, s)| {
             let sum = Sum::new(g, Scaled::new(h, s).expect("positive"));
             let ramp = Ramp::new(0.5, 1.0).expect("|a| < 1");
-            // Diagonally dominant.
+            // The matrix is diagonally dominant.
             let matrix =
                 SMatrix::<f64, 3, 3>::from_fn(|i, j| if i == j { 3.0 } else { b[i] - b[j] });
             let product = Product::<_, _, 1, 2>::new(ramp, sum);

@@ -1,5 +1,5 @@
-//! Metrics built from metrics: their constants hold and are attained, their distances follow from
-//! those of the parts, and bad parts are refused.
+//! Metrics built from other metrics: their constants hold and are attained, their distances follow
+//! from those of the parts, and bad parts are refused.
 
 mod attained;
 mod balls;

@@ -1,4 +1,4 @@
-//! Every bad part is refused by name and number.
+//! Every bad part is refused with its name and its number.
 
 use nalgebra::{SMatrix, matrix, vector};
 use tautline_metrics::{
@@ -49,10 +49,10 @@ fn a_map_must_be_invertible() {
     assert_eq!(stretches(matrix![0.0, 0.0; 0.0, 0.0]), (0.0, 0.0));
     let (smin, smax) = stretches(matrix![1.0, 2.0; 2.0, 4.0]);
     assert!(smin <= 0.0 && (smax - 5.0).abs() < 1e-13, "{smin} {smax}");
-    // Invertible, but not for certain.
+    // The matrix is invertible, but this is not certain.
     let (smin, _) = stretches(matrix![1.0, 0.0; 0.0, 1e-16]);
     assert!(smin <= 0.0, "{smin}");
-    // Squares of these entries overflow, or underflow; the map is a similarity.
+    // The squares of these entries overflow or underflow, although the map is a similarity.
     for scale in [1e300, 1e-300] {
         let map = matrix![0.6, -0.8; 0.8, 0.6] * scale;
         let pulled = AffinePullback::new(Valleys, map, [0.0, 0.0]).expect("invertible");

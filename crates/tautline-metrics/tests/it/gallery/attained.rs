@@ -1,5 +1,5 @@
-//! Constants are tight: where one is exact, a point and a direction attain it; where it is a bound, a
-//! scan measures its overestimation.
+//! Constants are tight: an exact constant is attained at a point in a direction, and for a constant
+//! that is only a bound, a scan measures its overestimation.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, SQRT_2};
 
@@ -21,7 +21,7 @@ const PROFILES: [(f64, f64); 3] = [(4.0, 0.5), (0.3, 2.0), (1.0, 1.0)];
 #[test]
 fn constant_has_eigenvalues_1_and_3() {
     let g = Constant::new(matrix![2.0, 1.0; 1.0, 2.0]).expect("positive definite");
-    // Moved apart by 32 ulp of the norm, 3: some 2e-14.
+    // The eigenvalues are moved apart by 32 ulps of the norm, 3, which is about 2e-14.
     assert_relative_eq!(g.constants().c1(), 1.0, max_relative = 1e-13);
     assert_relative_eq!(g.constants().c2(), 3.0, max_relative = 1e-13);
     assert!(g.constants().c1() < 1.0 && g.constants().c2() > 3.0);
@@ -41,10 +41,11 @@ fn valleys_are_exact() {
 fn ramp_is_exact_but_for_m_h() {
     for (a, k) in WAVES {
         let g = Ramp::new(a, k).expect("|a| < 1");
-        // tanh 20 = 1 in f64.
+        // Here tanh 20 = 1 in f64.
         low(&g, vector![-20_f64.copysign(a) / k]);
         high(&g, vector![20_f64.copysign(a) / k]);
-        // The root of 3aτ² + 2τ − a = 0, as f · f″ + f′² = 0 gives it; for a = 1e-9 it is a/2.
+        // This is the root of 3aτ² + 2τ − a = 0, derived from f · f″ + f′² = 0; for a = 1e-9 it is
+        // a/2.
         let tau = if a == 1e-9 { 0.5 * a } else { ((1.0 + 3.0 * a * a).sqrt() - 1.0) / (3.0 * a) };
         slope(&g, vector![tau.atanh() / k], vector![1.0]);
     }
@@ -56,13 +57,13 @@ fn ramp_is_exact_but_for_m_h() {
 
 #[test]
 fn shear_is_exact() {
-    // S² from 1e-4 to 36: also below 1/8.
+    // S² ranges from 1e-4 to 36, including values below 1/8.
     for (a, k) in [(0.5, 1.0), (-0.01, 1.0), (0.1, 2.5), (2.0, 3.0), (1.0, 0.3)] {
         let g = Shear::new(a, k).expect("k > 0");
         let s = a.abs() * k;
         low(&g, vector![7.0, 0.0]);
         high(&g, vector![7.0, 0.0]);
-        // sinh u = S cos kx₂ with e^{2u} = 1 + 2S².
+        // The shear is steepest where sinh u = S cos kx₂ with e^{2u} = 1 + 2S².
         let u = 0.5 * (2.0 * s * s).ln_1p();
         slope(&g, vector![1.0, (u.sinh() / s).acos() / k], vector![0.0, 1.0]);
         curvature(&g, vector![1.0, PI / k], vector![0.0, 1.0]);
@@ -91,12 +92,12 @@ fn a_steep_shear_has_a_positive_c1() {
 #[test]
 fn separable_is_exact() {
     for (a, k) in WAVES {
-        // The other axis is tamer: a/2 and k/2.
+        // The other axis has the smaller parameters a/2 and k/2.
         let g = Separable::new(vector![0.5 * a, a], vector![0.5 * k, k]).expect("|a| < 1");
         let crest = FRAC_PI_2.copysign(a) / k;
         low(&g, vector![1.0, -crest]);
         high(&g, vector![1.0, crest]);
-        // The root of 2as² + s − a = 0; for a = 1e-9 it is a.
+        // This is the root of 2as² + s − a = 0; for a = 1e-9 it is a.
         let s = if a == 1e-9 { a } else { ((1.0 + 8.0 * a * a).sqrt() - 1.0) / (4.0 * a) };
         slope(&g, vector![1.0, s.asin() / k], vector![0.0, 1.0]);
         curvature(&g, vector![1.0, crest], vector![0.0, 1.0]);
@@ -140,7 +141,7 @@ fn bump_is_exact_but_for_l_h() {
     }
 }
 
-/// Coinciding obstacles attain the sum of their constants.
+/// Obstacles that coincide attain the sum of their constants.
 #[test]
 fn coinciding_soft_obstacles_are_exact() {
     let centre = vector![1.0, -2.0];
@@ -160,7 +161,7 @@ fn swirl_is_exact_but_for_l_h_and_m_h() {
         let g = Swirl::new(angle, s).expect("s > 0");
         low(&g, vector![0.6, 0.8] * (SQRT_2 * s));
         high(&g, vector![0.6, 0.8] * (SQRT_2 * s));
-        // By symmetry, points of one ray suffice.
+        // By symmetry, the points of one ray suffice.
         let ray = (0..200).map(|i| vector![f64::from(i) * 0.01 * s, 0.0]);
         let places = ray.flat_map(|x| directions(90).map(move |w| (x, w)));
         let [slope, curvature] = scan(&g, places);
@@ -205,7 +206,8 @@ fn checkerboard_is_exact() {
 #[test]
 fn two_channels_is_exact_but_for_l_h_and_m_h() {
     for (a, s) in PROFILES {
-        // Half the gap, in widths: one wide channel, ridges between, and two channels apart.
+        // beta is half the gap, in widths. The values give one wide channel, ridges between, and
+        // two separate channels.
         for beta in [0.01, 0.5, 1.0, 1.33, 1.5, 2.0, 5.0] {
             let g = TwoChannels::new(a, beta * s, s).expect("positive");
             low(&g, vector![1.0, -beta * s]);

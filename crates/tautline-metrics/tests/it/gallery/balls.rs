@@ -1,4 +1,4 @@
-//! Metrics with constants on balls only: these hold and are attained.
+//! Metrics with constants on balls only: the constants hold and are attained.
 
 use std::f64::consts::SQRT_2;
 
@@ -15,12 +15,13 @@ use crate::{
     measure::{curvature, high, low, slope},
 };
 
-/// The sphere in balls, by their centres and radii.
+/// Returns the sphere on a ball with the given centre and radius.
 fn sphere<const D: usize>((centre, radius): (SVector<f64, D>, f64)) -> (About<Sphere, D>, f64) {
     (About::new(Sphere, centre * 2.0, radius), in_ball::<D>(radius))
 }
 
-/// Hyperbolic space in balls, by their centres and by parts of the distance to the rim.
+/// Returns hyperbolic space on a ball, given by its centre and a fraction of the distance to the
+/// rim.
 fn hyperbolic<const D: usize>(
     (centre, share): (SVector<f64, D>, f64),
 ) -> (About<Hyperbolic, D>, f64) {
@@ -43,7 +44,7 @@ constants_hold! {
         };
 }
 
-/// Balls that contain the origin, that lie beside it, and beyond all extremes.
+/// The balls contain the origin, lie beside it, or lie beyond all extremes.
 #[test]
 fn constants_of_the_sphere_are_attained() {
     let ray = vector![0.6, 0.8];
@@ -56,7 +57,7 @@ fn constants_of_the_sphere_are_attained() {
         low(&g, at(far));
         high(&g, at(near));
         slope(&g, at(steepest.max(near).min(far)), ray);
-        // Across the ray or along it.
+        // The maximum is attained across the ray or along it.
         let bent = most.max(near).min(far);
         let bend = |s: f64| (5.0 * s - 1.0) / (1.0 + s).powi(4);
         let along = bend(bent * bent) > 1.0 / (1.0 + near * near).powi(3);
@@ -78,7 +79,7 @@ fn constants_of_hyperbolic_space_are_attained() {
     }
 }
 
-/// Where `e^{−2t}` is below 2, above it, and both.
+/// On the balls `e^{−2t}` is below 2, above it, or both.
 #[test]
 fn constants_of_gaussian_fisher_are_attained() {
     let up = vector![0.0, 1.0];
@@ -125,19 +126,21 @@ fn balls_without_constants_are_refused() {
 proptest! {
     #![proptest_config(tautline_chance::config(108, 256))]
 
-    /// `√2` times the distance of the half-plane, `arcosh(1 + |Δz|²/2σσ′)`, in any unit of the data.
+    /// The distance is `√2` times that of the half-plane, `arcosh(1 + |Δz|²/2σσ′)`, in any unit of
+    /// the data.
     #[test]
     fn gaussian_fisher_knows_all_pairs(x in cube::<2>(), y in cube::<2>(), shift in -5.0..5.0_f64) {
         let (x, y) = (x * 3.0, y * 3.0);
         let d = GaussianFisher.distance(&x, &y).expect("always");
         let (s, t) = (x[1].exp(), y[1].exp());
         let cosh = 1.0 + (0.5 * (x[0] - y[0]).powi(2) + (s - t).powi(2)) / (2.0 * s * t);
-        // arcosh has half of the digits near 1.
+        // Near 1, arcosh keeps half of the digits.
         prop_assert!((SQRT_2 * cosh.acosh() - d).abs() <= 1e-7);
         prop_assert_eq!(GaussianFisher.distance(&y, &x), Some(d));
         let scaled = |x: SVector<f64, 2>| vector![x[0] * shift.exp(), x[1] + shift];
         let other = GaussianFisher.distance(&scaled(x), &scaled(y)).expect("always");
-        // Means up to e⁵ · 3 and logarithms up to 8 are rounded, and e^{−mean t} magnifies it.
+        // Means up to e⁵ · 3 and logarithms up to 8 are rounded, and e^{−mean t} magnifies the
+        // error.
         prop_assert!((other - d).abs() <= 1e-12 * (1.0 + d), "{other} {d}");
     }
 }

@@ -21,7 +21,7 @@ const INNER: [[f64; 2]; 5] = [[0.9, -0.3], [-0.4, 0.8], [0.2, 0.6], [-0.7, -0.5]
 const OUTER: [[f64; 5]; 3] =
     [[0.7, -0.2, 0.5, -0.9, 0.3], [-0.1, 0.8, 0.4, 0.2, -0.6], [0.6, 0.3, -0.5, -0.4, 0.9]];
 
-/// Two coordinates, five neurons, three outputs.
+/// Returns a decoder with two coordinates, five neurons and three outputs.
 fn decoder() -> TanhDecoder<2, 5, 3> {
     let inner = SMatrix::<f64, 5, 2>::from_fn(|k, i| INNER[k][i]);
     let outer = SMatrix::<f64, 3, 5>::from_fn(|o, k| OUTER[o][k]);
@@ -47,7 +47,7 @@ constants_hold! {
         };
 }
 
-/// `JᵀJ + μ I` with the Jacobian of `decode`.
+/// The metric is `JᵀJ + μ I` with the Jacobian of `decode`.
 #[test]
 fn tanh_decoder_is_the_metric_of_its_image() {
     let g = decoder();
@@ -55,11 +55,11 @@ fn tanh_decoder_is_the_metric_of_its_image() {
         let image = g.decode(&SVector::from(Jet1::<f64, 2>::variables(&x)));
         let jacobian = SMatrix::<f64, 3, 2>::from_fn(|o, i| image[o].first(i));
         let h = jacobian.transpose() * jacobian + SMatrix::identity() * 0.1;
-        // Entries of size 10 from fifteen terms.
+        // The entries are of size 10 and are sums of fifteen terms.
         prop_assert!((h - g.gram(&SVector::from(x))).amax() < 1e-14);
         Ok(())
     });
-    // The formula of the decoder itself, entry by entry.
+    // This is the formula of the decoder itself, entry by entry.
     let x = [0.3, -0.8];
     let output = g.decode(&SVector::from(x));
     for (o, weights) in OUTER.iter().enumerate() {
@@ -69,17 +69,17 @@ fn tanh_decoder_is_the_metric_of_its_image() {
     }
 }
 
-/// One neuron, with two outputs: `H = μ I + |W₂|² cosh⁻⁴(w·x) w wᵀ`.
+/// For one neuron with two outputs, `H = μ I + |W₂|² cosh⁻⁴(w·x) w wᵀ`.
 #[test]
 fn one_neuron_attains_all() {
     let w = vector![0.6, -1.1, 0.4];
     let g = TanhDecoder::<3, 1, 2>::new(SMatrix::from(w.transpose()), vector![1.5, -2.0], 0.3)
         .expect("finite");
-    // x with the activation w·x = a.
+    // Returns the x with the activation w·x = a.
     let at = |a: f64| w * (a / w.norm_squared());
     low(&g, at(0.0));
     high(&g, at(0.0));
-    // tanh² a = 1/5.
+    // The slope is greatest at tanh² a = 1/5.
     slope(&g, at(0.2_f64.sqrt().atanh()), w);
     curvature(&g, at(0.0), w);
     let constants = Bounded::<3>::constants(&g);
@@ -88,7 +88,7 @@ fn one_neuron_attains_all() {
     assert_relative_eq!(constants.m_h().expect("known"), 4.0 * most * square, max_relative = 1e-13);
 }
 
-/// Identical neurons are aligned: everything is still attained.
+/// Identical neurons are aligned, so everything is still attained.
 #[test]
 fn equal_neurons_attain_all() {
     let g =
@@ -100,19 +100,19 @@ fn equal_neurons_attain_all() {
     curvature(&g, vector![0.0, 0.0], w);
 }
 
-/// Far out the neurons are saturated, and only the floor remains.
+/// Far from the origin the neurons are saturated, and only the floor remains.
 #[test]
 fn tanh_decoder_falls_to_its_floor() {
     let g = decoder();
     low(&g, vector![-300.0, 170.0]);
-    // Even where cosh² overflows.
+    // This holds even where cosh² overflows.
     let [t] = Jet2::<f64, 1>::variables(&[1e4]);
     let h = g.gram(&vector![t * -2.0, t]);
     assert!(h.iter().all(|entry| entry.first(0) == 0.0 && entry.second(0, 0) == 0.0));
 }
 
-/// The overestimation for five neurons of different directions, by a scan of a square: 1.15 for `c₂`,
-/// 1.55 for `L_H`, 1.91 for `M_H`.
+/// For five neurons with different directions, a scan of a square measured the overestimation: 1.15
+/// for `c₂`, 1.55 for `L_H`, 1.91 for `M_H`.
 #[test]
 fn several_neurons_are_within_their_bounds() {
     let g = decoder();
@@ -137,11 +137,11 @@ fn tanh_decoder_refuses_bad_weights() {
         let error = build(inner, outer, 1.0).expect_err("overflow");
         assert!(matches!(error, GalleryError::Constants(_)), "{error}");
     }
-    // In more dimensions, where eigenvalues are iterated.
+    // In more dimensions the eigenvalues are computed by iteration.
     let huge = SMatrix::<f64, 3, 4>::from_fn(|i, j| 1e200 * (1.0 + i as f64 - j as f64));
     let error = TanhDecoder::<4, 3, 1>::new(huge, SMatrix::zeros(), 1.0).expect_err("overflow");
     assert!(matches!(error, GalleryError::Constants(_)), "{error}");
-    // No weights: the Euclidean line.
+    // Without weights the metric is the Euclidean line.
     let flat = Constants::new(1.0, 1.0, 0.0).and_then(|c| c.with_m_h(0.0));
     assert_eq!(build(0.0, 0.0, 1.0).expect("finite").constants(), flat.expect("in order"));
 }

@@ -1,4 +1,5 @@
-//! The exact distances are distances, belong to their metric, and have independently computed values.
+//! The exact distances are distances, belong to their metric, and agree with independently computed
+//! values.
 
 use std::f64::consts::PI;
 
@@ -25,7 +26,7 @@ pub(crate) fn distance<const D: usize>(
     g.distance(x, y).expect("a pair whose distance is known")
 }
 
-/// The length of the chord.
+/// Returns the length of the chord.
 pub(crate) fn chord<const D: usize>(
     g: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -35,10 +36,11 @@ pub(crate) fn chord<const D: usize>(
     integrate(|t| norm_squared(g, &(x + v * t), &v).sqrt(), 0.0, 1.0, 1e-14).value
 }
 
-/// `d(x, y) = d(y, x)`, `d(x, x) = 0`, the triangle inequality, and `d` is at most the chord.
+/// Checks `d(x, y) = d(y, x)`, `d(x, x) = 0`, the triangle inequality, and that `d` is at most the
+/// length of the chord.
 ///
-/// Each `d` has some ten roundings of numbers below 10, the size of the coordinates: 1e-13 is a
-/// hundred ulp of that.
+/// Each `d` has about ten roundings of numbers below 10, the size of the coordinates; 1e-13 is
+/// about a hundred ulps of these.
 pub(crate) fn is_distance<const D: usize>(
     g: &impl KnownDistance<D>,
     [x, y, z]: [SVector<f64, D>; 3],
@@ -53,7 +55,7 @@ pub(crate) fn is_distance<const D: usize>(
     Ok(())
 }
 
-/// `√c₁ |x − y| ≤ d(x, y) ≤ √c₂ |x − y|`, with the roundings of [`is_distance`].
+/// Checks `√c₁ |x − y| ≤ d(x, y) ≤ √c₂ |x − y|`, with the roundings of [`is_distance`].
 pub(crate) fn is_bounded<const D: usize>(
     g: &(impl Bounded<D> + KnownDistance<D>),
     x: &SVector<f64, D>,
@@ -66,7 +68,7 @@ pub(crate) fn is_bounded<const D: usize>(
     Ok(())
 }
 
-/// Three points of `[−reach, reach]^D`.
+/// Draws three points of `[−reach, reach]^D`.
 fn triple<const D: usize>(reach: f64) -> impl Strategy<Value = [SVector<f64, D>; 3]> {
     uniform(uniform(-reach..reach).prop_map(SVector::from))
 }
@@ -81,7 +83,8 @@ pub(crate) fn run<P: std::fmt::Debug>(
     }
 }
 
-/// One test per line: the distance of `$build(parameters)` is a distance, within its bounds.
+/// Makes one test per line: the distance of `$build(parameters)` is a distance and lies within its
+/// bounds.
 macro_rules! distances_are_distances {
     ($($test:ident, seed $seed:literal: $parameters:expr, $build:expr;)*) => {$(
         #[test]
@@ -120,7 +123,7 @@ fn corrugated_has_a_distance() {
         let g = Corrugated::new(a, k).expect("k > 0");
         is_distance(&g, points)?;
         is_bounded(&g, &points[0], &points[1])?;
-        // Arc length is additive, whatever the whole waves in each part.
+        // Arc length is additive, however many whole waves each part contains.
         let mut ends = points.map(|x| 10.0 * x[0]);
         ends.sort_by(f64::total_cmp);
         let [low, middle, high] = ends;
@@ -134,15 +137,15 @@ fn corrugated_has_a_distance() {
 
 #[test]
 fn hyperbolic_and_sphere_have_a_distance() {
-    // |x| ≤ √3/2.
+    // The points satisfy |x| ≤ √3/2.
     run(35, triple::<3>(0.5), |points| is_distance(&Hyperbolic, points));
     run(36, triple::<3>(2.0), |points| is_distance(&Sphere, points));
 }
 
-/// `d(x, x + εv)² / ε² = vᵀ H(x) v + O(ε)`, with slope 1 for `ε` from 2⁻⁶ to 2⁻¹².
+/// Checks `d(x, x + εv)² / ε² = vᵀ H(x) v + O(ε)`, with slope 1 for `ε` from 2⁻⁶ to 2⁻¹².
 ///
-/// The next term is `O(ε)` times the first, some 1/64 at the left end: it changes the slope over
-/// 6 octaves by less than 0.02. Rounding, `2 · 10⁻¹⁶ / ε`, is negligible.
+/// The next term is `O(ε)` times the first, about 1/64 at the largest `ε`. It changes the slope
+/// over 6 octaves by less than 0.02. Rounding, `2 · 10⁻¹⁶ / ε`, is negligible.
 fn is_local<const D: usize>(g: &impl KnownDistance<D>, x: SVector<f64, D>, v: SVector<f64, D>) {
     let speed2 = norm_squared(g, &x, &v);
     let error = |octave: i32| {
@@ -174,7 +177,7 @@ fn distances_of_near_points_are_lengths_of_chords() {
     is_local(&channels, vector![0.3, 0.4], vector![0.2, 0.7]);
 }
 
-/// `JᵀJ = H` for the Jacobian `J` of `flatten`.
+/// The Jacobian `J` of `flatten` satisfies `JᵀJ = H`.
 #[test]
 fn shear_separable_and_swirl_are_pullbacks() {
     fn pullback<const D: usize>(flat: SVector<Jet1<f64, D>, D>) -> SMatrix<f64, D, D> {
@@ -186,7 +189,7 @@ fn shear_separable_and_swirl_are_pullbacks() {
     }
     run(43, (-2.0..2.0_f64, 0.2..3.0_f64, triple::<2>(4.0)), |(a, k, [x, ..])| {
         let g = Shear::new(a, k).expect("k > 0");
-        // Entries up to 1 + S² = 37: some ulp of that.
+        // The entries are at most 1 + S² = 37, and the tolerance is a few ulps of this number.
         prop_assert!((pullback(g.flatten(&jets(x))) - g.gram(&x)).amax() < 1e-13);
         prop_assert!((g.unflatten(&g.flatten(&x)) - x).amax() < 1e-14);
         prop_assert_eq!(g.flatten(&x)[1], x[1]);
@@ -201,7 +204,7 @@ fn shear_separable_and_swirl_are_pullbacks() {
     });
     run(47, (-5.0..5.0_f64, 0.3..3.0_f64, triple::<2>(4.0)), |(angle, s, [x, ..])| {
         let g = Swirl::new(angle, s).expect("s > 0");
-        // Entries up to 1 + T² < 15, with phases up to 5.
+        // The entries are at most 1 + T² < 15, with phases up to 5.
         prop_assert!((pullback(g.flatten(&jets(x))) - g.gram(&x)).amax() < 1e-13);
         prop_assert!((g.unflatten(&g.flatten(&x)) - x).amax() < 1e-14);
         prop_assert!((g.flatten(&x).norm() - x.norm()).abs() < 1e-14);
@@ -209,7 +212,7 @@ fn shear_separable_and_swirl_are_pullbacks() {
     });
 }
 
-/// Two circles about the centre have the distance `R − r`, attained from every point.
+/// Two circles about the centre have the distance `R − r`, which is attained from every point.
 #[test]
 fn swirl_keeps_circles_about_its_centre() {
     let g = Swirl::new(2.0, 0.8).expect("s > 0");
@@ -217,14 +220,15 @@ fn swirl_keeps_circles_about_its_centre() {
     let (x, r, far) = (point(0.5, 0.7), 0.5, 1.3);
     let nearest = (0..1000).map(|i| distance(&g, &x, &point(far, f64::from(i) * 0.002 * PI)));
     let nearest = nearest.fold(f64::INFINITY, f64::min);
-    // The grid misses the nearest point by at most half a step, θ = 0.0032: by
-    // θ² r R / 2(R − r) < 5e-6 in the distance.
+    // The grid misses the nearest point by at most half a step, θ = 0.0032. This changes the
+    // distance by less than θ² r R / 2(R − r) < 5e-6.
     assert!((0.0..5e-6).contains(&(nearest - (far - r))), "{nearest}");
     let nearest_point = g.unflatten(&(g.flatten(&x) * (far / r)));
     assert_relative_eq!(distance(&g, &x, &nearest_point), far - r, max_relative = 1e-14);
 }
 
-/// Close points of the hyperbolic ball keep their digits: `d / |x − y| → 2 / (1 − |x|²)`.
+/// For close points of the hyperbolic ball the distance keeps its digits:
+/// `d / |x − y| → 2 / (1 − |x|²)`.
 #[test]
 fn hyperbolic_does_not_cancel() {
     let (x, y) = (vector![0.5, 0.0], vector![0.5, 2_f64.powi(-40)]);

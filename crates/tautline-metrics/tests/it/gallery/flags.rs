@@ -7,12 +7,12 @@ use tautline_metrics::{
     gallery::*,
 };
 
-/// Whether `H` is a multiple of the identity at 40 points near the origin.
+/// Returns whether `H` is a multiple of the identity at 40 points near the origin.
 fn looks_isotropic<const D: usize>(g: &impl Metric<D>) -> bool {
     (0..40).all(|k| {
         let x = SVector::from_fn(|i, _| 0.3 * (f64::from(k) * (1.0 + i as f64).sqrt()).sin());
         let h: SMatrix<f64, D, D> = g.gram(&x);
-        // The rounding of entries that are computed in different ways.
+        // This allows for the rounding of entries that are computed in different ways.
         (h - SMatrix::identity() * h[(0, 0)]).amax() <= 1e-14 * h[(0, 0)]
     })
 }
@@ -61,7 +61,7 @@ fn constants_on_balls_are_local_and_keep_the_other_flags() {
     on_balls(&slanted.expect("invertible"), false);
 }
 
-/// Halves that differ by rounding are made equal.
+/// If the two halves differ by rounding, they are made equal.
 #[test]
 fn a_constant_metric_is_symmetric_to_the_last_bit() {
     let next = 0.5_f64.next_up();

@@ -1,4 +1,4 @@
-//! Full matrices: their formulas, and their constants attained.
+//! Metrics with full matrices: their formulas, and the places where their constants are attained.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -44,7 +44,7 @@ fn two_link_arm_is_exact() {
     }
 }
 
-/// Twice the kinetic energy, from the velocities of the two centres of mass.
+/// `H` gives twice the kinetic energy computed from the velocities of the two centres of mass.
 #[test]
 fn two_link_arm_has_the_kinetic_energy_of_its_links() {
     let upper = Link { mass: 2.0, length: 1.5, centre: 0.6, inertia: 0.3 };
@@ -53,7 +53,8 @@ fn two_link_arm_has_the_kinetic_energy_of_its_links() {
     let (q, v) = (vector![0.3, 1.1], vector![-0.8, 2.0_f64]);
     let (turn, total) = (v[0], v[0] + v[1]);
     let elbow = upper.length * turn;
-    // The velocities of the elbow, and of the second centre about it, enclose the angle q₂.
+    // The velocity of the elbow and the velocity of the second centre relative to it enclose the
+    // angle q₂.
     let swing = lower.centre * total;
     let speed2 = elbow * elbow + swing * swing + 2.0 * elbow * swing * f64::cos(q[1]);
     let twice = upper.inertia * turn * turn
@@ -72,8 +73,8 @@ fn coupled_cosines_are_exact_but_for_m_h() {
     assert!((1.326..1.327).contains(&g.constants().c1()), "{:?}", g.constants());
     assert!((2.504..2.505).contains(&g.constants().c2()), "{:?}", g.constants());
     slope(&g, vector![FRAC_PI_2, 0.0, FRAC_PI_2], vector![1.0, -2.0, 1.0]);
-    // M_H: the norm of D²H[w, w] is largest at x = 0, and a scan over w in steps of 9° finds
-    // 0.72 of the bound.
+    // The norm of D²H[w, w] is largest at x = 0, and a scan over w in steps of 9° finds 0.72 of the
+    // bound M_H.
     let places = (0..800).map(|i| {
         let (turn, tilt) = (f64::from(i % 40) * PI / 20.0, f64::from(i / 40) * PI / 20.0);
         (zero, vector![turn.cos() * tilt.sin(), turn.sin() * tilt.sin(), tilt.cos()])
@@ -82,7 +83,7 @@ fn coupled_cosines_are_exact_but_for_m_h() {
     assert!((0.72..0.73).contains(&ratio), "{ratio}");
 }
 
-/// The formulas of the documentation, with indices from 1 and no symmetry used.
+/// Evaluates the formulas in the documentation, with indices from 1 and without using symmetry.
 #[test]
 fn coupled_cosines_and_the_benchmark_are_their_formulas() {
     let x = vector![0.3, -0.8, 1.9];
@@ -99,7 +100,7 @@ fn coupled_cosines_and_the_benchmark_are_their_formulas() {
     for (i, j) in (1..=8).flat_map(|i| (1..=8).map(move |j| (i, j))) {
         let term = |k: usize| 0.5 * f64::sin(phase(k)).powi(2) * a(k, i) * a(k, j);
         let entry = f64::from(i == j) + (1..=8).map(term).sum::<f64>();
-        // Terms below 1/8: their roundings, where they cancel.
+        // The absolute tolerance covers the roundings of terms below 1/8 where they cancel.
         assert_relative_eq!(h[(i - 1, j - 1)], entry, epsilon = 1e-15, max_relative = 1e-14);
     }
 }
@@ -108,7 +109,7 @@ fn coupled_cosines_and_the_benchmark_are_their_formulas() {
 fn one_sine_projection_is_exact() {
     let (wave_vector, direction) = (vector![0.3, -0.4, 1.2], vector![2.0, 1.0, 0.5]);
     let g = SineProjections::new(vec![SineProjection { wave_vector, direction }]).expect("finite");
-    // x with the phase w·x = θ.
+    // Returns the x with the phase w·x = θ.
     let at = |phase: f64| wave_vector * (phase / wave_vector.norm_squared());
     low(&g, at(0.3));
     high(&g, at(FRAC_PI_2));
@@ -116,8 +117,8 @@ fn one_sine_projection_is_exact() {
     curvature(&g, at(0.0), wave_vector);
 }
 
-/// No point makes all terms of the benchmark extreme: a scan over the plane of its wave vectors
-/// measures the overestimation.
+/// There is no point at which all terms of the benchmark are extreme, so a scan over the plane of
+/// its wave vectors measures the overestimation.
 #[test]
 fn many_sine_projections_are_near_their_bounds() {
     let g = SineProjections::benchmark();

@@ -1,15 +1,16 @@
-//! Distances have their reference values, computed independently (`golden.csv`).
+//! Distances agree with reference values that were computed independently (`golden.csv`).
 
 use nalgebra::SVector;
 use tautline_metrics::{KnownDistance, gallery::*};
 
-/// The numbers of a field, separated by blanks.
+/// Parses the numbers of a field, which are separated by blanks.
 fn numbers<const K: usize>(field: &str) -> [f64; K] {
     let numbers = field.split_whitespace().map(|number| number.parse().expect("a number"));
     numbers.collect::<Vec<f64>>().try_into().expect("as many numbers as needed")
 }
 
-/// Both ways, the distance of a row is that of the metric, to its relative tolerance.
+/// Asserts that the distance of the metric agrees with that of a row to its relative tolerance, in
+/// both directions.
 fn agrees<const D: usize>(row: &[&str], metric: impl KnownDistance<D>) {
     let [x, y] = [row[2], row[3]].map(|point| SVector::<f64, D>::from(numbers(point)));
     let [[distance], [tolerance]] = [row[4], row[5]].map(numbers);

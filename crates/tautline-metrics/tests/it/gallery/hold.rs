@@ -1,4 +1,5 @@
-//! The constants hold at random points, for random parameters, and for near pairs.
+//! The constants hold at random points, for random parameters, and for pairs of points close
+//! together.
 
 use nalgebra::{SMatrix, SVector};
 use proptest::{array::uniform, prelude::*};
@@ -6,17 +7,17 @@ use tautline_metrics::gallery::*;
 
 use crate::laws::{constants_hold, cube};
 
-/// Relative amplitudes with `|a| < 1`, and wave numbers.
+/// Draws relative amplitudes with `|a| < 1`, and wave numbers.
 fn wave() -> impl Strategy<Value = (f64, f64)> {
     (-0.95..0.95_f64, 0.2..4.0_f64)
 }
 
-/// Heights and widths, of either scale.
+/// Draws heights and widths, of either scale.
 fn profile() -> impl Strategy<Value = (f64, f64)> {
     (0.05..5.0_f64, 0.1..3.0_f64)
 }
 
-/// Amplitudes of either sign, and wave numbers: slopes `ak` up to 12.
+/// Draws amplitudes of either sign, and wave numbers, with slopes `ak` up to 12.
 fn surface() -> impl Strategy<Value = (f64, f64)> {
     (-3.0..3.0_f64, 0.2..4.0_f64)
 }
@@ -72,7 +73,7 @@ constants_hold! {
     checkerboard, 2, seed 24: profile(), |(a, e)| {
         (Checkerboard::new(a, e).expect("e > 0"), 3.0 * e)
     };
-    // Channels that overlap and channels that do not.
+    // The cases include channels that overlap and channels that do not.
     two_channels, 2, seed 25: (profile(), 0.1..5.0_f64), |((a, s), beta)| {
         (TwoChannels::new(a, beta * s, s).expect("positive"), (beta + 3.0) * s)
     };

@@ -1,4 +1,4 @@
-//! For which pairs a distance is known: edge cases, and the order of the points.
+//! Which pairs have a known distance: edge cases, and the order of the points.
 
 use nalgebra::{SVector, vector};
 use tautline_metrics::{
@@ -6,13 +6,13 @@ use tautline_metrics::{
     gallery::{Checkerboard, Corrugated, EggCrate, HyperbolicPatch, Lens, SpherePatch, Valleys},
 };
 
-/// For all pairs of the points the distance is known both ways or not at all, and symmetric; it is 0
-/// only from a point to itself.
+/// Checks all pairs of the points: the distance is known in both directions or in neither, it is
+/// symmetric, and it is 0 only from a point to itself.
 #[track_caller]
 fn is_symmetric<const D: usize>(g: &impl KnownDistance<D>, points: &[SVector<f64, D>]) {
     for (x, y) in points.iter().flat_map(|x| points.iter().map(move |y| (x, y))) {
         match (g.distance(x, y), g.distance(y, x)) {
-            // Two quadratures, or two sums, of the same terms.
+            // The two values are quadratures, or sums, of the same terms.
             (Some(there), Some(back)) => {
                 assert!((there - back).abs() <= 1e-13 * there, "{x} {y}: {there} {back}");
                 assert_eq!(there == 0.0, x == y, "{x} {y}: {there}");
@@ -25,7 +25,7 @@ fn is_symmetric<const D: usize>(g: &impl KnownDistance<D>, points: &[SVector<f64
 #[test]
 fn a_distance_is_known_both_ways_or_not_at_all() {
     let board = Checkerboard::new(2.0, 0.5).expect("positive");
-    // Two points on the line x₁ = ½, two on x₂ = 1, and two on none.
+    // Two points lie on the line x₁ = ½, two on x₂ = 1, and two on neither.
     let on = [vector![0.5, 0.3], vector![0.5, 2.2], vector![0.1, 1.0], vector![-3.3, 1.0]];
     let off = [vector![0.3, 0.3], vector![0.7, 0.1]];
     is_symmetric(&board, &[&on[..], &off[..]].concat());
@@ -40,7 +40,7 @@ fn a_distance_is_known_both_ways_or_not_at_all() {
     is_symmetric(&Lens::new(2.0, 0.7).expect("positive"), &both);
     is_symmetric(&Valleys, &both);
     is_symmetric(&Corrugated::new(0.7, 1.3).expect("k > 0"), &both);
-    // Flat lines x₁ + x₂ = 0, and points beside them.
+    // Points on the line x₁ + x₂ = 0, where the height vanishes, and points off it.
     let flat = [vector![0.3, -0.3], vector![-1.1, 1.1]];
     let eggs = EggCrate::new(0.7, 1.3).expect("k > 0");
     is_symmetric(&eggs, &[&flat[..], &both[..]].concat());
@@ -63,7 +63,7 @@ fn the_rim_of_a_patch_belongs_to_it() {
     }
 }
 
-/// The tolerance of a grid line is the rounding of its place, in every unit.
+/// The tolerance of a grid line is the rounding of its coordinate, in every unit.
 #[test]
 fn points_on_a_grid_line_are_recognised_in_every_unit() {
     for unit in [1e-20, 1.0, 1e9] {

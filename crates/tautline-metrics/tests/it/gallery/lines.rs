@@ -1,4 +1,5 @@
-//! Metrics with a known distance on some lines: the lines are minimal; elsewhere shorter ways exist.
+//! Metrics with a known distance on some lines: these lines are minimal, and elsewhere shorter ways
+//! exist.
 
 use std::{
     cell::Cell,
@@ -17,7 +18,7 @@ use tautline_metrics::{
 
 use super::distances::{chord, distance, is_bounded, is_distance, run};
 
-/// The length of the chord with the bulge `c₁ sin πt + c₂ sin 2πt + c₃ sin 3πt` across it.
+/// Returns the length of the chord with the bulge `c₁ sin πt + c₂ sin 2πt + c₃ sin 3πt` across it.
 fn bulging(g: &impl Metric<2>, x: &Vector2<f64>, y: &Vector2<f64>, coefficients: [f64; 3]) -> f64 {
     let v = y - x;
     let across = vector![-v[1], v[0]].normalize();
@@ -31,7 +32,7 @@ fn bulging(g: &impl Metric<2>, x: &Vector2<f64>, y: &Vector2<f64>, coefficients:
         }
         norm_squared(g, &point, &velocity).sqrt()
     };
-    // In pieces, so that the nodes resolve every wave of the metric.
+    // We integrate in pieces so that the nodes resolve every wave of the metric.
     (0..16)
         .map(|i| integrate(speed, f64::from(i) / 16.0, f64::from(i + 1) / 16.0, 1e-9).value)
         .sum()
@@ -60,7 +61,8 @@ fn egg_crate_is_flat_on_its_zero_lines() {
     });
 }
 
-/// In the squares of negative curvature; phases about their centres, which are saddles.
+/// The points lie in the squares of negative curvature. The phases are relative to the centres of
+/// the squares, which are saddles.
 #[test]
 fn egg_crate_is_known_on_short_crests() {
     let cases = (
@@ -73,13 +75,13 @@ fn egg_crate_is_known_on_short_crests() {
     let known = Cell::new(0);
     run(52, cases, |((s, k), phases, [m, n], swap, coefficients)| {
         let g = EggCrate::new(s / k, k).expect("k > 0");
-        // (X, Y) = (m + ½, n + ½) π has sin X sin Y < 0 for odd m + n.
+        // The square about (X, Y) = (m + ½, n + ½) π has sin X sin Y < 0 for odd m + n.
         let n = n + i32::from((m + n).rem_euclid(2) == 0);
         let [x, y] = phases.map(|phase| {
             let point = vector![(f64::from(m) + 0.5) * PI, (f64::from(n) + 0.5) * PI + phase] / k;
             if swap { point.yx() } else { point }
         });
-        // The shortest way over the boundary of the square, in phases.
+        // The length, in phases, of the shortest way that meets the boundary of the square.
         let detour = PI.hypot(phases[0] - phases[1]).min(PI - (phases[0] + phases[1]).abs());
         let Some(d) = g.distance(&x, &y) else {
             let length = chord(&g, &x, &y) * k;
@@ -101,7 +103,7 @@ fn egg_crate_is_known_on_short_crests() {
     assert!((100..250).contains(&known.get()), "{} pairs of 256 are known", known.get());
 }
 
-/// Over a steep peak the symmetry line is a geodesic, but going around is shorter.
+/// Over a steep peak the symmetry line is a geodesic, but a curve around the peak is shorter.
 #[test]
 fn egg_crate_is_not_known_over_a_peak() {
     let g = EggCrate::new(6.0, 1.0).expect("k > 0");
@@ -109,7 +111,8 @@ fn egg_crate_is_not_known_over_a_peak() {
     assert_eq!(g.distance(&x, &y), None);
     let round = chord(&g, &x, &side) + chord(&g, &side, &y);
     assert!(round < 0.9 * chord(&g, &x, &y), "{round}");
-    // From saddle to saddle over the peak, and in a square, but too far for the criterion.
+    // The first pair goes from saddle to saddle over the peak. The second lies in a square, but is
+    // too far apart for the criterion.
     assert_eq!(g.distance(&vector![FRAC_PI_2, -FRAC_PI_2], &vector![FRAC_PI_2, 1.5 * PI]), None);
     assert_eq!(g.distance(&vector![FRAC_PI_2, -3.0], &vector![FRAC_PI_2, -0.1]), None);
     assert!(g.distance(&vector![FRAC_PI_2, -1.7], &vector![FRAC_PI_2, -1.4]).is_some());
@@ -137,7 +140,7 @@ fn checkerboard_is_known_on_its_grid() {
     });
 }
 
-/// Across an expensive cell, the lanes around it are shorter than the diagonal.
+/// The lanes around an expensive cell are shorter than its diagonal.
 #[test]
 fn checkerboard_is_not_known_across_a_cell() {
     let g = Checkerboard::new(10.0, 1.0).expect("e > 0");
@@ -148,8 +151,8 @@ fn checkerboard_is_not_known_across_a_cell() {
     assert!(lanes < 0.8 * chord(&g, &x, &y));
 }
 
-/// Every pair straight across the channels is known, and others if their minimal geodesic does not turn
-/// back in `x₂`.
+/// Every pair straight across the channels is known, and so are other pairs if their minimal
+/// geodesic does not turn back in `x₂`.
 #[test]
 fn two_channels_has_a_distance() {
     let parameters = (0.0..5.0_f64, 0.1..2.0_f64, 0.1..2.0_f64);
@@ -168,7 +171,7 @@ fn two_channels_has_a_distance() {
         let Some(d) = g.distance(&x, &y) else { return Ok(()) };
         is_bounded(&g, &x, &y)?;
         prop_assert_eq!(g.distance(&y, &x), Some(d));
-        // The mirror image of a curve is as long.
+        // The mirror image of a curve has the same length.
         let [x_mirrored, y_mirrored] = [x, y].map(|x| vector![x[0], -x[1]]);
         let mirrored = distance(&g, &x_mirrored, &y_mirrored);
         prop_assert!((mirrored - d).abs() <= 1e-12 * d, "{mirrored}");
@@ -192,19 +195,19 @@ fn two_channels_has_two_ways() {
     });
     assert_relative_eq!(ways[0], ways[1], max_relative = 1e-14);
     assert!(ways[0] < 0.9 * chord(&g, &x, &y), "{}", ways[0]);
-    // Both geodesics turn back in x₂, where Clairaut's relation proves nothing.
+    // Both geodesics turn back in x₂, so Clairaut's relation proves nothing.
     assert_eq!(g.distance(&x, &y), None);
     assert_eq!(g.distance(&x, &vector![f64::NAN, 2.0]), None);
 }
 
-/// Far along a channel `d` exceeds `|x₁ − y₁| + ∫ √(n² − 1) dx₂`, the bound for `p = 1`, by an amount
-/// that falls by the factor `e^{−√8}` per unit of length, since `n² − 1 = 8 (x₂ − 1)² + …`.
+/// Far along a channel `d` exceeds `|x₁ − y₁| + ∫ √(n² − 1) dx₂`, the bound for `p = 1`. The
+/// difference falls by the factor `e^{−√8}` per unit of length, since `n² − 1 = 8 (x₂ − 1)² + …`.
 #[test]
 fn two_channels_is_known_along_a_channel() {
     let g = TwoChannels::new(4.0, 1.0, 0.5).expect("positive");
     let n2 = |x2: f64| norm_squared(&g, &vector![0.0, x2], &vector![1.0, 0.0]);
     let root = |x2: f64| (n2(x2) - 1.0).max(0.0).sqrt();
-    // Rounding is 1e-16 in n² − 1, at most 1e-8 in the root, and 1e-16 in the integral.
+    // The rounding error is 1e-16 in n² − 1, at most 1e-8 in the root, and 1e-16 in the integral.
     let [left, right] = [[0.5, 1.0], [1.0, 1.7]].map(|[a, b]| integrate(root, a, b, 1e-13).value);
     let excess =
         |way: f64| distance(&g, &vector![0.0, 0.5], &vector![way, 1.7]) - (way + left + right);
@@ -219,7 +222,7 @@ fn two_channels_is_known_along_a_channel() {
 fn two_channels_is_not_missed_by_the_quadrature() {
     let g = TwoChannels::new(3.0, 1.0, 1e-3).expect("positive");
     let d = distance(&g, &vector![0.0, -1e3], &vector![0.0, 1e3]);
-    // √(1 + 3 (1 − e^{−ρ²/2})) falls short of 2 by the same amount in both channels.
+    // √(1 + 3 (1 − e^{−ρ²/2})) is below 2 by the same amount in both channels.
     let missing = |rho: f64| 2.0 - (1.0 - 3.0 * (-0.5 * rho * rho).exp_m1()).sqrt();
     let lost = integrate(missing, 0.0, 12.0, 1e-15).value;
     assert_relative_eq!(d, 4e3 - 4e-3 * lost, max_relative = 1e-15);

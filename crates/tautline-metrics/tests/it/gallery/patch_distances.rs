@@ -1,4 +1,5 @@
-//! Distances in patches: those of the whole metric, if and only if its geodesic stays in the patch.
+//! Distances in patches: they are those of the whole metric if and only if its geodesic stays in
+//! the patch.
 
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
@@ -17,17 +18,17 @@ use super::{
     patches::{fisher, hyperbolic, sphere},
 };
 
-/// A point of the closed ball, from one of the cube: in its direction, with its largest coordinate as
-/// the fraction of the radius.
+/// Maps a point of the cube to the closed ball. The direction stays the same, and the largest
+/// coordinate becomes the fraction of the radius.
 fn in_ball<const D: usize>(x: [f64; D], radius: f64) -> SVector<f64, D> {
     let x = SVector::from(x);
-    // Slightly inside, so that rounding does not move it beyond the rim.
+    // The point is slightly inside, so that rounding does not move it beyond the rim.
     if x.norm() > 0.0 { x * (0.999_999 * radius * x.amax() / x.norm()) } else { x }
 }
 
-/// A curve of the sphere or of the hyperboloid, `(f(d − s) P + f(s) Q) / f(d)` with `f = sin` or
-/// `sinh`, projected to the plane: its point and its velocity at `s`. `e` is the sign of the
-/// curvature.
+/// Returns the point and the velocity at `s` of the geodesic `(f(d − s) P + f(s) Q) / f(d)` of the
+/// sphere or of the hyperboloid, projected to the plane, with `f = sin` or `sinh`. `e` is the sign
+/// of the curvature.
 fn geodesic(
     e: f64,
     [x, y]: [SVector<f64, 2>; 2],
@@ -47,7 +48,7 @@ fn geodesic(
     (flat, (vector![velocity[0], velocity[1]] - flat * velocity[2]) * scale)
 }
 
-/// The distance is the length, in the patch, of the geodesic of the whole metric.
+/// The distance equals the length, in the patch, of the geodesic of the whole metric.
 fn is_attained(
     g: &impl Metric<2>,
     ends: [SVector<f64, 2>; 2],
@@ -59,12 +60,12 @@ fn is_attained(
         norm_squared(g, &x, &v).sqrt()
     };
     let length = integrate(speed, 0.0, d, 1e-13).value;
-    // Near antipodes f(d) cancels; the cases stay 1e-3 away.
+    // Near antipodes f(d) cancels, so the cases stay 1e-3 away from them.
     prop_assert!((length - d).abs() <= 1e-11 * (1.0 + d), "{length} {d}");
     Ok(())
 }
 
-/// Not even a detour over a point outside is shorter.
+/// No curve is shorter, not even a detour over a point outside.
 fn is_minimal(
     g: &(impl Metric<2> + KnownDistance<2>),
     [x, y, detour]: [SVector<f64, 2>; 3],
@@ -75,7 +76,7 @@ fn is_minimal(
     Ok(())
 }
 
-/// All pairs of a patch are known, with the distance of the whole metric, of curvature `$e`.
+/// All pairs of a patch are known and have the distance of the whole metric, of curvature `$e`.
 macro_rules! all_pairs_are_known {
     ($($test:ident, seed $seed:literal: $patch:ident, $radii:expr, of $whole:ident, $e:literal,
        detours within $reach:literal;)*) => {$(
@@ -105,8 +106,8 @@ all_pairs_are_known! {
         hyperbolic, 0.05..0.85_f64, of Hyperbolic, -1.0, detours within 2.0;
 }
 
-/// Compared with the farthest of 2000 points of the arc, which is accurate to a relative 1e-6; pairs
-/// with an arc that close to the rim are left out, and antipodes.
+/// The result is compared with the farthest of 2000 points of the arc, which is accurate to a
+/// relative 1e-6. Antipodes are left out, and so are pairs with an arc that close to the rim.
 #[test]
 fn a_large_sphere_patch_knows_pairs_whose_arc_stays() {
     let cases = (1.0..5.0_f64, uniform::<_, 2>(uniform::<_, 2>(-1.0..1.0_f64)));
@@ -122,7 +123,7 @@ fn a_large_sphere_patch_knows_pairs_whose_arc_stays() {
         let stays = farthest <= radius;
         prop_assert_eq!(g.distance(&x, &y), stays.then_some(d));
         prop_assert_eq!(g.distance(&y, &x), stays.then_some(d));
-        // If leaving the patch costs more than the arc, the arc stays.
+        // If leaving the patch costs more than the arc, the arc stays in the patch.
         let to_rim = |x: &SVector<f64, 2>| 2.0 * (radius.atan() - x.norm().atan());
         prop_assert!(stays || d > to_rim(&x) + to_rim(&y));
         let (known, unknown) = counts.get();
@@ -133,7 +134,8 @@ fn a_large_sphere_patch_knows_pairs_whose_arc_stays() {
     assert!(known > 30 && unknown > 30, "{known} {unknown}");
 }
 
-/// Half-circles `(μ/√2, σ) = (c + ρ cos φ, ρ sin φ)`: two points of one, and its top.
+/// The geodesics are half-circles `(μ/√2, σ) = (c + ρ cos φ, ρ sin φ)`; the test takes two points
+/// of one, and its top.
 #[test]
 fn gaussian_fisher_knows_pairs_whose_half_circle_stays() {
     let cases = (0.2..2.0_f64, -2.0..2.0_f64, 0.1..5.0_f64, uniform::<_, 2>(0.05..3.1_f64));
@@ -164,7 +166,7 @@ fn gaussian_fisher_knows_pairs_whose_half_circle_stays() {
         };
         let length = integrate(speed, first, last, 1e-13).value;
         prop_assert!((length - d).abs() <= 1e-11 * (1.0 + d), "{length} {d}");
-        // The usual formula, which loses half of the digits for near points.
+        // This is the usual formula, which loses half of the digits for near points.
         let (s, t) = (x[1].exp(), y[1].exp());
         let cosh = 1.0 + (0.5 * (x[0] - y[0]).powi(2) + (s - t).powi(2)) / (2.0 * s * t);
         prop_assert!((SQRT_2 * cosh.acosh() - d).abs() <= 1e-10 * (1.0 + d), "{d}");
@@ -174,13 +176,13 @@ fn gaussian_fisher_knows_pairs_whose_half_circle_stays() {
     assert!(known > 30 && unknown > 30, "{known} {unknown}");
 }
 
-/// No detour is shorter, not even over the cheap half of the plane or beyond the strip.
+/// No detour is shorter, not even through the cheap half of the plane or beyond the strip.
 #[test]
 fn gaussian_fisher_has_a_distance() {
     let cases = (0.2..2.0_f64, uniform::<_, 3>(uniform::<_, 2>(-1.0..1.0_f64)), -3.0..3.0_f64);
     run(95, cases, |(rim, points, detour)| {
         let g = fisher(rim);
-        // So close in μ that the half-circles hardly rise: a/2 ≤ 0.05 e^{−T}.
+        // The points are so close in μ that the half-circles hardly rise: a/2 ≤ 0.05 e^{−T}.
         let width = 0.05 * (-rim).exp();
         let [x, y, z] = points.map(|[mean, t]| vector![width * mean, 0.99 * rim * t]);
         is_distance(&g, [x, y, z])?;
@@ -191,13 +193,13 @@ fn gaussian_fisher_has_a_distance() {
 #[test]
 fn the_top_of_a_half_circle_decides() {
     let g = fisher(1.0);
-    // ρ² = m²/2 + 1 ≤ e².
+    // The half-circle stays in the strip if ρ² = m²/2 + 1 ≤ e².
     let m = (2.0 * (2_f64.exp() - 1.0)).sqrt();
     for (mean, stays) in [(0.999 * m, true), (1.001 * m, false)] {
         let d = g.distance(&vector![-mean, 0.0], &vector![mean, 0.0]);
         assert_eq!(d.is_some(), stays, "{mean}");
     }
-    // Rising all the way to the rim: no top in between.
+    // The arc rises all the way to the rim, so there is no top in between.
     assert!(g.distance(&vector![0.0, -1.0], &vector![1.0, 1.0]).is_some());
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(g.distance(&vector![bad, 0.0], &vector![1.0, 0.0]), None);
@@ -215,7 +217,7 @@ fn the_top_of_a_half_circle_decides() {
     assert_eq!(hyperbolic(0.5).distance(&vector![0.0], &vector![0.51]), None);
 }
 
-/// The shorter arc, over the south pole, is outside.
+/// The shorter arc passes over the south pole, outside the patch.
 #[test]
 fn a_sphere_patch_does_not_know_pairs_beyond_its_hole() {
     let g = sphere(3.0);

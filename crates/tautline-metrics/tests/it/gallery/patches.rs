@@ -1,5 +1,5 @@
-//! Patches: metrics without constants, saturated outside a ball or a strip. Their constants hold and
-//! are attained, and inside they agree with the whole metric.
+//! Patches: metrics without constants, saturated outside a ball or a strip. The constants of a
+//! patch hold and are attained, and inside it agrees with the whole metric.
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_metrics::{
@@ -42,15 +42,15 @@ constants_hold! {
     constants_of_gaussian_fisher_hold, 2, seed 87: 0.05..4.0_f64, |rim| (fisher(rim), 1.5 * rim);
 }
 
-/// The largest slope and curvature along a line from `from` to `to`, in its direction and across it,
-/// as parts of the constants.
+/// Returns the largest slope and curvature along a line from `from` to `to`, in its direction and
+/// across it, as fractions of the constants.
 fn scan_line(g: &impl Bounded<2>, from: SVector<f64, 2>, to: SVector<f64, 2>) -> [f64; 2] {
     let along = (to - from).normalize();
     let line = (0..=10_000).map(|i| from + (to - from) * (f64::from(i) / 10_000.0));
     scan(g, line.flat_map(|x| [(x, along), (x, vector![-along[1], along[0]])]))
 }
 
-/// The same about the centre and in the transition of a patch.
+/// Does the same near the centre and in the transition of a patch.
 fn scan_ball(g: &impl Bounded<2>, radius: f64) -> [f64; 2] {
     let ray = vector![0.6, 0.8] * radius;
     let [slope, curvature] = scan_line(g, ray * 0.8, ray * 1.3);
@@ -70,16 +70,16 @@ fn sphere_patch_is_exact_if_it_is_large() {
     }
 }
 
-/// Measured: 0.9991 for the hyperbolic patch of radius 0.859, otherwise at least 0.9995, and at most
-/// 1 + 2e-16. A scan in steps of `R/20000` misses a maximum in the transition by some 1e-5; the rest
-/// is overestimation.
+/// We measured 0.9991 for the hyperbolic patch of radius 0.859 and at least 0.9995 otherwise, and
+/// at most 1 + 2e-16. A scan in steps of `R/20000` misses a maximum in the transition by about
+/// 1e-5; the rest is overestimation.
 const EXACT: std::ops::Range<f64> = 0.999..1.0 + 1e-12;
 
 #[test]
 fn sphere_patch_is_exact_if_it_is_small() {
     for radius in [1e-3, 0.2, 0.44, 0.45, 1.0, 1.5, 1.6] {
         let [steepest, most] = scan_ball(&sphere(radius), radius);
-        // From R² = 1/5 on the steepest place is in the patch.
+        // For R² ≥ 1/5 the steepest place is in the patch.
         assert!(EXACT.contains(&steepest) || radius > 0.447, "{radius}: {steepest}");
         assert!(EXACT.contains(&most), "{radius}: {most}");
     }
@@ -109,12 +109,12 @@ fn gaussian_fisher_is_exact() {
     }
 }
 
-/// Values and first derivatives agree to some ulp, second ones to `second_to` of their size, along
-/// the ray and in other directions.
+/// Asserts that values and first derivatives agree to within a few ulps, and second derivatives to
+/// within `second_to` of their size, along the ray and in other directions.
 fn agree(patch: &impl Metric<2>, whole: &impl Metric<2>, x: &SVector<f64, 2>, second_to: f64) {
     let off = |a: SMatrix<f64, 2, 2>, b: SMatrix<f64, 2, 2>, scale: f64| (a - b).amax() / scale;
     let h: SMatrix<f64, 2, 2> = whole.gram(x);
-    // Measured: at most 9 ε, where 1 − |x|² magnifies it.
+    // We measured at most 9 ε, where 1 − |x|² magnifies the error.
     assert!(off(patch.gram(x), h, h.amax()) < 12.0 * f64::EPSILON, "{x}");
     for w in [vector![1.0, 0.0], vector![0.0, 1.0], vector![0.6, 0.8]] {
         let (slope, bend) = (first(whole, x, &w), second(whole, x, &w));
@@ -148,7 +148,8 @@ fn inside_the_strip_is_the_metric_of_fisher() {
     }
 }
 
-/// Just beyond the transition they differ: a radius that is off by a fifth fails here or above.
+/// The metrics differ just beyond the transition. A radius that is off by a fifth fails here or
+/// above.
 #[test]
 fn outside_the_patch_it_is_another_metric() {
     let x = vector![0.6, 0.8] * 1.2;

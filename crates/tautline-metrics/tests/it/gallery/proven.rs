@@ -1,5 +1,5 @@
 //! The inequalities behind constants without a closed form, proved by bisection in interval
-//! arithmetic. The names are those of the derivations in `swirl.rs` and `two_channels.rs`.
+//! arithmetic. The names agree with those in the derivations in `swirl.rs` and `two_channels.rs`.
 
 use std::f64::consts::PI;
 
@@ -13,8 +13,8 @@ fn interval(low: f64, high: f64) -> FastInterval {
     FastInterval::new(low, high).expect("in order")
 }
 
-/// Whether `f ≤ bound` on the whole box: bisects its longest side until the interval of `f` on
-/// each part is below the bound. `false` if a part of side 1e-3 is not.
+/// Returns whether `f ≤ bound` on the whole box. It bisects the longest side until the interval of
+/// `f` on each part is below the bound, and returns `false` if a part of side 1e-3 is not.
 fn below<const K: usize>(
     whole: [FastInterval; K],
     bound: f64,
@@ -25,7 +25,7 @@ fn below<const K: usize>(
         if f(part).hi() <= bound {
             continue;
         }
-        // The forms vary most in the first coordinate, y: this halves the number of parts.
+        // The forms vary most in the first coordinate, y; weighting it halves the number of parts.
         let side = |i: usize| part[i].width() * if i == 0 { 2.5 } else { 1.0 };
         let longest = (0..K).fold(0, |best, i| if side(i) > side(best) { i } else { best });
         if side(longest) < 1e-3 {
@@ -42,7 +42,7 @@ fn below<const K: usize>(
     true
 }
 
-/// `x (1 − x) ≤ 1/4`, and no less.
+/// `x (1 − x) ≤ 1/4` is proved, and no smaller bound.
 #[test]
 fn bisection_proves_what_is_true() {
     let f = |[x]: [FastInterval; 1]| x * (-x + 1.0);
@@ -50,13 +50,14 @@ fn bisection_proves_what_is_true() {
     assert!(!below([interval(0.0, 1.0)], 0.249, f));
 }
 
-/// `y`, `χ` and `ω` with `w = e^{iω}`. Neither `(w, z) ↦ (−w, z)` nor the reflection
-/// `(χ, ω) ↦ −(χ, ω)` changes the sums of squares: half-turns of both angles are enough.
+/// Returns the ranges of `y`, `χ` and `ω` with `w = e^{iω}`. Neither `(w, z) ↦ (−w, z)` nor the
+/// reflection `(χ, ω) ↦ −(χ, ω)` changes the sums of squares, so half-turns of both angles are
+/// enough.
 fn frame() -> [FastInterval; 3] {
     [interval(0.0, 12.0), interval(0.0, PI), interval(0.0, PI)]
 }
 
-/// `G₁²` and `G₂²`.
+/// Returns `G₁²` and `G₂²`.
 fn slopes<S: Scalar>([y, chi, omega]: [S; 3]) -> [S; 2] {
     let (c, s) = (omega.cos(), omega.sin());
     let rest = -y + 2.0;
@@ -66,7 +67,7 @@ fn slopes<S: Scalar>([y, chi, omega]: [S; 3]) -> [S; 2] {
     [y * e * g1.sqr(), y * y.sqr() * e.sqr() * g2.sqr()]
 }
 
-/// `F₁²` and `F₂²`.
+/// Returns `F₁²` and `F₂²`.
 fn curvatures<S: Scalar>([y, chi, omega]: [S; 3]) -> [S; 2] {
     let (c, s) = (omega.cos(), omega.sin());
     let (half_c, half_s) = ((chi * 0.5).cos(), (chi * 0.5).sin());
@@ -80,14 +81,14 @@ fn curvatures<S: Scalar>([y, chi, omega]: [S; 3]) -> [S; 2] {
     [e * f1.sqr(), (y * e * f2).sqr()]
 }
 
-/// The forms are those of the metric: their odd and even parts in the angle.
+/// The forms agree with the odd and even parts in the angle of the metric's derivatives.
 #[test]
 fn the_forms_are_those_of_the_swirl() {
     let angle = 0.7;
     let [g, mirrored] = [angle, -angle].map(|angle| Swirl::new(angle, 1.0).expect("s > 0"));
     for step in 0..100 {
         let at = f64::from(step);
-        // Frames all over the box, by incommensurable steps.
+        // Incommensurable steps place frames all over the box.
         let [y, chi, omega] = [(0.618 * at) % 6.0, (1.414 * at) % PI, (1.732 * at) % PI];
         let x = vector![y.sqrt(), 0.0];
         let (w, z) =
@@ -100,7 +101,7 @@ fn the_forms_are_those_of_the_swirl() {
         let second = parts(second(&g, &x, &w), second(&mirrored, &x, &w));
         let squares = slopes([y, chi, omega]).into_iter().chain(curvatures([y, chi, omega]));
         for (part, square) in first.into_iter().chain(second).zip(squares) {
-            // Squares up to 5, of sums with some twenty roundings.
+            // The squares are at most 5 and come from sums with about twenty roundings.
             assert!((part * part - square).abs() < 1e-13, "{part} {square} at {step}");
         }
     }
@@ -131,8 +132,8 @@ fn swirl_m_h_is_proven() {
     assert!(!below(frame(), 1.01_f64.powi(2), squares), "the bound is almost sharp");
 }
 
-/// `uU (1 − V) + vV (1 − U) ≤ 2/3` for `u, v ≥ 0`; it is symmetric, and for `u ≥ 6` at most
-/// `6e^{−18} + e^{−1/2}`.
+/// `uU (1 − V) + vV (1 − U) ≤ 2/3` for `u, v ≥ 0`. The expression is symmetric, and for `u ≥ 6` it
+/// is at most `6e^{−18} + e^{−1/2}`.
 #[test]
 fn two_channels_l_h_is_proven() {
     let gaussian = |u: FastInterval| (u.sqr() * -0.5).exp();

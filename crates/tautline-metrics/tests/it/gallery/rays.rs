@@ -11,8 +11,8 @@ use tautline_metrics::{
 
 use super::distances::{chord, distance, is_bounded, is_distance, run};
 
-/// One test per line: at points `r e` on a ray the distance is the length of the chord, hence
-/// additive; off the ray it is not known.
+/// Makes one test per line: at points `r e` on a ray the distance is the length of the chord and
+/// hence additive; off the ray it is not known.
 macro_rules! known_on_rays {
     ($($test:ident, $metric:ident, $D:literal, $seed:literal;)*) => {$(
         #[test]
@@ -50,7 +50,7 @@ known_on_rays! {
     hill_is_known_on_the_line, Hill, 1, 42;
 }
 
-/// In one dimension the geodesic crosses the centre.
+/// In one dimension the geodesic passes through the centre.
 #[test]
 fn on_the_line_the_centre_is_crossed() {
     let g = Bump::new(4.0, 0.5).expect("positive");
@@ -69,18 +69,21 @@ fn a_point_that_is_not_finite_is_on_no_ray() {
     }
 }
 
-/// `(−1.5, 0.05) → (1.5, −0.1)` around the bump of height 4 and width 1/2 has the energy
-/// 21.858160535(3), by an independent Richardson extrapolation of discrete energies.
+/// The geodesic `(−1.5, 0.05) → (1.5, −0.1)` around the bump of height 4 and width 1/2 has the
+/// energy 21.858160535(3), according to an independent Richardson extrapolation of discrete
+/// energies.
 ///
-/// Here by Clairaut: on a geodesic `f r sin φ = p` is constant, with the angle `φ` from the ray. So
-/// it sweeps the angle `Σ ∫ p / (r √(f² r² − p²)) dr` from its least radius, where `f r = p`, to
-/// either end, and its length is `p` times that angle `+ Σ ∫ √(f² − p²/r²) dr`.
+/// Here we use Clairaut's relation: on a geodesic `f r sin φ = p` is constant, where `φ` is the
+/// angle from the ray. So the geodesic sweeps the angle `Σ ∫ p / (r √(f² r² − p²)) dr` from its
+/// least radius, where `f r = p`, to either end, and its length is `p` times this angle
+/// `+ Σ ∫ √(f² − p²/r²) dr`.
 #[test]
 fn the_geodesic_around_the_bump_has_the_known_energy() {
     let g = Bump::new(4.0, 0.5).expect("positive");
     let (x, y) = (vector![-1.5, 0.05_f64], vector![1.5, -0.1]);
     let f = |r: f64| Metric::<2>::gram(&g, &vector![r, 0.0])[(0, 0)].sqrt();
-    // Both integrands in t with r = least + t²: the root is smooth and vanishes like t.
+    // Both integrands are written in t with r = least + t²; the root is then smooth and vanishes
+    // like t.
     let root = |least: f64, r: f64| ((f(r) * r).powi(2) - (f(least) * least).powi(2)).sqrt();
     let both = |least: f64, tolerance: f64, integrand: &dyn Fn(f64) -> f64| {
         let leg = |end: f64| {
@@ -89,11 +92,11 @@ fn the_geodesic_around_the_bump_has_the_known_energy() {
         };
         leg(x.norm()) + leg(y.norm())
     };
-    // The length is stationary in p, so that 1e-7 in the angle is 1e-14 in the length. A smaller
-    // tolerance would lead the quadrature to t so small that the root cancels.
+    // The length is stationary in p, so an error of 1e-7 in the angle is 1e-14 in the length. A
+    // smaller tolerance would lead the quadrature to values of t so small that the root cancels.
     let swept = |least: f64| both(least, 1e-7, &|r| f(least) * least / (r * root(least, r)));
     let angle = x.angle(&y);
-    // fr has its minimum, a closed geodesic, near 1.22; beyond, the angle falls from ∞.
+    // fr has its minimum, a closed geodesic, near 1.22; beyond it the angle decreases from ∞.
     let (mut low, mut high) = (1.23, 1.5);
     for _ in 0..50 {
         let middle = 0.5 * (low + high);

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_metrics::{MetricError, gallery::*};
 
-/// What a parameter must be, and numbers that are not.
+/// The requirement on a parameter, and numbers that violate it.
 type Clause = (&'static str, &'static [f64]);
 
 pub(crate) const FINITE: Clause = ("be finite", &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY]);
@@ -14,7 +14,8 @@ const NONNEGATIVE: Clause =
 const BELOW_ONE: Clause =
     ("lie strictly between -1 and 1", &[1.0, -1.0, 1.5, f64::NAN, f64::INFINITY]);
 
-/// Every `build` refuses the bad numbers of the clause, by a message with the name and the number.
+/// Asserts that every `build` refuses the bad numbers of the clause with a message that contains
+/// the name and the number.
 #[track_caller]
 pub(crate) fn refused<const K: usize>(
     (clause, bad): Clause,
@@ -104,7 +105,7 @@ fn arms_need_a_positive_definite_inertia() {
     refused(FINITE, "A", |bad| [TwoLinkArm::new(bad, 1.0, 1.0).err()]);
     refused(FINITE, "B", |bad| [TwoLinkArm::new(3.0, bad, 1.0).err()]);
     refused(POSITIVE, "C", |bad| [TwoLinkArm::new(3.0, 1.0, bad).err()]);
-    // C (A − C) − B²: 1 · 1 − 1, and 1 · 1 − 4.
+    // C (A − C) − B² is 1 · 1 − 1 and 1 · 1 − 4.
     for (b, determinant) in [(1.0, 0.0), (-2.0, -3.0)] {
         let error = TwoLinkArm::new(2.0, b, 1.0).expect_err("singular when stretched");
         assert_eq!(error, GalleryError::SingularArm { determinant });
@@ -122,7 +123,7 @@ fn arms_need_a_positive_definite_inertia() {
     refused(NONNEGATIVE, "length", |length| [arm(Link { length, ..link }, link)]);
     refused(NONNEGATIVE, "centre", |centre| [arm(Link { centre, ..link }, link)]);
     refused(NONNEGATIVE, "inertia", |inertia| [arm(Link { inertia, ..link }, link)]);
-    // A second link without mass and inertia: C = 0.
+    // The second link has neither mass nor inertia, so C = 0.
     let nothing = Link { mass: 0.0, inertia: 0.0, ..link };
     assert_eq!(arm(link, nothing), Some(GalleryError::NotPositive { name: "C", value: 0.0 }));
 }
@@ -160,12 +161,13 @@ fn constant_needs_a_symmetric_positive_definite_matrix() {
         let error = refused(indefinite);
         assert!(matches!(error, MetricError::NotPositiveDefinite { .. }), "{error}");
     }
-    // Positive definite, but with an eigenvalue below the rounding of the other.
+    // The matrix is positive definite, but one eigenvalue is below the rounding of the other.
     let error = Constant::new(matrix![1.0, 0.0; 0.0, 1e-16]).expect_err("no certain c1");
     assert!(matches!(error, GalleryError::Constants(_)), "{error}");
 }
 
-/// Parameters that are valid one by one, but not together: no constant may be infinite.
+/// Each parameter is valid on its own, but together they make a constant overflow; no constant may
+/// be infinite.
 #[test]
 fn constants_that_overflow_are_refused() {
     let one = |x: f64| SVector::<f64, 1>::new(x);
