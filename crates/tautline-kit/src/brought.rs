@@ -1,4 +1,4 @@
-//! `Brought`: the case of a suite, made once for all its tests.
+//! `Brought`: the case of a suite, which is made once for all its tests.
 
 use std::{
     any::Any,
@@ -11,26 +11,27 @@ use tautline::{Bounded, CertifyError};
 
 use super::MetricCase;
 
-/// What a suite accepts: a metric with constants, or a `Result` with one.
+/// The input that a suite accepts: a metric with constants, or a `Result` that contains one.
 ///
-/// The inferred `Kind` tells the two apart, [`Itself`] and [`Attempt`].
+/// The inferred `Kind` distinguishes the two: it is [`Itself`] or [`Attempt`].
 pub trait Bring<Kind, const D: usize> {
-    /// The metric.
+    /// The type of the metric.
     type Metric: Bounded<D>;
 
     /// Returns the metric.
     ///
     /// # Errors
     ///
-    /// Why there is none, and what to do about it.
+    /// The reason why there is no metric, and what to do about it.
     fn bring(self) -> Result<Self::Metric, String>;
 }
 
-/// The kind of a metric.
+/// The kind of an input that is a metric.
 #[derive(Debug)]
 pub enum Itself {}
 
-/// The kind of a `Result` with a metric, as from [`Certified::new`](tautline::Certified).
+/// The kind of an input that is a `Result` with a metric, as returned by
+/// [`Certified::new`](tautline::Certified).
 #[derive(Debug)]
 pub enum Attempt {}
 
@@ -53,7 +54,7 @@ impl<M: Bounded<D>, E: Display + 'static, const D: usize> Bring<Attempt, D> for 
     }
 }
 
-/// What to do if no constants are proved.
+/// Returns advice on what to do if no constants are proved.
 fn advice(error: &CertifyError) -> Option<&'static str> {
     match error {
         CertifyError::NotPositiveDefinite { .. } | CertifyError::Undefined { .. } => Some(
@@ -74,29 +75,30 @@ fn advice(error: &CertifyError) -> Option<&'static str> {
     }
 }
 
-/// Holds the case of a suite, which the first test makes.
+/// Holds the case of a suite, which the first test to run makes.
 ///
-/// A metric that takes long to make, for example with proved constants, is made once. One that
-/// cannot be made fails once, in the test `the_metric_has_constants`, and no law is tested.
+/// A metric that takes long to make, for example one with proved constants, is made only once. A
+/// metric that cannot be made fails once, in the test `the_metric_has_constants`, and no law is
+/// tested.
 #[derive(Debug, Default)]
 pub struct Brought(OnceLock<Result<Box<dyn Any + Send + Sync>, String>>);
 
 impl Brought {
-    /// No case yet.
+    /// Returns a holder without a case.
     #[must_use]
     pub const fn new() -> Self {
         Self(OnceLock::new())
     }
 
-    /// Returns the case, made on the first call.
+    /// Returns the case, which the first call makes.
     ///
     /// # Errors
     ///
-    /// The error of `make`, or the message of its panic, on this and every later call.
+    /// The error of `make`, or the message of its panic. Every later call returns the same error.
     ///
     /// # Panics
     ///
-    /// If two calls make cases of different metrics.
+    /// If two calls make cases for different types of metrics.
     pub fn case<M, const D: usize>(
         &self,
         make: impl FnOnce() -> Result<MetricCase<M, D>, String>,
@@ -119,7 +121,7 @@ impl Brought {
 ///
 /// # Panics
 ///
-/// If it could not, with the reason. No other test fails then.
+/// If the case could not be made, with the reason. No other test fails in this situation.
 #[track_caller]
 pub fn assert_made<C>(case: Result<C, &str>) {
     if let Err(reason) = case {
@@ -127,7 +129,7 @@ pub fn assert_made<C>(case: Result<C, &str>) {
     }
 }
 
-/// The message of a panic.
+/// Returns the message of a panic.
 fn message(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
@@ -180,7 +182,7 @@ mod tests {
         assert_eq!(made.get(), 1);
     }
 
-    /// `[[1, 1.1 sin x₁], [·, 1]]`: indefinite around `x₁ = π/2`.
+    /// The matrix `[[1, 1.1 sin x₁], [·, 1]]` is indefinite around `x₁ = π/2`.
     #[derive(Debug)]
     struct Leaning;
     impl Metric<2> for Leaning {

@@ -1,12 +1,12 @@
-//! The difference test: a claimed derivative against central differences of decreasing step.
+//! The difference test compares a claimed derivative with central differences of decreasing step.
 
 use super::Fault;
 
-/// The steps are `4⁻ʲ` of a length, for `j` in this range.
+/// The steps are `4⁻ʲ` times a length, for `j` in this range.
 const QUARTERINGS: std::ops::RangeInclusive<i32> = 2..=8;
 
-/// The error of a central difference falls by 16 from one step to the next. At the last steps,
-/// where the next term of the expansion is small, it must fall by this factor.
+/// The error of a central difference falls by a factor of 16 from one step to the next. At the last
+/// steps, where the next term of the expansion is small, it must fall at least by this factor.
 const FALL: f64 = 4.0;
 
 /// The result of a failed difference test at the smallest step.
@@ -19,18 +19,19 @@ pub(crate) struct Disagreement {
 }
 
 impl Disagreement {
-    /// The violation of a law by a wrong derivative at `point`.
+    /// Returns the fault that a wrong derivative violates `law` at `point`.
     pub(crate) fn of(self, law: &'static str, point: &[f64]) -> Fault {
         let Self { error, granted } = self;
         Fault::Broken { law, left: error, right: 0.0, granted, point: point.to_vec(), other: None }
     }
 }
 
-/// Compares a claimed derivative with central differences of `f`, at steps `4⁻² … 4⁻⁸` of `length`.
+/// Compares a claimed derivative with central differences of `f`, at the steps `4⁻² … 4⁻⁸` times
+/// `length`.
 ///
-/// They agree if the error falls like the square of the step until it reaches rounding; the errors
-/// of a derivative that is off by `δ` stay at `δ`. `size` is the size of the terms of `f`, which
-/// are rounded. NaN is a disagreement.
+/// They agree if the error falls like the square of the step until it reaches rounding. For a
+/// derivative that is off by `δ` the error stays at `δ`. `size` is the size of the terms of `f`,
+/// which are rounded. A NaN counts as a disagreement.
 pub(crate) fn difference_test(
     claimed: f64,
     f: impl Fn(f64) -> f64,
@@ -43,7 +44,7 @@ pub(crate) fn difference_test(
     for j in QUARTERINGS {
         let step = length * 0.25_f64.powi(j);
         let error = ((f(step) - f(-step)) / (2.0 * step) - claimed).abs();
-        // Some thirty roundings of terms of this size in either value.
+        // Each of the two values has about thirty roundings of terms of this size.
         let granted = 64.0 * f64::EPSILON * size / step;
         if error <= granted {
             return Ok(());

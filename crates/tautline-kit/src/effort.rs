@@ -1,31 +1,31 @@
-//! `Effort`: how thoroughly a kit tests.
+//! `Effort`: how thoroughly the kit tests.
 
 use tautline_chance::Chance;
 
 use super::{Failure, Fault};
 
-/// How many samples to draw, how many problems to solve, and the seed.
+/// The number of samples to draw, the number of problems to solve, and the seed.
 ///
-/// The same effort draws the same samples in every run. So does the [default](Effort::default),
-/// unless the environment [sets another seed](super::Chance::asked).
+/// The same effort draws the same samples in every run. The [default](Effort::default) effort does
+/// too, unless the environment [sets another seed](super::Chance::asked).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
-    /// Random samples for each law.
+    /// The number of random samples for each law.
     pub cases: u32,
-    /// Local ascents towards each constant, from the best of the samples.
+    /// The number of local ascents towards each constant, starting from the best of the samples.
     pub ascents: usize,
-    /// Problems for each theorem, each solved for every `N` in
+    /// The number of problems for each theorem. Each problem is solved for every `N` in
     /// [`subintervals`](Effort::subintervals).
     pub problems: u32,
-    /// The numbers of subintervals, from 1.
+    /// The numbers of subintervals, each at least 1.
     pub subintervals: &'static [usize],
     /// The seed of all samples.
     pub seed: u64,
 }
 
 impl Effort {
-    /// The default up to three dimensions. Above, half of the problems and fewer numbers of
-    /// subintervals, since a solve costs `D³`.
+    /// Returns the default effort in up to three dimensions. In higher dimensions, where a solve
+    /// costs `D³`, it has half as many problems and fewer numbers of subintervals.
     #[must_use]
     pub fn for_dimension(dimension: usize) -> Self {
         if dimension <= 3 {
@@ -51,17 +51,19 @@ impl Effort {
         }
     }
 
-    /// A failure that no random sample shows.
+    /// Returns a failure that is not shown by a random sample.
     pub(crate) fn failure(&self, fault: impl Into<Fault>) -> Failure {
         Failure { fault: fault.into(), sample: None, seed: self.seed }
     }
 }
 
 impl Default for Effort {
-    /// One or two seconds for a metric in two or three dimensions with `opt-level = 2`, and some 15
-    /// in an unoptimised build: see [how to set it](crate#test-a-metric-of-your-own).
+    /// With this effort the tests of a metric in two or three dimensions take one or two seconds
+    /// with `opt-level = 2`, and about 15 in an unoptimised build: see [how to set
+    /// it](crate#test-a-metric-of-your-own).
     ///
-    /// `TAUTLINE_CASES` multiplies samples and problems, `TAUTLINE_SEED` changes the seed.
+    /// `TAUTLINE_CASES` multiplies the numbers of samples and problems; `TAUTLINE_SEED` changes the
+    /// seed.
     ///
     /// # Panics
     ///

@@ -1,31 +1,32 @@
-//! `Fault`: a law that does not hold, with the numbers that show it.
+//! `Fault`: a violated law, with the numbers that show the violation.
 
 use tautline::{CertifyError, MetricError};
 use tautline_statements::{Inequality, Statement, VerifyError};
 
 use super::{Claim, Lie};
 
-/// Why a metric, a set or a rule is rejected.
+/// The reason why a metric, a set or a rule is rejected.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Fault {
     /// `H` is not finite, symmetric and positive definite at a point.
     #[error(transparent)]
     Metric(#[from] MetricError),
-    /// The formula is proved not to be a metric: indefinite or undefined somewhere.
+    /// The formula provably is not a metric: it is indefinite or undefined somewhere.
     #[error(transparent)]
     Unproved(CertifyError),
-    /// A claimed constant is wrong, with the point.
+    /// A claimed constant is wrong at the given point.
     #[error(transparent)]
     Lie(#[from] Lie),
-    /// A claimed constant is proved wrong somewhere in the region; the bounds do not show where.
+    /// A claimed constant is proved wrong somewhere in the region, but the bounds do not show
+    /// where.
     #[error("the metric claims {claim} = {claimed}, but it is proved to be {} {bound}", claim.side())]
     Refuted {
-        /// Which constant.
+        /// The constant.
         claim: Claim,
         /// The number that the metric claims.
         claimed: f64,
-        /// An upper bound of `c₁`, or a lower bound of another constant, in its unit.
+        /// An upper bound on `c₁`, or a lower bound on another constant, in its unit.
         bound: f64,
     },
     /// An inequality of a law does not hold at a point.
@@ -42,17 +43,17 @@ pub enum Fault {
         right: f64,
         /// The allowance for rounding, on top of the right side.
         granted: f64,
-        /// Where; empty if the law is not about a point.
+        /// The point; empty if the law is not about a point.
         point: Vec<f64>,
-        /// The second point of the law, a member of a set, if it has one.
+        /// The second point of the law, which is a member of a set, if there is one.
         other: Option<Box<[f64]>>,
     },
-    /// A statement of the paper is violated, or one of its hypotheses.
+    /// A statement of the paper, or one of its hypotheses, is violated.
     #[error("{statement}{}: {inequality}", if *.hypothesis { ", a hypothesis" } else { "" })]
     Statement {
         /// The statement.
         statement: Statement,
-        /// Whether the inequality is a hypothesis: a claim of the metric.
+        /// Whether the inequality is a hypothesis, that is, a claim of the metric.
         hypothesis: bool,
         /// The violated inequality.
         inequality: Inequality,
@@ -62,49 +63,49 @@ pub enum Fault {
         "{what} falls like N⁻ᑫ with q = {found:.3} over N = {window:?}, but q should be at least {least}"
     )]
     Order {
-        /// The error.
+        /// The error that was fitted.
         what: &'static str,
-        /// The observed slope, the median over several problems.
+        /// The observed slope, which is the median over several problems.
         found: f64,
         /// The smallest accepted slope.
         least: f64,
-        /// The numbers of subintervals.
+        /// The numbers of subintervals used for the fit.
         window: Vec<usize>,
     },
     /// Something wrong was accepted.
     #[error("{what} was not refused")]
     NotRefused {
-        /// What, in words.
+        /// What was accepted, in words.
         what: &'static str,
     },
-    /// The solver found no minimum for most problems, so nothing was tested.
+    /// The solver found no minimum for most of the problems, so nothing was tested.
     #[error("the solver found no local minimum for {failed} of {tried} problems: {error}")]
     NotSolved {
         /// The number of problems without a minimum.
         failed: u64,
         /// The number of problems.
         tried: u64,
-        /// Why, for the last of them.
+        /// The reason for the last of them.
         error: VerifyError,
     },
     /// A statement could not be evaluated.
     #[error(transparent)]
     Unevaluated(#[from] VerifyError),
-    /// Not tried, because a law of the formula fails and the solver would stall.
+    /// The law was not tried, because a law of the formula fails and the solver would stall.
     #[error("not tried: {law} fails")]
     NotTried {
-        /// The law that fails.
+        /// The law of the formula that fails.
         law: &'static str,
     },
     /// No sample could be drawn.
     #[error("no sample could be drawn: {why}")]
     NoSample {
-        /// Why.
+        /// The reason.
         why: String,
     },
 }
 
-/// The place of a violation, for the message.
+/// Returns the place of a violation, as part of the message.
 fn place(point: &[f64], other: Option<&[f64]>) -> String {
     match other {
         _ if point.is_empty() => String::new(),
@@ -122,8 +123,8 @@ impl Fault {
         self
     }
 
-    /// Returns whether the metric or one of its claims is wrong, rather than a statement about
-    /// them; cheaper laws test those.
+    /// Returns whether the fault is in the metric or one of its claims, rather than in a statement
+    /// about them. Cheaper laws test the metric and its claims.
     pub(crate) fn is_of_the_metric(&self) -> bool {
         matches!(
             self,
@@ -136,7 +137,7 @@ impl Fault {
         )
     }
 
-    /// Returns whether a side of the inequality is NaN, which does not show what is wrong.
+    /// Returns whether a side of the inequality is NaN; such a fault does not show what is wrong.
     pub(crate) fn is_nan(&self) -> bool {
         match self {
             Fault::Broken { left, right, granted, .. } => (left + right + granted).is_nan(),
@@ -147,10 +148,10 @@ impl Fault {
         }
     }
 
-    /// Returns the overestimation `right / left` if `left ≤ right + granted`, else the fault. A NaN
-    /// on either side is a fault.
+    /// Returns the overestimation `right / left` if `left ≤ right + granted`, and the fault
+    /// otherwise. A NaN on either side is a fault.
     ///
-    /// The overestimation is `∞` if `left` is not positive or is lost in the rounding granted.
+    /// The overestimation is `∞` if `left` is not positive or does not exceed the granted rounding.
     pub(crate) fn unless_at_most(
         law: &'static str,
         [left, right]: [f64; 2],
@@ -165,7 +166,7 @@ impl Fault {
         }
     }
 
-    /// The same for a size that should be 0.
+    /// Does the same for a quantity that should be 0.
     pub(crate) fn unless_zero(
         law: &'static str,
         size: f64,
@@ -192,7 +193,7 @@ mod tests {
         assert_eq!(with, format!("a ≤ b, at x = [3.0] with the member [4.0]{rest}"));
     }
 
-    /// An error that does not fall at all has a slope of either sign.
+    /// The slope of an error that does not fall at all may have either sign.
     #[test]
     fn an_order_shows_its_sign() {
         let fault = Fault::Order { what: "e", found: -0.002, least: 1.95, window: vec![1, 2] };

@@ -1,9 +1,9 @@
 //! The macro that turns a table of laws into functions.
 
-/// Makes one function of each law, the list of their names, and `verify`, which runs them all.
+/// Makes one function for each law, the list of their names, and `verify`, which runs them all.
 ///
-/// `$see` turns the user's case into the one that the laws take; the types of closures follow from
-/// it.
+/// `$see` turns the user's case into the case that the laws take. It also fixes the types of the
+/// closures.
 macro_rules! functions {
     ({ $generics:tt $case:ty, $see:expr } $($id:ident, $law:literal, $run:expr;)*) => {
         $($crate::laws::function! { $generics $case, $see, $id, $law, $run })*

@@ -1,9 +1,9 @@
 //! Test a metric, a closed set or a rule of your own.
 //!
-//! A kit draws samples and checks laws on them: what the trait requires, what your constants claim,
-//! and the statements of the paper that follow.
+//! The kit draws samples and checks laws on them: the requirements of the trait, the claims made by
+//! your constants, and the statements of the paper that follow from them.
 //!
-//! | you bring | tests | as a function | single laws |
+//! | you provide | tests | as a function | single laws |
 //! | --- | --- | --- | --- |
 //! | [`Metric`] and [`Bounded`] | [`metric_suite!`] | [`verify_metric`] | [`metric`] |
 //! | [`Metric`] and [`LocallyBounded`] | [`metric_suite!`] `within` a ball | [`verify_metric_within`] | |
@@ -21,8 +21,9 @@
 //!
 //! # Test a metric of your own
 //!
-//! The crate is not published. The `Cargo.toml` of your package, here `egg` beside the clone, gives
-//! its path and optimises the library; unoptimised, the tests take ten times as long.
+//! The crate is not published. The `Cargo.toml` of your package, here `egg` next to the clone,
+//! gives the path of the crate and optimises the library. Without optimisation the tests take ten
+//! times as long.
 //!
 //! ```toml
 //! [dev-dependencies]
@@ -38,7 +39,7 @@
 //! codegen-units = 16
 //! ```
 //!
-//! The whole file `tests/egg.rs`, a formula and twelve lines:
+//! The whole file `tests/egg.rs` consists of a formula and twelve lines:
 //!
 //! ```
 //! use tautline_kit::prelude::*;
@@ -61,13 +62,13 @@
 //! # assert!(report.holds(), "{report}");
 //! ```
 //!
-//! An `S: Scalar` has `+ - * /` with another `S` and with an `f64` on either side
-//! (`1.0 + 2.0 * x[0]`, and `S::constant(2.0)` for an entry that is a plain number), `sqr`, `powi`,
-//! `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh` and `tanh`. It has no
-//! `abs`, no `powf` and no order, since a formula must be smooth.
+//! An `S: Scalar` has the operators `+ - * /` with another `S`, and with an `f64` on either side
+//! (`1.0 + 2.0 * x[0]`, and `S::constant(2.0)` for an entry that is a plain number). It has the
+//! functions `sqr`, `powi`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`,
+//! `cosh` and `tanh`. It has no `abs`, no `powf` and no ordering, since a formula must be smooth.
 //!
 //! `cargo test egg` then runs `egg::l_h_bounds_the_derivative`, `egg::theorem_1_1` and so on. A
-//! failure shows its numbers; here with `L_H = 1/2` instead of 1:
+//! failure shows its numbers. Here we claim `L_H = 1/2` instead of 1:
 //!
 //! ```
 //! use tautline_kit::{Claim, Fault, MetricCase, metric};
@@ -91,11 +92,11 @@
 //! ```
 //!
 //! If your metric knows its distances, end the line with `with distances`, or call
-//! [`MetricCase::with_known_distance`]. [`WithConstants`](tautline_statements::WithConstants) gives
-//! constants to a metric that claims none. [`Certified`](tautline::Certified) proves them, if the
-//! formula is constant or periodic along each coordinate; then the formula is all you write. Use
-//! [`Certified::settled`](tautline::Certified::settled) if the metric is constant far away, and
-//! otherwise prove constants in a ball:
+//! [`MetricCase::with_known_distance`]. [`WithConstants`](tautline_statements::WithConstants) adds
+//! constants to a metric that claims none. [`Certified`](tautline::Certified) proves them if the
+//! formula is constant or periodic along each coordinate; then you only write the formula. Use
+//! [`Certified::settled`](tautline::Certified::settled) if the metric is constant far away.
+//! Otherwise prove constants in a ball:
 //! `metric_suite!(dent: LocallyCertified::new(Dent, Accuracy::default()), dimension 2, within 0.5, of [0.1, 0.2]);`.
 //!
 //! ```
@@ -117,47 +118,50 @@
 //!
 //! The constants are proved once for all laws. If they cannot be proved, because the formula is not
 //! periodic or `H` is indefinite somewhere, the test `tray::the_metric_has_constants` fails with
-//! the reason, the point if there is one, and advice; no law is tested. A metric that has constants
-//! on balls only is tested in one of them: write `within 0.5, of [0.1, 0.2]` instead of
+//! the reason, the point if there is one, and advice. No law is then tested. A metric that has
+//! constants only on balls is tested on one of them: write `within 0.5, of [0.1, 0.2]` instead of
 //! `in Region::cell(…)`.
 //!
 //! # What the laws check
 //!
 //! Random samples alone would test the program, not the constants: of 256 uniform points perhaps
 //! none has `‖DH(x)[w]‖` within 9 % of its maximum. So each constant is also tested by local
-//! ascents from the best samples, which find the maximum of a smooth formula to some six digits. A
-//! claim that is off by more is refused with the point, the direction, and both numbers. The
-//! [`Effort::ascents`] may still miss the maximum: a law that holds is evidence, not a proof.
+//! ascents from the best samples, which find the maximum of a smooth formula to about six digits. A
+//! claim that is off by more is refused, and the message shows the point, the direction, and both
+//! numbers. All [`Effort::ascents`] may still miss the maximum, so a law that holds is evidence,
+//! not a proof.
 //!
-//! One law is a proof, up to three dimensions and for a formula without branches:
-//! `no_constant_is_refuted` bounds the constants over the whole region by intervals. It refuses a
-//! claim that they contradict, with the point unless the boxes run out, and an indefinite metric,
-//! with the point. Passing does not mean that everything is proved: the
-//! [`standings`](Outcome::standings) tell of each constant whether it is proved, right to a
-//! percentage (the best possible for an attained claim), not decided by the boxes, or not tried.
+//! One law is a proof, in up to three dimensions and for a formula without branches:
+//! `no_constant_is_refuted` bounds the constants over the whole region by interval arithmetic. It
+//! refuses a claim that the bounds contradict and shows the point, unless the boxes run out. It
+//! also refuses an indefinite metric and shows the point. If the law holds, this does not mean that
+//! everything is proved. The [`standings`](Outcome::standings) say for each constant whether it is
+//! proved, right to within a percentage (the best possible result for an attained claim), not
+//! decided by the boxes, or not tried.
 //!
-//! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0,
-//! where `x/|x|`, `1/r` and angles break and no uniform sample lies. If a law of the formula itself
-//! fails, or `H` jumps, the laws that solve problems fail with `not tried` and the name of that
-//! law; mend it first.
+//! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0.
+//! There `x/|x|`, `1/r` and angles break, and no uniform sample lies there. If a law of the formula
+//! itself fails, or if `H` jumps, the laws that solve problems fail with `not tried` and the name
+//! of the law that fails; fix the formula first.
 //!
 //! A suite prints nothing about laws that hold. To see the table of overestimations and standings,
 //! print a report, perhaps with more effort, and run `cargo test -- --nocapture`:
 //! `println!("{}", verify_metric(&Egg, &region, &Effort { ascents: 12, ..Effort::default() }))`.
 //!
-//! A claim may be loose. The [`Report`] has the overestimation of each law, and a note of
-//! `refuses_a_smaller_l_h` repeats it: the bounds of the theorems are as loose as the constants.
+//! A claim may be loose. The [`Report`] shows the overestimation of each law, and
+//! `refuses_a_smaller_l_h` repeats it in a note: the bounds of the theorems are as loose as the
+//! constants.
 //!
-//! Samples are integers mapped to the [`Region`], so that the smallest sample that fails has short
-//! binary fractions of its edges. Nothing is written to disk, and every run draws the same samples,
-//! unless the environment sets another seed or more cases:
+//! Samples are integers mapped to the [`Region`], so the coordinates of the smallest failing sample
+//! are short binary fractions of its edges. Nothing is written to disk, and every run draws the
+//! same samples, unless the environment sets another seed or more cases:
 //!
 //! ```console
 //! $ TAUTLINE_SEED=7 TAUTLINE_CASES=100 cargo test egg
 //! ```
 //!
-//! A seed is a whole number of 64 bits. A failure shows the variables it was drawn with. See
-//! [`Chance`].
+//! A seed is a whole number of 64 bits. A failure shows the variables that its samples were drawn
+//! with. See [`Chance`].
 
 mod brought;
 mod difference_test;

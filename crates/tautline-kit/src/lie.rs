@@ -14,10 +14,10 @@ pub enum Claim {
 }
 
 impl Claim {
-    /// All four.
+    /// All four constants.
     pub const ALL: [Claim; 4] = [Claim::C1, Claim::C2, Claim::LH, Claim::MH];
 
-    /// Returns the name, in ASCII as in code.
+    /// Returns the name in ASCII, as it is written in code.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -28,7 +28,7 @@ impl Claim {
         }
     }
 
-    /// On which side of the best constant a valid one lies, in words.
+    /// Returns, in words, on which side of the best constant a valid one lies.
     pub(crate) fn side(self) -> &'static str {
         match self {
             Claim::C1 => "at most",
@@ -36,7 +36,8 @@ impl Claim {
         }
     }
 
-    /// Returns the formula of the bounded number, at a point `x` in a unit direction `w`.
+    /// Returns the formula of the quantity that the constant bounds, at a point `x` in a unit
+    /// direction `w`.
     #[must_use]
     pub fn formula(self) -> &'static str {
         match self {
@@ -53,7 +54,7 @@ impl std::fmt::Display for Claim {
     }
 }
 
-/// A false claim of a constant, with a point and a direction that refute it.
+/// A false claim about a constant, with a point and a direction that refute it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "the metric claims {constant} = {claimed}, but {} = {found} at x = {point:?}{}",
@@ -70,7 +71,7 @@ pub struct Lie {
     pub point: Vec<f64>,
     /// The direction `w`, of length 1.
     pub direction: Vec<f64>,
-    /// The second point `y`, in that direction from `x`, if the value is a difference quotient.
+    /// The second point `y`, in this direction from `x`, if the value is a difference quotient.
     pub other: Option<Box<[f64]>>,
 }
 
@@ -81,7 +82,7 @@ impl Lie {
         if self.other.is_some() { "‖H(x) − H(y)‖/|x − y|" } else { self.constant.formula() }
     }
 
-    /// The second variable of the formula, with its value.
+    /// Returns the second variable of the formula, with its value.
     fn besides(&self) -> String {
         match &self.other {
             Some(other) => format!(" and y = {other:?}"),

@@ -1,44 +1,46 @@
-//! `Margin`: how near one sample comes to breaking a law.
+//! `Margin`: how close one sample comes to violating a law.
 
-/// How near a sample comes to breaking a law, and what was assumed of it.
+/// How close a sample comes to violating a law, and the hypotheses that were assumed for it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Margin {
-    /// The overestimation; NaN if the sample could not have broken the law.
+    /// The overestimation; NaN if the sample could not have violated the law.
     pub(crate) overestimation: f64,
-    /// The hypotheses that nothing checked, each once.
+    /// The hypotheses that were assumed without a check, each listed once.
     pub(crate) assumed: Vec<&'static str>,
 }
 
-/// The overestimation of a sample that could not have broken a law.
+/// The overestimation of a sample that could not have violated the law.
 pub(crate) const IDLE: f64 = f64::NAN;
 
 impl Margin {
-    /// The margin of a sample that could not have broken the law.
+    /// Returns the margin of a sample that could not have violated the law.
     pub(crate) fn idle() -> Self {
         IDLE.into()
     }
 
-    /// Whether the sample could not have broken the law.
+    /// Returns whether the sample could not have violated the law.
     pub(crate) fn is_idle(&self) -> bool {
         self.overestimation.is_nan()
     }
 
-    /// Combines two margins of one sample: the smaller overestimation, the hypotheses of both.
+    /// Combines two margins of one sample: takes the smaller overestimation, and the hypotheses of
+    /// both.
     pub(crate) fn and(mut self, other: Self) -> Self {
         merge(&mut self.assumed, &other.assumed);
-        // `min` prefers a number to NaN: a sample can break the law if one of its parts can.
+        // `min` prefers a number to NaN, because a sample can violate the law if one of its parts
+        // can.
         Self { overestimation: self.overestimation.min(other.overestimation), ..self }
     }
 }
 
 impl From<f64> for Margin {
-    /// An overestimation that rests on no assumption.
+    /// Makes a margin that rests on no assumption.
     fn from(overestimation: f64) -> Self {
         Self { overestimation, assumed: Vec::new() }
     }
 }
 
-/// Appends what is missing, in order.
+/// Appends the entries that are missing, in order.
 pub(crate) fn merge(all: &mut Vec<&'static str>, more: &[&'static str]) {
     for claim in more {
         if !all.contains(claim) {

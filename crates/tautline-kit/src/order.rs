@@ -1,14 +1,14 @@
-//! The observed order of convergence: `q` for errors that fall like `N⁻ᑫ`.
+//! The observed order of convergence, which is `q` for errors that fall like `N⁻ᑫ`.
 
 use tautline_statements::slope;
 
-/// Returns the order, minus the [`slope`] of the errors over `N`.
+/// Returns the order, which is minus the [`slope`] of the errors over `N`.
 pub(crate) fn order(errors: &[(usize, f64)]) -> f64 {
     let points: Vec<(f64, f64)> = errors.iter().map(|&(n, error)| (n as f64, error)).collect();
     -slope(&points)
 }
 
-/// Returns the median; of an even number of values, the lower one.
+/// Returns the median; for an even number of values, it is the lower of the two middle ones.
 pub(crate) fn median(mut numbers: Vec<f64>) -> Option<f64> {
     numbers.sort_by(f64::total_cmp);
     numbers.get(numbers.len().saturating_sub(1) / 2).copied()

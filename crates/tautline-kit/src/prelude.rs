@@ -1,6 +1,6 @@
-//! Everything that a test of your own metric, closed set or rule needs, in one line.
+//! Everything that a test of your own metric, closed set or rule needs, imported in one line.
 //!
-//! See the page of the [kit](crate).
+//! See the documentation of the [kit](crate).
 
 pub use tautline::{
     Bounded, Certified, ClosedSet, Constants, KnownDistance, LocallyBounded, LocallyCertified,

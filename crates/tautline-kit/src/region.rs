@@ -3,22 +3,22 @@
 use nalgebra::SVector;
 use proptest::prelude::*;
 
-/// The number of steps along each edge, a power of two, so that shrunk samples are short binary
-/// fractions of the edges.
+/// The number of steps along each edge. It is a power of two, so that shrunk samples are short
+/// binary fractions of the edges.
 const STEPS: u32 = 1 << 16;
 
-/// The number of parts of an edge between which special points lie.
+/// The number of equal parts of an edge; special points lie between them.
 const PARTS: u32 = 4;
 
-/// One point in this many is special.
+/// One in this many points is special.
 const MOVED: u32 = 8;
 
-/// The number of steps of a coordinate of a direction, to either side.
+/// The number of steps of a coordinate of a direction, on either side of 0.
 const DIRECTION_STEPS: i32 = 1 << 8;
 
-/// A box of `R^D` with positive edges, in which a kit draws samples.
+/// A box of `R^D` with positive edges, in which the kit draws samples.
 ///
-/// Choose the place where the formula varies: one period, or some widths of its features.
+/// Choose the part of space where the formula varies: one period, or a few widths of its features.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Region<const D: usize> {
     low: SVector<f64, D>,
@@ -42,7 +42,7 @@ impl<const D: usize> Region<D> {
     ///
     /// # Errors
     ///
-    /// [`RegionError`] with the first edge that is not finite or not positive.
+    /// [`RegionError`] with the first edge that is not finite or whose length is not positive.
     pub fn new(
         low: impl Into<SVector<f64, D>>,
         high: impl Into<SVector<f64, D>>,
@@ -62,7 +62,8 @@ impl<const D: usize> Region<D> {
     ///
     /// # Panics
     ///
-    /// If an edge is not finite or not positive. [`Region::new`] returns an error.
+    /// If an edge is not finite or its length is not positive. [`Region::new`] returns an error
+    /// instead.
     #[must_use]
     #[track_caller]
     pub fn cell(low: impl Into<SVector<f64, D>>, high: impl Into<SVector<f64, D>>) -> Self {
@@ -96,17 +97,18 @@ impl<const D: usize> Region<D> {
         x.sup(&self.low).inf(&self.high)
     }
 
-    /// Points of the box. Seven in eight are [`uniform`](Region::uniform). The others are moved to
-    /// where formulas break and no uniform point lies: each coordinate to an end of its edge, a
-    /// quarter, the middle, three quarters or, if that is on the edge, 0.
+    /// Draws points of the box. Seven in eight are [`uniform`](Region::uniform). The others are
+    /// moved to places where formulas break and no uniform point lies: each coordinate is moved to
+    /// an end of its edge, a quarter, the middle, three quarters or, if it is on the edge, 0.
     pub fn points(&self) -> impl Strategy<Value = SVector<f64, D>> + use<D> {
         let region = *self;
-        // A special point shrinks to a uniform one first, if that fails too.
+        // If the uniform point fails too, a special point first shrinks to it.
         (0..MOVED, self.uniform())
             .prop_map(move |(k, x)| if k + 1 == MOVED { region.special(&x) } else { x })
     }
 
-    /// Uniform points of the box, drawn as integers, so that shrunk ones have short coordinates.
+    /// Draws uniform points of the box. They are drawn as integers, so shrunk points have short
+    /// coordinates.
     pub fn uniform(&self) -> impl Strategy<Value = SVector<f64, D>> + use<D> {
         let region = *self;
         proptest::array::uniform::<_, D>(0..=STEPS).prop_map(move |steps| {
@@ -114,22 +116,22 @@ impl<const D: usize> Region<D> {
         })
     }
 
-    /// Moves each coordinate to a special one.
+    /// Moves each coordinate to a special value.
     fn special(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
         let ([low, high], parts) = ([&self.low, &self.high], f64::from(PARTS));
         SVector::from_fn(|i, _| {
             let edge = high[i] - low[i];
-            // Each of the five attracts the fifth of the edge in which it lies.
+            // Each of the five special values attracts the fifth of the edge in which it lies.
             let part = ((x[i] - low[i]) / edge * (parts + 1.0)).floor().min(parts);
-            // low + (high − low) may be one rounding beyond.
+            // The computed low + (high − low) may exceed high by one rounding.
             let quarter = (low[i] + part / parts * edge).min(high[i]);
             let zero = low[i] <= 0.0 && high[i] >= 0.0 && x[i].abs() < (x[i] - quarter).abs();
             if zero { 0.0 } else { quarter }
         })
     }
 
-    /// Pairs of different points of the box: two in three are independent, the others down to
-    /// `2⁻¹⁸` of the longest edge apart.
+    /// Draws pairs of different points of the box. Two pairs in three are independent; the points
+    /// of the others may be as close as `2⁻¹⁸` of the longest edge.
     pub fn pairs(&self) -> impl Strategy<Value = [SVector<f64, D>; 2]> + use<D> {
         let region = *self;
         let near =
@@ -141,7 +143,7 @@ impl<const D: usize> Region<D> {
     }
 }
 
-/// Unit vectors, drawn as integers.
+/// Draws unit vectors, as integers.
 pub fn directions<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
     proptest::array::uniform::<_, D>(-DIRECTION_STEPS..=DIRECTION_STEPS)
         .prop_filter("a direction is not zero", |steps| steps.iter().any(|&k| k != 0))
@@ -175,7 +177,8 @@ mod tests {
         assert_eq!(region.at(&vector![0.5, 1.0]), vector![-3.5, 3.0]);
     }
 
-    /// Of 1024 samples, 128 are moved: a tenth or a fifth of these to a given place of an edge.
+    /// Of 1024 samples, 128 are moved. A tenth or a fifth of these are moved to a given place of an
+    /// edge.
     #[test]
     fn samples_meet_the_axes_the_middle_and_the_corner() {
         let region = Region::<2>::cell([-1.0, -0.7], [2.0, 0.9]);
@@ -196,7 +199,7 @@ mod tests {
         }
     }
 
-    /// Of 256 pairs, 85 are near, and 28 of these nearer than `2⁻¹²` of the edge.
+    /// Of 256 pairs, 85 are close together, and 28 of these are closer than `2⁻¹²` of the edge.
     #[test]
     fn some_pairs_are_near_and_most_are_far() {
         let region = Region::<2>::cell([0.0, 0.0], [1.0, 1.0]);

@@ -9,38 +9,38 @@ use super::{Fault, Standing, margin::merge};
 /// The result of one law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// The name of the law and of its test.
+    /// The name of the law, which is also the name of its test.
     pub id: &'static str,
     /// What the law says, in one line.
     pub law: &'static str,
-    /// How many cases were checked.
+    /// The number of cases that were checked.
     pub cases: u64,
-    /// How many of these could have broken the law. Some cases of a statement cannot: a gap that
-    /// vanishes, as for a length on the line, is at most any bound, and a formula is at most
-    /// itself.
+    /// The number of these cases that could have violated the law. Some cases of a statement cannot
+    /// violate it: a gap that vanishes, as for a length on the line, is at most any bound, and a
+    /// formula is at most itself.
     pub could_fail: u64,
-    /// The smallest overestimation `bound / observed`, a pure number: 1 where a bound is attained,
-    /// below 1 where it is violated, `∞` if nothing beyond rounding was observed.
+    /// The smallest overestimation `bound / observed`, a pure number. It is 1 where a bound is
+    /// attained, below 1 where it is violated, and `∞` if nothing beyond rounding was observed.
     pub overestimation: f64,
-    /// What bounds over the whole region prove of each constant; empty for a law that samples
+    /// What bounds over the whole region prove about each constant; empty for a law that samples
     /// points.
     pub standings: Vec<Standing>,
-    /// The hypotheses that were assumed in some case because no number measures them, for example
+    /// The hypotheses that were assumed in some case because no number measures them. An example is
     /// that a local minimiser is the global one.
     pub assumed: Vec<&'static str>,
     /// A remark, for example why nothing was checked.
     pub note: Option<String>,
-    /// Why the law does not hold, if it does not.
+    /// The reason why the law does not hold, if it does not.
     pub failure: Option<Failure>,
 }
 
-/// Why a law does not hold.
+/// The reason why a law does not hold.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
     /// The law with its numbers.
     pub fault: Fault,
-    /// The smallest random sample found to break the law, if any. If an ascent found a worse
-    /// place, the fault describes that place.
+    /// The smallest random sample that was found to violate the law, if any. If an ascent found a
+    /// worse point, the fault describes that point.
     pub sample: Option<String>,
     /// The seed of the samples.
     pub seed: u64,
@@ -50,7 +50,7 @@ pub struct Failure {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tried {
     pub(crate) cases: u64,
-    /// How many of these could not have broken the law.
+    /// The number of these cases that could not have violated the law.
     pub(crate) idle: u64,
     pub(crate) overestimation: f64,
     pub(crate) standings: Vec<Standing>,
@@ -59,13 +59,13 @@ pub(crate) struct Tried {
 }
 
 impl Tried {
-    /// This many cases, none of which came near the bound.
+    /// Returns a result with this many cases, none of which came close to the bound.
     pub(crate) fn cases(cases: u64) -> Self {
         let (standings, assumed, note) = (Vec::new(), Vec::new(), None);
         Self { cases, idle: 0, overestimation: f64::INFINITY, standings, assumed, note }
     }
 
-    /// No cases, and why: the law does not apply.
+    /// Returns a result without cases for a law that does not apply, with the reason.
     pub(crate) fn none(why: impl Into<String>) -> Self {
         Self::cases(0).with_note(why)
     }
@@ -74,7 +74,7 @@ impl Tried {
         Self { note: Some(note.into()), ..self }
     }
 
-    /// The cases of two parts of one law.
+    /// Combines the cases of two parts of one law.
     pub(crate) fn and(mut self, other: Tried) -> Self {
         self.standings.extend(other.standings);
         merge(&mut self.assumed, &other.assumed);
@@ -88,7 +88,7 @@ impl Tried {
     }
 }
 
-/// What a law returns.
+/// The return type of a law.
 pub(crate) type LawResult = Result<Tried, Failure>;
 
 impl Outcome {
@@ -118,7 +118,7 @@ impl Outcome {
         self.failure.is_none()
     }
 
-    /// Does nothing if the law holds; for tests.
+    /// Does nothing if the law holds. This function is for tests.
     ///
     /// # Panics
     ///
@@ -164,7 +164,7 @@ impl fmt::Display for Failure {
             write!(f, "\n    smallest random sample that breaks it: {sample}")?;
         }
         write!(f, "\n    seed {}", self.seed)?;
-        // An environment that cannot be read has failed the test already.
+        // If the environment cannot be read, the test has failed already.
         match Chance::read().map(|chance| chance.to_string()) {
             Ok(asked) if !asked.is_empty() => write!(f, "; with {}in the environment", asked),
             _ => Ok(()),
@@ -172,7 +172,7 @@ impl fmt::Display for Failure {
     }
 }
 
-/// One [`Outcome`] per law, in a fixed order; prints as a table.
+/// One [`Outcome`] per law, in a fixed order. A report prints as a table.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use = "an unread report accepts everything"]
 pub struct Report {
@@ -192,7 +192,7 @@ impl Report {
         self.outcomes.iter().filter(|outcome| !outcome.holds())
     }
 
-    /// Returns the outcome of a law by its name.
+    /// Returns the outcome of the law with this name.
     #[must_use]
     pub fn of(&self, id: &str) -> Option<&Outcome> {
         self.outcomes.iter().find(|outcome| outcome.id == id)

@@ -1,4 +1,4 @@
-//! Random samples of a law: the same in every run, and shrunk where the law fails.
+//! Random samples for a law. They are the same in every run, and a sample that fails is shrunk.
 
 use std::fmt::Debug;
 
@@ -13,14 +13,15 @@ use super::{
     report::{LawResult, Tried},
 };
 
-/// How many smaller samples to try after a failure, where a case evaluates `H`.
+/// The number of smaller samples to try after a failure if a case only evaluates `H`.
 const CHEAP: u32 = 4096;
 
-/// The same where a case solves problems, which takes seconds if the solver stalls.
+/// The same number if a case solves problems, which takes seconds when the solver stalls.
 const COSTLY: u32 = 5;
 
 impl Effort {
-    /// Checks a law on [`cases`](Effort::cases) random values; a value that breaks it is shrunk.
+    /// Checks a law on [`cases`](Effort::cases) random values, and shrinks a value that violates
+    /// it.
     pub(crate) fn for_all<V: Strategy<Value: Debug>, M: Into<Margin>>(
         &self,
         values: V,
@@ -31,8 +32,8 @@ impl Effort {
 
     /// Checks a law that solves [`problems`](Effort::problems) random problems.
     ///
-    /// A problem that breaks the law is shrunk unless the fault is one of the metric, for which
-    /// cheaper laws find smaller samples.
+    /// A problem that violates the law is shrunk, unless the fault is in the metric; cheaper laws
+    /// find smaller samples for such a fault.
     pub(crate) fn for_all_problems<V: Strategy<Value: Debug>, M: Into<Margin>>(
         &self,
         problems: V,
@@ -42,7 +43,7 @@ impl Effort {
     }
 }
 
-/// Takes the law as `dyn`, so that it is compiled once per kind of samples.
+/// Takes the law as `dyn`, so that this function is compiled once per kind of sample.
 fn draw<V: Strategy<Value: Debug>>(
     seed: u64,
     cases: u32,
@@ -52,8 +53,8 @@ fn draw<V: Strategy<Value: Debug>>(
 ) -> LawResult {
     let (rng_algorithm, rng_seed) = (RngAlgorithm::ChaCha, RngSeed::Fixed(seed));
     let config = Config { rng_algorithm, rng_seed, ..Config::default() };
-    // proptest only draws the samples. Its own runner would catch the panics of a formula, report
-    // on stderr when it stops shrinking, and store seeds in the user's folder.
+    // We use proptest only to draw the samples. Its own runner would catch the panics of a formula,
+    // report on stderr when it stops shrinking, and store seeds in the user's folder.
     let mut runner = TestRunner::new(config);
     let mut tried = Tried::cases(cases.into());
     for _ in 0..cases {
@@ -65,7 +66,7 @@ fn draw<V: Strategy<Value: Debug>>(
         match law(&value) {
             Ok(margin) => {
                 tried.idle += u64::from(margin.is_idle());
-                // `min` drops the NaN of an idle sample.
+                // `min` ignores the NaN of an idle sample.
                 tried.overestimation = tried.overestimation.min(margin.overestimation);
                 merge(&mut tried.assumed, &margin.assumed);
             }
@@ -80,7 +81,7 @@ fn draw<V: Strategy<Value: Debug>>(
     Ok(tried)
 }
 
-/// Returns the smallest sample found that breaks the law, and its fault.
+/// Returns the smallest sample found that violates the law, and its fault.
 fn shrink<T: ValueTree>(
     tree: &mut T,
     shrinks: u32,
@@ -115,7 +116,8 @@ mod tests {
         margin::{IDLE, Margin},
     };
 
-    /// The failure of a law that breaks from 700 on, and how many samples it was given.
+    /// Returns the failure of a law that is violated from 700 on, and the number of samples it was
+    /// given.
     fn from_700(shrinks: u32, fault: fn(f64) -> Fault) -> (Failure, u32) {
         let given = Cell::new(0);
         let failed = draw(Effort::default().seed, 256, shrinks, &(0..1000_u32), &|&k| {

@@ -1,37 +1,37 @@
-//! `Standing` and `Proof`: what bounds over the whole region prove of a claimed constant.
+//! `Standing` and `Proof`: what bounds over the whole region prove about a claimed constant.
 
 use std::fmt;
 
 use super::Claim;
 
-/// What is proved of one claimed constant.
+/// What is proved about one claimed constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
     /// The constant.
     pub claim: Claim,
-    /// What is proved of it.
+    /// What is proved about the constant.
     pub proof: Proof,
 }
 
 /// How far a claim is proved over the whole region, with outward rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Proof {
-    /// It holds at every point of the region.
+    /// The claim holds at every point of the region.
     Proved,
-    /// It lies between the two bounds of the exact constant, which are this many percent apart.
-    /// Nothing more can be proved of a claim that is attained.
+    /// The claim lies between the two bounds on the exact constant, which differ by this many
+    /// percent. Nothing more can be proved about a claim that is attained.
     RightTo {
-        /// The distance of the bounds, in percent.
+        /// The difference between the bounds, in percent.
         percent: f64,
     },
-    /// The boxes did not suffice; the claim may be wrong.
+    /// The number of boxes did not suffice to decide; the claim may be wrong.
     NotDecided,
-    /// Not attempted: the dimension is above three, or the formula cannot be recorded.
+    /// No proof was attempted: the dimension is above three, or the formula cannot be recorded.
     NotTried,
 }
 
 impl Proof {
-    /// Returns whether the claim is proved to hold, or to be off by no more than a known amount.
+    /// Returns whether the claim is proved to hold, or proved to be off by at most a known amount.
     #[must_use]
     pub fn is_decided(self) -> bool {
         matches!(self, Proof::Proved | Proof::RightTo { .. })

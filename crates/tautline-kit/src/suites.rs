@@ -1,6 +1,6 @@
-//! The macros that give each law a test of its own name.
+//! The macros that make one test per law, with the name of the law.
 
-/// Tests a metric of your own: one test per law, in a module of the given name.
+/// Tests a metric of your own, with one test per law, in a module with the given name.
 ///
 /// ```text
 /// metric_suite!(egg: Egg, dimension 2, in Region::cell([0.0, 0.0], [6.3, 6.3]));
@@ -9,17 +9,17 @@
 /// metric_suite!(disc: Disc, dimension 2, within 0.5, of [0.1, 0.2], with distances);
 /// ```
 ///
-/// The first two forms need [`Bounded`](tautline::Bounded). They also take a `Result`, such as
-/// `Certified::new(Egg, Accuracy::default())`. The last two test the ball of the given radius and
-/// centre and need [`LocallyBounded`](tautline::LocallyBounded). Those `with distances` need
-/// [`KnownDistance`](tautline::KnownDistance): its distances are tested, and replace estimates in
-/// the theorems between two points.
+/// The first two forms need [`Bounded`](tautline::Bounded). They also accept a `Result`, for
+/// example `Certified::new(Egg, Accuracy::default())`. The last two forms test the ball with the
+/// given radius and centre, and they need [`LocallyBounded`](tautline::LocallyBounded). The forms
+/// `with distances` need [`KnownDistance`](tautline::KnownDistance). The distances of the metric
+/// are then tested, and they replace estimates in the theorems between two points.
 ///
-/// Expands to `mod egg` with a test for each of [`metric::LAWS`](crate::metric::LAWS), which calls
-/// the function of the same name, and with the tests `every_law_is_a_test` and
+/// The macro expands to `mod egg` with one test for each of [`metric::LAWS`](crate::metric::LAWS),
+/// which calls the function of the same name, and with the tests `every_law_is_a_test` and
 /// `the_metric_has_constants`. All tests share one metric and its minimisers. If the metric cannot
 /// be made, `the_metric_has_constants` fails with the reason, and no law is tested. Every run draws
-/// the same samples. See the page of the [`crate`].
+/// the same samples. See the documentation of the [`crate`].
 #[macro_export]
 macro_rules! metric_suite {
     (
@@ -73,7 +73,7 @@ macro_rules! __metric_tests {
                 $crate::assert_made(case());
             }
 
-            // `the_metric_has_constants` reports a metric that could not be made.
+            // If a metric could not be made, `the_metric_has_constants` reports it.
             $crate::__metric_laws! {
                 [$crate::__tests]
                 { metric, |law| if let ::std::result::Result::Ok(case) = case() { law(case) } }
@@ -82,15 +82,15 @@ macro_rules! __metric_tests {
     };
 }
 
-/// Tests a closed set of your own: one test per law, in a module of the given name.
+/// Tests a closed set of your own, with one test per law, in a module with the given name.
 ///
 /// ```text
 /// set_suite!(ellipse: Ellipse, dimension 2, in Region::cell([-4.0, -4.0], [4.0, 4.0]));
 /// ```
 ///
-/// The set implements [`ClosedSet`](tautline::ClosedSet). The region should reach beyond its
-/// boundary. Expands to a test for each of [`set::LAWS`](crate::set::LAWS), and to the test
-/// `every_law_is_a_test`.
+/// The set must implement [`ClosedSet`](tautline::ClosedSet). The region should reach beyond its
+/// boundary. The macro expands to one test for each of [`set::LAWS`](crate::set::LAWS), and to the
+/// test `every_law_is_a_test`.
 #[macro_export]
 macro_rules! set_suite {
     ($name:ident: $set:expr, dimension $d:literal, in $region:expr $(,)?) => {
@@ -113,14 +113,14 @@ macro_rules! set_suite {
     };
 }
 
-/// Tests a rule of numerical integration of your own: one test per law, in a module of the given
-/// name.
+/// Tests a rule of numerical integration of your own, with one test per law, in a module with the
+/// given name.
 ///
 /// ```text
 /// rule_suite!(simpson: Simpson);
 /// ```
 ///
-/// The rule implements [`Rule`](tautline::Rule). Expands to a test for each of
+/// The rule must implement [`Rule`](tautline::Rule). The macro expands to one test for each of
 /// [`rule::LAWS`](crate::rule::LAWS), and to the test `every_law_is_a_test`.
 #[macro_export]
 macro_rules! rule_suite {
@@ -138,7 +138,7 @@ macro_rules! rule_suite {
     };
 }
 
-/// A test for each law; `$check` runs a law on the case.
+/// Makes one test for each law; `$check` runs a law on the case.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __tests {

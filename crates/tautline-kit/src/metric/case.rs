@@ -1,4 +1,4 @@
-//! `Case`: a metric as the laws see it.
+//! `Case`: a metric in the form in which the laws use it.
 
 use std::sync::Arc;
 
@@ -9,15 +9,15 @@ use tautline_statements::{AnyBounded, WithConstants};
 use super::memory::Solved;
 use crate::{Effort, Fault, Region, report::LawResult};
 
-/// The distance of two points, in `m`, where a metric knows it.
+/// Returns the distance between two points, in `m`, if the metric knows it.
 type Distance<'m, const D: usize> =
     Box<dyn Fn(&SVector<f64, D>, &SVector<f64, D>) -> Option<f64> + 'm>;
 
-/// A metric with its type erased, where to sample it, and how thoroughly.
+/// A metric with its type erased, the region to sample, and the effort.
 pub(super) struct Case<'m, const D: usize> {
     pub(super) metric: AnyBounded<'m, D>,
     pub(super) region: Region<D>,
-    /// Where the ends of problems lie.
+    /// The region in which the ends of problems lie.
     pub(super) ends: Region<D>,
     pub(super) effort: Effort,
     pub(super) distance: Option<Distance<'m, D>>,
@@ -31,7 +31,7 @@ impl<'m, const D: usize> Case<'m, D> {
         Self::of(AnyBounded::of(metric), region, effort)
     }
 
-    /// The same metric with other claimed constants.
+    /// Returns a case of the same metric with other claimed constants.
     pub(super) fn claiming(&self, constants: Constants, effort: Effort) -> Self {
         let metric = WithConstants { metric: self.metric.metric.clone(), constants };
         Self::of(metric, self.region, effort)

@@ -1,4 +1,5 @@
-//! The laws about claimed constants: random samples, and local ascents from the best of them.
+//! The laws about claimed constants, checked at random samples and by local ascents from the best
+//! samples.
 
 use std::cell::RefCell;
 
@@ -16,7 +17,7 @@ use crate::{
 };
 
 impl Claim {
-    /// Returns the claimed value; `None` if `M_H` is not claimed.
+    /// Returns the claimed value, or `None` if `M_H` is not claimed.
     #[must_use]
     pub fn of(self, constants: &Constants) -> Option<f64> {
         match self {
@@ -27,16 +28,17 @@ impl Claim {
         }
     }
 
-    /// Returns the constants with this one multiplied by `factor`, if they are still in order.
+    /// Returns the constants with this one multiplied by `factor`, if they are still valid.
     pub(super) fn scaled(self, constants: &Constants, factor: f64) -> Option<Constants> {
         let by = |constant| if self == constant { factor } else { 1.0 };
         constants.times(Claim::ALL.map(by)).ok()
     }
 
-    /// The rounding of a value, in the unit of the constant.
+    /// Returns the rounding error of a value, in the unit of the constant.
     ///
-    /// An entry of `H` has some dozen roundings of terms of size `c₂`, an eigenvalue `D` times as
-    /// many; derivatives have more terms, of the size of the constants themselves.
+    /// An entry of `H` has about a dozen roundings of terms of size `c₂`, and an eigenvalue has `D`
+    /// times as many. Derivatives have more terms, which are of the size of the constants
+    /// themselves.
     fn rounding<const D: usize>(self, constants: &Constants, claimed: f64) -> f64 {
         match self {
             Claim::C1 | Claim::C2 => 1e-14 * D as f64 * constants.c2(),
@@ -45,7 +47,7 @@ impl Claim {
     }
 }
 
-/// A point with `H` there.
+/// A point, with the value of `H` there.
 type Place<const D: usize> = (SVector<f64, D>, SMatrix<f64, D, D>);
 
 /// The result of the search for the extreme value of one constant.
@@ -53,12 +55,13 @@ type Place<const D: usize> = (SVector<f64, D>, SMatrix<f64, D, D>);
 pub(super) struct Found {
     /// The number of samples.
     pub(super) cases: u64,
-    /// The overestimation `claimed / found` (for `c₁`, `found / claimed`), a pure number; `∞` if
-    /// the metric was not seen to change.
+    /// The overestimation `claimed / found` (for `c₁`, `found / claimed`), a pure number. It is `∞`
+    /// if no change of the metric was observed.
     pub(super) overestimation: f64,
 }
 
-/// Searches for the extreme value of one constant; `Ok(None)` if it is not claimed.
+/// Searches for the extreme value of one constant; returns `Ok(None)` if the constant is not
+/// claimed.
 pub(super) fn search<const D: usize>(
     case: &Case<'_, D>,
     constant: Claim,
@@ -94,13 +97,14 @@ fn search_anew<const D: usize>(
             let overestimation = tried.overestimation.min(top);
             Ok(Some(Found { cases: tried.cases, overestimation }))
         }
-        // The shrunk sample has short coordinates, the top of the ascent the extreme value.
+        // The shrunk sample has short coordinates, and the top of the ascent has the extreme value.
         (Err(failure), Some(Err(lie))) => Err(Failure { fault: lie.into(), ..failure }),
         (Err(failure), _) => Err(failure),
     }
 }
 
-/// Returns the overestimation of a claim at an extreme value, or that the claim is false.
+/// Returns the overestimation of a claim, given an extreme value, or an error if the claim is
+/// false.
 pub(super) fn judge<const D: usize>(
     constant: Claim,
     constants: &Constants,
@@ -110,7 +114,7 @@ pub(super) fn judge<const D: usize>(
     let granted = constant.rounding::<D>(constants, claimed);
     let (holds, overestimation) = match constant {
         Claim::C1 => (claimed <= found + granted, found / claimed),
-        // 0/0 for a constant metric.
+        // For a constant metric the quotient would be 0/0.
         _ if found == 0.0 => (found <= claimed + granted, f64::INFINITY),
         _ => (found <= claimed + granted, claimed / found),
     };
@@ -121,7 +125,7 @@ pub(super) fn judge<const D: usize>(
     Err(Lie { constant, claimed, found, point, direction, other: None })
 }
 
-/// One constant holds at random points and at the tops of local ascents.
+/// Checks that one constant holds at random points and at the tops of local ascents.
 pub(super) fn claim<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawResult {
     Ok(match search(case, constant)? {
         None => Tried::none("not claimed"),
@@ -129,17 +133,18 @@ pub(super) fn claim<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawR
     })
 }
 
-/// How often a chord is halved at most: down to `2⁻¹⁸` of the longest edge, over which a jump of
-/// `H` by `δ` has the quotient `2¹⁸ δ` per edge.
+/// The largest number of times that a chord is halved. The halves get as short as `2⁻¹⁸` of the
+/// longest edge; over this length a jump of `H` by `δ` has the quotient `2¹⁸ δ` per edge.
 const HALVINGS: i32 = 18;
 
-/// `‖H(x) − H(y)‖ ≤ L_H |x − y|` for points far apart and close together.
+/// Checks `‖H(x) − H(y)‖ ≤ L_H |x − y|` for points far apart and close together.
 ///
-/// The quotient of a chord is no more than the larger one of its halves. Halving towards the larger
-/// one therefore never lowers it: it climbs to a slope, or without bound where `H` jumps.
+/// The quotient of a chord is at most the larger of the quotients of its two halves. Keeping the
+/// half with the larger quotient therefore never lowers it: it tends to a slope, or grows without
+/// bound where `H` jumps.
 pub(super) fn lipschitz<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (c2, l_h) = (case.metric.constants().c2(), case.metric.constants().l_h());
-    // The roundings of H(x) and of H(y), see `Claim::rounding`.
+    // The allowance covers the roundings of H(x) and of H(y), see `Claim::rounding`.
     let granted = 2e-14 * D as f64 * c2;
     let shortest = case.region.size() * 0.5_f64.powi(HALVINGS);
     let gram = |x: &SVector<f64, D>| case.metric.gram::<f64>(x);
@@ -151,7 +156,7 @@ pub(super) fn lipschitz<const D: usize>(case: &Case<'_, D>) -> LawResult {
         for _ in 0..=HALVINGS {
             let (found, step) = (quotient([&x, &y]), (x.0 - y.0).norm());
             if !(found * step <= l_h * step + granted) {
-                // NaN is the worst.
+                // A NaN counts as the worst quotient.
                 if worst.as_ref().is_none_or(|worst| !(found <= worst.found)) {
                     worst = Some(Lie {
                         constant: Claim::LH,

@@ -1,4 +1,4 @@
-//! The distances of problems: known to the metric, or extrapolated from a fine grid.
+//! The distances of problems: either known to the metric, or extrapolated from a fine grid.
 
 use nalgebra::SVector;
 use tautline::{Bounded, Ends, Options, Starts, Trapezoidal, extrapolate, minimise};
@@ -6,15 +6,16 @@ use tautline_statements::{AnyBounded, Known, Reconstruction, VerifyError};
 
 use super::{case::Case, problems::Posed};
 
-/// The grid from which a distance is extrapolated, over 8, 32 and 128.
+/// The fine grid from which a distance is extrapolated, using the grids 8, 32 and 128 as well.
 const REFERENCE: usize = 512;
 
 impl<'m, const D: usize> Case<'m, D> {
-    /// The problem with its distance: exact where the metric knows it, else extrapolated from a
-    /// fine grid.
+    /// Returns the problem with its distance, which is exact if the metric knows it and is
+    /// otherwise extrapolated from a fine grid.
     ///
-    /// The error of an estimate is ten times its last change by extrapolation, plus `10⁻¹³` for
-    /// rounding. Curves from other grids that may be `shorter` are starts of the fine grid.
+    /// The error of an estimate is taken as ten times the last change made by the extrapolation,
+    /// plus `10⁻¹³` for rounding. Curves from other grids that may be `shorter` serve as starts on
+    /// the fine grid.
     pub(super) fn known(
         &self,
         posed: &Posed<D>,
@@ -36,7 +37,7 @@ impl<'m, const D: usize> Case<'m, D> {
         self.with_distance(posed, estimate)
     }
 
-    /// The problem with a distance found before, and its error bound.
+    /// Returns the problem with a distance that was found before, and with its error bound.
     pub(super) fn with_distance(
         &self,
         posed: &Posed<D>,
@@ -45,7 +46,7 @@ impl<'m, const D: usize> Case<'m, D> {
         Ok(Known { metric: &self.metric, ends: posed.ends()?, distance, distance_error })
     }
 
-    /// Two points with the distance that the metric knows, as in [`Known::between`].
+    /// Returns two points with the distance that the metric knows, as in [`Known::between`].
     pub(super) fn exact(
         &self,
         [a, b]: [SVector<f64, D>; 2],
@@ -58,7 +59,7 @@ impl<'m, const D: usize> Case<'m, D> {
     }
 }
 
-/// The problem with a distance extrapolated from a fine grid, see [`Case::known`].
+/// Returns the problem with a distance extrapolated from a fine grid, see [`Case::known`].
 pub(super) fn estimated<M: Bounded<D>, const D: usize>(
     metric: M,
     ends: Ends<D>,

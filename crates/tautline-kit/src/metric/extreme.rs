@@ -1,4 +1,4 @@
-//! The extreme values of a metric in a region, against which its claimed constants are checked.
+//! The extreme values of a metric in a region. Its claimed constants are checked against them.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline::{Jet1, Jet2, Metric, Scalar, norm_squared};
@@ -6,35 +6,36 @@ use tautline_statements::extreme_eigenvalues;
 
 use crate::{Claim, Region};
 
-/// Rounds of the alternation between directions. Each is a step of a power method that never
-/// descends. It need not converge, since an ascent repeats it at every step.
+/// The number of rounds of the alternation between directions. Each round is a step of a power
+/// method that never decreases the value. The alternation need not converge, since an ascent
+/// repeats it at every step.
 const ROUNDS: usize = 6;
 
-/// The steps of an ascent are `2⁻³` to `2⁻¹⁶` of the longest edge. A metric that varies `k` times
-/// along an edge has its smooth maximum missed by some `(k 2⁻¹⁶)²`, so that a constant that is
-/// wrong by a millionth is found.
+/// The steps of an ascent are `2⁻³` to `2⁻¹⁶` of the longest edge. If a metric varies `k` times
+/// along an edge, the ascent misses a smooth maximum by about `(k 2⁻¹⁶)²`, so it detects a constant
+/// that is wrong by a millionth.
 const HALVINGS: std::ops::RangeInclusive<i32> = 3..=16;
 
-/// How many steps of one length an ascent takes along a ridge.
+/// The number of steps of one length that an ascent takes along a ridge.
 const MOVES: usize = 64;
 
 /// A value that a metric takes at a point in a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extreme<const D: usize> {
-    /// The number bounded by a constant, in its unit.
+    /// The value that a constant bounds, in the unit of the constant.
     pub(super) value: f64,
     pub(super) point: SVector<f64, D>,
     pub(super) direction: SVector<f64, D>,
 }
 
 impl Claim {
-    /// Returns whether `a` comes nearer to breaking the claim than `b`, or breaks it more. False
-    /// for NaN.
+    /// Returns whether `a` comes closer to violating the claim than `b`, or violates it more.
+    /// Returns `false` for NaN.
     pub(super) fn worse(self, a: f64, b: f64) -> bool {
         if self == Claim::C1 { a < b } else { a > b }
     }
 
-    /// Returns the worst of several extremes; the first of equal ones.
+    /// Returns the worst of several extremes, and the first one among equal extremes.
     pub(super) fn worst<const D: usize>(
         self,
         extremes: impl Iterator<Item = Extreme<D>>,
@@ -42,11 +43,13 @@ impl Claim {
         extremes.reduce(|a, b| if self.worse(b.value, a.value) { b } else { a })
     }
 
-    /// Measures a metric at `x`, in the worst direction that alternation from `w` finds.
+    /// Measures a metric at `x`, in the worst direction that the alternation finds, starting from
+    /// `w`.
     ///
-    /// For `L_H` it maximises `|uᵀ DH(x)[w] u|` over unit `u` and `w`: for given `w` the best `u`
-    /// is an eigenvector, for given `u` the best `w` is the gradient of `uᵀHu`. For `M_H` likewise,
-    /// with an eigenvector of the Hessian of `uᵀHu`. Neither step descends.
+    /// For `L_H` it maximises `|uᵀ DH(x)[w] u|` over unit vectors `u` and `w`: for given `w` the
+    /// best `u` is an eigenvector, and for given `u` the best `w` is the gradient of `uᵀHu`. For
+    /// `M_H` it does the same with an eigenvector of the Hessian of `uᵀHu`. Neither step decreases
+    /// the value.
     pub(super) fn measure<const D: usize>(
         self,
         metric: &impl Metric<D>,
@@ -82,8 +85,8 @@ impl Claim {
         }
     }
 
-    /// Climbs to a local extreme of the region by steps along the coordinates and along the last
-    /// move, halved when none helps.
+    /// Climbs to a local extreme in the region by steps along the coordinates and along the last
+    /// move. The step is halved when none of these improves the value.
     pub(super) fn climb<const D: usize>(
         self,
         metric: &impl Metric<D>,
@@ -126,8 +129,8 @@ impl Claim {
     }
 }
 
-/// Alternates between `w`, with the matrix `A(w)`, and the eigenvector `u` of the absolutely
-/// largest eigenvalue of `A(w)`. Returns its absolute value and `w`.
+/// Alternates between `w`, with the matrix `A(w)`, and the eigenvector `u` for the eigenvalue of
+/// `A(w)` that is largest in absolute value. Returns this absolute value and `w`.
 fn alternate<const D: usize>(
     x: &SVector<f64, D>,
     w: &SVector<f64, D>,
@@ -147,7 +150,7 @@ fn alternate<const D: usize>(
     Extreme { value, point: *x, direction }
 }
 
-/// `H(x + t w)`.
+/// Returns `H(x + t w)`.
 fn along<S: Scalar, const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -157,7 +160,7 @@ fn along<S: Scalar, const D: usize>(
     metric.gram(&SVector::from_fn(|i, _| t * w[i] + x[i]))
 }
 
-/// `DH(x)[w]`, in `m²/ℓ³` for a unit vector `w`.
+/// Returns `DH(x)[w]`, in `m²/ℓ³` for a unit vector `w`.
 pub(super) fn first<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -167,7 +170,7 @@ pub(super) fn first<const D: usize>(
     along(metric, x, w, t).map(|entry| entry.first(0))
 }
 
-/// `D²H(x)[w, w]`, in `m²/ℓ⁴` for a unit vector `w`.
+/// Returns `D²H(x)[w, w]`, in `m²/ℓ⁴` for a unit vector `w`.
 pub(super) fn second<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -179,12 +182,12 @@ pub(super) fn second<const D: usize>(
 
 type Eigenpair<const D: usize> = (f64, SVector<f64, D>);
 
-/// The smallest and the largest eigenvalue of a symmetric matrix, with unit eigenvectors; NaN if
-/// an entry is not finite.
+/// Returns the smallest and the largest eigenvalue of a symmetric matrix, with unit eigenvectors.
+/// They are NaN if an entry is not finite.
 fn eigenpairs<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (Eigenpair<D>, Eigenpair<D>) {
     let axis = SVector::from_fn(|i, _| if i == 0 { 1.0 } else { 0.0 });
     if !matrix.iter().all(|entry| entry.is_finite()) {
-        // nalgebra would iterate forever.
+        // On such a matrix nalgebra would iterate forever.
         return ((f64::NAN, axis), (f64::NAN, axis));
     }
     if D == 1 {
@@ -196,13 +199,14 @@ fn eigenpairs<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (Eigenpair<D>, Eig
     ((eigen.eigenvalues[low], vector(low)), (eigen.eigenvalues[high], vector(high)))
 }
 
-/// The absolutely largest eigenvalue, without its sign, and its eigenvector.
+/// Returns the absolute value of the eigenvalue that is largest in absolute value, and its
+/// eigenvector.
 fn largest<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Eigenpair<D> {
     let ((low, at_low), (high, at_high)) = eigenpairs(matrix);
     if low.abs() > high.abs() { (low.abs(), at_low) } else { (high.abs(), at_high) }
 }
 
-/// The operator norm of a symmetric matrix; NaN if an entry is not finite.
+/// Returns the operator norm of a symmetric matrix, or NaN if an entry is not finite.
 pub(super) fn norm<const D: usize>(matrix: &SMatrix<f64, D, D>) -> f64 {
     if !matrix.iter().all(|entry| entry.is_finite()) {
         return f64::NAN;

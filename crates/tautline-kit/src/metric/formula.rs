@@ -1,4 +1,4 @@
-//! The laws of a formula: `H` is a metric, and its derivatives agree with it.
+//! The laws of a formula: `H` is a metric, and its derivatives agree with its values.
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Jet1, Metric, MetricError, check_gram, norm_squared};
@@ -14,16 +14,17 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// `H(x)` is finite, and its two halves agree to rounding.
+/// Checks that `H(x)` is finite and that its two halves agree to rounding.
 pub(super) fn finite_and_symmetric<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.at_points(|x| match check_gram(&case.metric, x) {
-        // A law of its own.
+        // Positive definiteness is a separate law.
         Ok(_) | Err(MetricError::NotPositiveDefinite { .. }) => Ok(f64::INFINITY),
         Err(error) => Err(error.into()),
     })
 }
 
-/// `H(x)` is positive definite at random points, and where descents of its smallest eigenvalue end.
+/// Checks that `H(x)` is positive definite at random points and at the points where descents of its
+/// smallest eigenvalue end.
 pub(super) fn positive_definite<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, effort) = (&case.metric, &case.effort);
     let axis = SVector::from_fn(|i, _| if i == 0 { 1.0 } else { 0.0 });
@@ -39,7 +40,7 @@ pub(super) fn positive_definite<const D: usize>(case: &Case<'_, D>) -> LawResult
     Ok(tried.and(Tried::cases(effort.ascents as u64)))
 }
 
-/// `H(x)` is a multiple of the identity, if the constants say so.
+/// Checks that `H(x)` is a multiple of the identity, if the constants say so.
 pub(super) fn isotropic<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let constants = case.metric.constants();
     if !constants.is_isotropic() {
@@ -48,39 +49,39 @@ pub(super) fn isotropic<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.at_points(|x| {
         let h = case.metric.gram(x);
         let off = (h - SMatrix::from_diagonal_element(h[(0, 0)])).amax();
-        // A dozen roundings an entry.
+        // Each entry has about a dozen roundings.
         let granted = 1e-14 * constants.c2();
         Fault::unless_zero("H(x) = φ(x) I", off, granted, x.as_slice())?;
         Ok(f64::INFINITY)
     })
 }
 
-/// The fractional part of the square root of the `i`-th prime.
+/// Returns the fractional part of the square root of the `i`-th prime.
 pub(super) fn winding(i: usize) -> f64 {
     const PRIMES: [f64; 12] = [2., 3., 5., 7., 11., 13., 17., 19., 23., 29., 31., 37.];
     PRIMES[i % PRIMES.len()].sqrt().fract()
 }
 
-/// The `k`-th point of an irrational winding through a region, which no period of a formula
-/// follows.
+/// Returns the `k`-th point of an irrational winding through a region. No period of a formula can
+/// be in step with it.
 pub(super) fn on_winding<const D: usize>(region: &Region<D>, k: usize) -> SVector<f64, D> {
     region.at(&SVector::from_fn(|i, _| (k as f64 * winding(i)).fract()))
 }
 
-/// First and second derivatives by jets agree with central differences.
+/// Checks that first and second derivatives by jets agree with central differences.
 pub(super) fn jets<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let metric = &case.metric;
     let samples = (case.region.points(), directions::<D>(), directions::<D>());
     case.effort.for_all(samples, |(x, u, w)| {
         let (point, length) = (x.as_slice(), case.region.size());
-        // DH may be a small difference of terms that are as large as it is elsewhere.
+        // DH may be a small difference of terms that are as large as DH is elsewhere.
         let terms = metric.constants().l_h();
         let form = |t: f64| norm_squared(metric, &(x + w * t), u);
         let slope = |t: f64| u.dot(&(first(metric, &(x + w * t), w) * u));
         let bent = second(metric, x, w);
         let [size, curvature] = [norm(&metric.gram(x)), norm(&bent)];
         let claimed = slope(0.0);
-        // Along the line of a step, uᵀHu is of the size of H plus what its slope adds.
+        // Along the line of a step, uᵀHu is of the size of H plus the change due to its slope.
         let size = size + claimed.abs() * length;
         let law = "|uᵀ DH(x)[w] u − its central difference| = O(h²)";
         difference_test(claimed, form, length, size).map_err(|off| off.of(law, point))?;
@@ -88,10 +89,11 @@ pub(super) fn jets<const D: usize>(case: &Case<'_, D>) -> LawResult {
         let law = "|uᵀ D²H(x)[w, w] u − its central difference| = O(h²)";
         difference_test(u.dot(&(bent * u)), slope, length, size)
             .map_err(|off| off.of(law, point))?;
-        // The gradient uses another number type than the derivative along a line.
+        // The gradient is computed with another number type than the derivative along a line.
         let jet = norm_squared(metric, &Jet1::variables(&(*x).into()).into(), u);
         let along = SVector::<f64, D>::from(*jet.gradient()).dot(w);
-        // D terms of the size of the derivatives, or of the terms that they are differences of.
+        // There are D terms of the size of the derivatives, or of the terms whose differences they
+        // are.
         let sizes = jet.gradient().iter().map(|g| g.abs()).sum::<f64>() + claimed.abs();
         let granted = 1e-12 * (sizes + terms);
         let law = "∇(uᵀHu)·w = uᵀ DH(x)[w] u";

@@ -1,4 +1,4 @@
-//! `Memory`: results that several laws share, computed once.
+//! `Memory`: results that several laws share and that are computed only once.
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -7,7 +7,7 @@ use tautline_statements::{PaperRule, Reconstruction, VerifyError};
 use super::{claims::Found, problems::Posed};
 use crate::{Claim, Failure};
 
-/// Values by key. The keys are few, so the search is linear.
+/// A map from keys to values. There are only a few keys, so the search is linear.
 #[derive(Debug)]
 pub(super) struct Memory<K, V>(Mutex<Vec<(K, Arc<OnceLock<V>>)>>);
 
@@ -18,7 +18,7 @@ impl<K, V> Default for Memory<K, V> {
 }
 
 impl<K: PartialEq + Clone, V: Clone> Memory<K, V> {
-    /// Returns the value of a key, computed on the first call; concurrent calls wait for it.
+    /// Returns the value for a key, which the first call computes; concurrent calls wait for it.
     pub(super) fn recall(&self, key: &K, compute: impl FnOnce() -> V) -> V {
         self.place(key).get_or_init(compute).clone()
     }
@@ -47,14 +47,14 @@ pub(super) struct Solution<const D: usize> {
     pub(super) minimisers: Vec<Reconstruction<D>>,
 }
 
-/// The solution of a problem, or why it has none.
+/// The solution of a problem, or the reason why it has none.
 pub(super) type Solutions<const D: usize> = Result<Arc<Solution<D>>, VerifyError>;
 
-/// The results for one metric so far: the extreme values that its constants bound, the distances
-/// of its problems, and the minimisers of either rule.
+/// The results computed so far for one metric: the extreme values that its constants bound, the
+/// distances of its problems, and the minimisers for both rules.
 #[derive(Debug, Default)]
 pub(super) struct Solved<const D: usize> {
-    /// The law of the formula that fails, if one does; then nothing is solved.
+    /// The law of the formula that fails, if there is one; in this case nothing is solved.
     pub(super) broken: OnceLock<Option<&'static str>>,
     pub(super) extremes: Memory<Claim, Result<Option<Found>, Failure>>,
     pub(super) distances: Memory<Posed<D>, Estimate>,

@@ -1,4 +1,4 @@
-//! The statements of the paper about minimisers, on the solved problems of a metric.
+//! The statements of the paper about minimisers, checked on the solved problems of a metric.
 
 use tautline::Bounded;
 use tautline_statements::{
@@ -13,10 +13,11 @@ use super::{
 };
 use crate::{Fault, margin::Margin, report::LawResult};
 
-/// Proposition 6.2, on the ends of the minimisers of the trapezoidal rule.
+/// Checks Proposition 6.2 on the ends of the minimisers for the trapezoidal rule.
 ///
-/// The length of the reconstruction bounds their distance; that of another pair is known or bounded
-/// by the length of a detour. Upper bounds suffice, since only a shorter length is refused.
+/// The length of the reconstruction bounds the distance between the ends. The distance of another
+/// pair is known or is bounded by the length of a detour. Upper bounds suffice, since only a
+/// shorter length is refused.
 pub(super) fn prop_6_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
         let detour = minimiser.detour()?;
@@ -33,7 +34,7 @@ pub(super) fn prop_6_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// Proposition 6.3, on the reconstructions of the trapezoidal rule and on detours.
+/// Checks Proposition 6.3 on the reconstructions for the trapezoidal rule and on detours.
 pub(super) fn prop_6_3<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
         let sequences = [&minimiser.seen.minimum.sequence, &minimiser.detour()?];
@@ -44,11 +45,12 @@ pub(super) fn prop_6_3<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// Proposition 7.1, on the minimisers of both rules: each against a detour, and against the same
-/// sequence with its points moved a little.
+/// Checks Proposition 7.1 on the minimisers for both rules. Each is compared with a detour and with
+/// the same sequence after its points are moved a little.
 ///
 /// A search may end at a local minimum, or where the energy is flat to second order, with less
-/// energy nearby. It is then restarted, from the better sequence too, and must not end above it.
+/// energy nearby. It is then restarted, also from the better sequence, and its result must not have
+/// more energy than that sequence.
 pub(super) fn prop_7_1<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| {
         let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
@@ -64,13 +66,13 @@ pub(super) fn prop_7_1<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// The minimisers of Proposition 7.1 are critical points, of nearly constant speed.
+/// Checks that the minimisers of Proposition 7.1 are critical points with nearly constant speed.
 pub(super) fn critical_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| critical_point(&LIBRARY, minimiser))
 }
 
-/// The statement varies the ends by a step that may not be small beside the gaps of a finite set;
-/// each of its members is therefore taken alone.
+/// Checks one minimiser. The statement varies the ends by a step that may not be small compared
+/// with the gaps in a finite set, so each member of the set is taken by itself.
 fn critical_point<const D: usize>(
     subject: &Subject,
     minimiser: &Minimiser<'_, D>,
@@ -81,18 +83,18 @@ fn critical_point<const D: usize>(
     judge(&statements::critical_point(subject, &known, minimiser.seen))
 }
 
-/// Remark 9.2, on the minimisers of both rules.
+/// Checks Remark 9.2 on the minimisers for both rules.
 pub(super) fn remark_9_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| judge(&statements::remark_9_2(&LIBRARY, minimiser.seen)))
 }
 
-/// `C_tra(N)` with the `K_{1,g}` and `K_{2,g}` of a problem, as in the proof of Theorem 1.1.
+/// Evaluates `C_tra(N)` at `K_{1,g}` and `K_{2,g}` of a problem, as in the proof of Theorem 1.1.
 pub(super) fn c_tra<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let norms = [subject.k1_g(seen.setting), subject.k2_g(seen.setting)];
     statements::constant_c_tra(subject, seen.setting.constants(), norms, seen.n)
 }
 
-/// `C_tra♯` with the `K_{1,g}` and `K_{2,g}` of a problem, as in the proof of Theorem 1.1.
+/// Evaluates `C_tra♯` at `K_{1,g}` and `K_{2,g}` of a problem, as in the proof of Theorem 1.1.
 pub(super) fn c_tra_sharp<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let norms = [subject.k1_g(seen.setting), subject.k2_g(seen.setting)];
     statements::constant_c_tra_sharp(subject, seen.setting.constants(), norms, seen.n)
@@ -116,7 +118,7 @@ mod tests {
         report::LawResult,
     };
 
-    /// The library with `C_tra(N)` off by one part in a million.
+    /// Returns the library with an error of one part in a million in `C_tra(N)`.
     fn off() -> Subject {
         let c_tra = |constants, k1, k2, n| bounds::c_tra(constants, k1, k2, n) * (1.0 + 1e-6);
         Subject::with(Bounds { c_tra, ..Bounds::LIBRARY })
@@ -152,7 +154,7 @@ mod tests {
         assert_eq!(wrong, "C_tra(N) ≤ C_tra♯/N");
     }
 
-    /// Under a constant metric every length is that of a straight line, and `C_tra(N)` always
+    /// For a constant metric every length is the length of a straight line, and `C_tra(N)` always
     /// equals its definition.
     #[test]
     fn cases_that_could_not_fail_are_counted_apart() {
@@ -168,8 +170,8 @@ mod tests {
         assert_eq!((identity.idle, identity.overestimation), (identity.cases, f64::INFINITY));
     }
 
-    /// One point is moved so far that the gradient there, whose derivative is about `4N H`, is off
-    /// by a millionth.
+    /// One point is moved so far that the gradient at this point, whose derivative is about `4N H`,
+    /// is off by a millionth.
     #[test]
     fn gradients_that_are_off_by_a_millionth_are_refused() {
         let shear = shear();
@@ -189,7 +191,7 @@ mod tests {
         assert!(claim.contains("ρₙ"), "{claim}");
     }
 
-    /// One chord has no inner point.
+    /// A single chord has no inner point.
     #[test]
     fn a_gradient_that_points_out_of_the_sets_is_refused() {
         let one = Effort { problems: 6, subintervals: &[1], ..Effort::default() };
@@ -201,7 +203,8 @@ mod tests {
         assert!(claim.contains("∂E"), "{claim}");
     }
 
-    /// A minimiser is compared with sequences of more energy, by more than is granted.
+    /// A minimiser is compared with sequences whose energy is larger by more than the granted
+    /// rounding.
     #[test]
     fn a_moved_minimiser_is_no_minimiser() {
         let shear = shear();

@@ -1,11 +1,12 @@
 //! The laws of a metric, and the statements of the paper about it.
 //!
-//! One function per law, named like its test in [`metric_suite!`](crate::metric_suite).
+//! There is one function per law, with the same name as its test in
+//! [`metric_suite!`](crate::metric_suite).
 //!
 //! Every statement is tested that applies to a metric of which only the formula, the constants and
 //! perhaps the distances are known. Propositions 3.1, 3.2, 4.1 to 4.3, 7.12 and 9.1, Lemma 4.4 and
-//! the constants `K_{1,g}` and `K_{2,g}` are about minimal geodesics, which are not given. Section
-//! 5 is about the valleys; Propositions 7.2 to 7.4 and 7.8 are about no metric at all.
+//! the constants `K_{1,g}` and `K_{2,g}` are about minimal geodesics, which are not known here.
+//! Section 5 is about the valleys; Propositions 7.2 to 7.4 and 7.8 do not involve a metric at all.
 
 mod case;
 mod claims;
@@ -36,15 +37,15 @@ use tautline_statements::{self as of_the_paper, PaperRule, curves::Measured};
 
 use super::{Claim, Effort, Region, Report};
 
-/// The distance of two points, in `m`, where a metric knows it.
+/// Returns the distance between two points, in `m`, if the metric knows it.
 type Distance<M, const D: usize> = fn(&M, &SVector<f64, D>, &SVector<f64, D>) -> Option<f64>;
 
-/// A metric, where to sample it, and how thoroughly.
+/// A metric, the region to sample, and the effort.
 #[derive(Clone, Debug)]
 pub struct MetricCase<M, const D: usize> {
     metric: M,
     region: Region<D>,
-    /// Where the ends of problems lie.
+    /// The region in which the ends of problems lie.
     ends: Region<D>,
     effort: Effort,
     distance: Option<Distance<M, D>>,
@@ -52,23 +53,23 @@ pub struct MetricCase<M, const D: usize> {
 }
 
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
-    /// A metric whose distances are extrapolated from fine grids.
+    /// Returns the case of a metric whose distances are extrapolated from fine grids.
     pub fn new(metric: M, region: Region<D>, effort: Effort) -> Self {
         Self { metric, region, ends: region, effort, distance: None, solved: Arc::default() }
     }
 
-    /// The same metric with the distances that it knows.
+    /// Returns the case of the same metric with the distances that it knows.
     #[must_use]
     pub fn with_known_distance(self) -> Self
     where
         M: KnownDistance<D>,
     {
-        // What was solved with estimated distances does not count.
+        // Solutions found with estimated distances are no longer used.
         let solved = Arc::default();
         Self { distance: Some(|metric, x, y| metric.distance(x, y)), solved, ..self }
     }
 
-    /// `with distances`, at the end of [`metric_suite!`](crate::metric_suite).
+    /// Implements `with distances` at the end of [`metric_suite!`](crate::metric_suite).
     #[doc(hidden)]
     #[must_use]
     pub fn distances(self) -> Self
@@ -78,7 +79,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         self.with_known_distance()
     }
 
-    /// The case as the laws see it, with the type of the metric erased.
+    /// Returns the case that the laws use, with the type of the metric erased.
     fn erased(&self) -> Case<'_, D> {
         let Self { metric, region, ends, effort, distance, solved } = self;
         let distance =
@@ -88,13 +89,14 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     }
 }
 
-/// The laws, one per row: its name, what it says, and the function that checks it.
+/// The laws, one per row: its name, its content, and the function that checks it.
 ///
-/// A statement of `tautline_statements` is one more row: `case.of_points(…)` for a statement about
-/// the metric at a point, `case.of_point_sequences(…)` about any point sequence,
-/// `case.of_known(…)` about a distance and the curves that are no shorter,
-/// `case.of_minimisers(rule, …)` about computed minimisers, and `case.of_constants(rule, …)` if it
-/// is an equality for every metric. All laws about minimisers share the same ones, computed once.
+/// To add a statement of `tautline_statements`, add a row: `case.of_points(…)` for a statement
+/// about the metric at a point, `case.of_point_sequences(…)` for one about any point sequence,
+/// `case.of_known(…)` for one about a distance and the curves that are no shorter,
+/// `case.of_minimisers(rule, …)` for one about computed minimisers, and
+/// `case.of_constants(rule, …)` if it is an equality for every metric. All laws about minimisers
+/// share the same minimisers, which are computed once.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __metric_laws {
@@ -236,11 +238,11 @@ pub fn verify_metric<M: Bounded<D>, const D: usize>(
     verify(&MetricCase::new(metric, *region, *effort))
 }
 
-/// Checks all laws of a metric with constants on balls, in one of them.
+/// Checks all laws of a metric with constants on balls, on one of the balls.
 ///
 /// # Errors
 ///
-/// As [`MetricCase::within`].
+/// The errors of [`MetricCase::within`].
 pub fn verify_metric_within<M: LocallyBounded<D>, const D: usize>(
     metric: &M,
     centre: impl Into<SVector<f64, D>>,

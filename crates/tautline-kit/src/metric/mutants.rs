@@ -1,4 +1,4 @@
-//! Wrong metrics and wrong input, which must be refused.
+//! Wrong metrics and wrong input, which the library must refuse.
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
@@ -18,7 +18,7 @@ use crate::{
 };
 
 impl Claim {
-    /// The factor of the wrong constant.
+    /// Returns the factor by which the wrong constant is multiplied.
     fn mistake(self) -> f64 {
         match self {
             Claim::C1 => 1.05,
@@ -28,22 +28,22 @@ impl Claim {
     }
 }
 
-/// Makes one constant wrong, and fails if that is not noticed.
+/// Makes one constant wrong, and fails if the search does not notice it.
 ///
-/// If the claim itself is looser than the mistake, the wrong constant still holds in this region,
-/// and there is nothing to refuse; a note says so.
+/// If the overestimation of the claim itself exceeds the mistake, the wrong constant still holds in
+/// this region, and there is nothing to refuse. A note says so.
 pub(super) fn constant<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawResult {
     let found = match search(case, constant) {
         Ok(Some(found)) => found,
         Ok(None) => return Ok(Tried::none("not claimed")),
-        // A law of its own.
+        // A separate law reports the false claim.
         Err(Failure { fault: Fault::Lie(_), .. }) => {
             return Ok(Tried::none("the claim itself does not hold"));
         }
         Err(failure) => return Err(failure),
     };
     let factor = constant.mistake();
-    // A mistake of nearly the looseness would show in the last digits only.
+    // If the mistake hardly exceeds the overestimation, it would only show in the last digits.
     if !(found.overestimation < 1.0 + 0.9 * (factor.max(1.0 / factor) - 1.0)) {
         return Ok(Tried::none(match found.overestimation {
             overestimation if overestimation.is_finite() => {
@@ -55,14 +55,14 @@ pub(super) fn constant<const D: usize>(case: &Case<'_, D>, constant: Claim) -> L
     let Some(constants) = constant.scaled(&case.metric.constants(), factor) else {
         return Ok(Tried::none("the mistake contradicts c1 ≤ c2"));
     };
-    // Other samples than those that found the claim to be sharp.
+    // The samples differ from those that showed the claim to be sharp.
     let effort = case.effort.with_seed(case.effort.seed.wrapping_add(1));
     let wrong = search(&case.claiming(constants, effort), constant);
     verdict(found, wrong.map_err(|failure| failure.fault))
         .map_err(|fault| case.effort.failure(fault))
 }
 
-/// Judges the search on a wrong constant, which has to find it out.
+/// Judges the search for a wrong constant, which must find the mistake.
 fn verdict(truth: Found, search: Result<Option<Found>, Fault>) -> Result<Tried, Fault> {
     match search {
         Err(Fault::Lie(_)) => {
@@ -72,7 +72,7 @@ fn verdict(truth: Found, search: Result<Option<Found>, Fault>) -> Result<Tried, 
     }
 }
 
-/// Counts the refusals, and fails unless all were refused.
+/// Counts the refusals, and fails unless every case was refused.
 fn refused<const D: usize>(case: &Case<'_, D>, what: &'static str, refusals: &[bool]) -> LawResult {
     if refusals.iter().all(|&refused| refused) {
         Ok(Tried::cases(refusals.len() as u64))
@@ -81,7 +81,7 @@ fn refused<const D: usize>(case: &Case<'_, D>, what: &'static str, refusals: &[b
     }
 }
 
-/// Points and sequences with a coordinate that is not finite.
+/// Checks that points and sequences with a coordinate that is not finite are refused.
 pub(super) fn nan_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let good = case.region.at(&SVector::repeat(0.5));
     let refusals: Vec<bool> = (0..D)
@@ -97,7 +97,7 @@ pub(super) fn nan_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
     refused(case, "a point that is not finite", &refusals)
 }
 
-/// `N = 0`.
+/// Checks that `N = 0` is refused.
 pub(super) fn no_subinterval<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let [a, b] = [0.25, 0.75].map(|fraction| case.region.at(&SVector::repeat(fraction)));
     let solved = Ends::points(a, b)
@@ -106,7 +106,7 @@ pub(super) fn no_subinterval<const D: usize>(case: &Case<'_, D>) -> LawResult {
     refused(case, "N = 0", &refusals)
 }
 
-/// Two half-spaces: Proposition 7.1 needs a bounded set.
+/// Checks that two half-spaces are refused, since Proposition 7.1 needs a bounded set.
 pub(super) fn two_unbounded_sets<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let half_space = |sign: f64| {
         let normal = SVector::from_fn(|i, _| if i == 0 { sign } else { 0.0 });
@@ -134,7 +134,7 @@ impl<const D: usize> ClosedSet<D> for Empty {
     }
 }
 
-/// A problem with an empty set.
+/// Checks that a problem with an empty set is refused.
 pub(super) fn empty_set<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let point = || Point::new(case.region.at(&SVector::repeat(0.5)));
     let refusals = [
@@ -154,13 +154,13 @@ struct Torn<'a, const D: usize> {
 impl<const D: usize> Metric<D> for Torn<'_, D> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let mut h = self.metric.gram(x);
-        // The root of a negative number right of the middle, times 0.
+        // To the right of the middle this is the root of a negative number, times 0.
         h[(0, 0)] += (-x[0] + self.from).sqrt() * 0.0;
         h
     }
 }
 
-/// The same formula with half of the region outside its domain.
+/// Checks the same formula with half of the region outside its domain, which must be refused.
 pub(super) fn nan_metric<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let from = case.region.at(&SVector::repeat(0.5))[0];
     let metric = Torn { metric: &case.metric, from };
@@ -208,7 +208,7 @@ mod tests {
         assert_eq!(failure.fault, Fault::NotRefused { what: "it" });
     }
 
-    /// With half of `L_H` the law about `L_H` itself fails.
+    /// With half of `L_H` the law about `L_H` itself already fails.
     #[test]
     fn a_false_claim_is_not_made_worse() {
         let claimed = tautline::Bounded::<2>::constants(&Valleys);

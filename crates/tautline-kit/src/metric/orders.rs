@@ -11,25 +11,26 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// The grids of the fits.
+/// The grids used for the fits.
 const WINDOW: [usize; 4] = [32, 64, 128, 256];
 
-/// How far a slope may fall short of the order: the next term of the expansion is smaller by some
-/// `10/N`, which tilts a line over the window by at most 0.2.
+/// The amount by which a slope may fall short of the order. The next term of the expansion is
+/// smaller by a factor of about `10/N`, which tilts a line over the window by at most 0.2.
 const TILT: f64 = 0.2;
 
-/// The median over this many problems counts: in a single one the leading coefficient may happen to
-/// be small, so that the error changes sign.
+/// The number of problems over which the median is taken. In a single problem the leading
+/// coefficient may happen to be small, so that the error changes sign.
 const PROBLEMS: usize = 5;
 
 /// The errors of the discrete energy and of the energy of the curve for one problem, on each grid
-/// where they exceed rounding.
+/// on which they exceed rounding.
 type Errors = [Vec<(usize, f64)>; 2];
 
-/// `|E_N − d²|` and `E(γᵖˡ) − d²` fall with the order of the rule and with 2.
+/// Checks that `|E_N − d²|` falls with the order of the rule, and `E(γᵖˡ) − d²` with order 2.
 pub(super) fn orders<const D: usize>(case: &Case<'_, D>, rule: PaperRule, least: f64) -> LawResult {
     case.solvable()?;
-    // Above three dimensions, where a solve costs D³, without the finest grid and two problems.
+    // In more than three dimensions, where a solve costs D³, we omit the finest grid and two
+    // problems.
     let (window, problems): (&[usize], _) =
         if D <= 3 { (&WINDOW, PROBLEMS) } else { (&WINDOW[..3], PROBLEMS - 2) };
     let mut slopes = [Vec::new(), Vec::new()];
@@ -40,7 +41,7 @@ pub(super) fn orders<const D: usize>(case: &Case<'_, D>, rule: PaperRule, least:
             Ok(errors) => {
                 solved += 1;
                 for (slopes, errors) in slopes.iter_mut().zip(errors) {
-                    // Two errors above rounding make no line.
+                    // Two errors above rounding are not enough for a line.
                     if errors.len() >= 3 {
                         slopes.push(order(&errors));
                     }
@@ -61,8 +62,8 @@ pub(super) fn orders<const D: usize>(case: &Case<'_, D>, rule: PaperRule, least:
     Ok(Tried::cases(solved * window.len() as u64).with_note(note))
 }
 
-/// Compares the slopes of both errors with the order of the rule and with 2. A slope is missing
-/// where the errors are rounding.
+/// Compares the slope of one error with the order of the rule and the slope of the other with 2. A
+/// slope is missing if the errors do not exceed rounding.
 fn observed(
     [discrete, curve]: [Option<f64>; 2],
     least: f64,
@@ -95,7 +96,8 @@ fn errors<const D: usize>(
         let pair = [seen.discrete_energy, seen.energy.value];
         for (errors, energy) in errors.iter_mut().zip(pair) {
             let error = (energy - seen.distance_squared).abs();
-            // An uncertainty of a tenth tilts a line no more than the next term does.
+            // An uncertainty of one tenth tilts a line no more than the next term of the expansion
+            // does.
             if error > 10.0 * seen.granted {
                 errors.push((n, error));
             }
@@ -104,7 +106,8 @@ fn errors<const D: usize>(
     Ok(errors)
 }
 
-/// `d^g` is zero from a point to itself, symmetric, and at most the length of the minimisers.
+/// Checks that `d^g` is zero from a point to itself, symmetric, and at most the length of the
+/// minimisers.
 pub(super) fn distances<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let Some(distance) = &case.distance else { return Ok(Tried::none("no distance is known")) };
     case.solvable()?;
@@ -148,7 +151,7 @@ mod tests {
             ([Some(1.79), Some(2.0)], 2.0, "|E_N − d²|"),
             ([Some(0.79), Some(2.0)], 1.0, "|E_N − d²|"),
             ([Some(f64::NAN), Some(2.0)], 1.0, "|E_N − d²|"),
-            // For the left-endpoint rule too, the curve has order 2.
+            // The order of the curve is 2 for the left-endpoint rule too.
             ([Some(1.0), Some(1.79)], 1.0, "E(γᵖˡ) − d²"),
             ([None, Some(f64::NAN)], 2.0, "E(γᵖˡ) − d²"),
         ] {

@@ -1,4 +1,4 @@
-//! Problems in a region: pairs of sets of every kind.
+//! Problems in a region, between pairs of sets of every kind.
 
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -28,7 +28,7 @@ impl Kind {
     ];
 }
 
-/// Two sets about `a` and `b`, apart from each other.
+/// Two sets near `a` and `b`, apart from each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Posed<const D: usize> {
     kind: Kind,
@@ -38,8 +38,9 @@ pub(super) struct Posed<const D: usize> {
 }
 
 impl<const D: usize> Posed<D> {
-    /// Problems of one kind, with `a` and `b` at least an eighth of the longest edge apart. No
-    /// point is special, since between two points on an axis of symmetry there may be a saddle.
+    /// Draws problems of one kind, with `a` and `b` at least an eighth of the longest edge apart.
+    /// The points are never special ones, since between two points on an axis of symmetry there may
+    /// be a saddle.
     pub(super) fn problems(kind: Kind, region: &Region<D>) -> impl Strategy<Value = Self> + use<D> {
         let apart = region.size() / 8.0;
         (region.uniform(), region.uniform(), region.uniform())
@@ -49,12 +50,13 @@ impl<const D: usize> Posed<D> {
             .prop_map(move |(a, b, further)| Self { kind, a, b, further })
     }
 
-    /// The problem between two points.
+    /// Returns the problem between two points.
     pub(super) fn between(a: SVector<f64, D>, b: SVector<f64, D>) -> Self {
         Self { kind: Kind::Points, a, b, further: b }
     }
 
-    /// The two sets. Radii, and half the diagonals of boxes, are a quarter of `|b − a|`.
+    /// Returns the two sets. Their radii, or half the diagonals of boxes, are a quarter of
+    /// `|b − a|`.
     pub(super) fn ends(&self) -> Result<Ends<D>, SetError> {
         let Self { a, b, further, .. } = *self;
         let radius = self.radius();
@@ -78,7 +80,7 @@ impl<const D: usize> Posed<D> {
         }
     }
 
-    /// The two sets near these members, with a finite set replaced by its member.
+    /// Returns the two sets near these members, with a finite set replaced by its member.
     pub(super) fn ends_near(
         &self,
         [first, last]: [SVector<f64, D>; 2],
@@ -97,12 +99,12 @@ impl<const D: usize> Posed<D> {
         0.25 * (self.b - self.a).norm()
     }
 
-    /// A third point, at least an eighth of the longest edge from `a`.
+    /// Returns a third point, at least an eighth of the longest edge away from `a`.
     pub(super) fn further(&self) -> SVector<f64, D> {
         self.further
     }
 
-    /// The two points, if the sets are points.
+    /// Returns the two points, if both sets are points.
     pub(super) fn points(&self) -> Option<[SVector<f64, D>; 2]> {
         (self.kind == Kind::Points).then_some([self.a, self.b])
     }

@@ -1,4 +1,4 @@
-//! The constants of a metric over the whole region, by branch and bound.
+//! The constants of a metric over the whole region, enclosed by branch and bound.
 
 use nalgebra::SVector;
 use tautline::{
@@ -22,7 +22,8 @@ impl Claim {
         }
     }
 
-    /// To one percent, with as many boxes as take a fraction of a second; derivatives cost more.
+    /// Returns an accuracy of one percent, with as many boxes as take a fraction of a second.
+    /// Derivatives cost more per box.
     fn accuracy(self, dimension: usize) -> Accuracy {
         let budget = match self {
             Claim::C1 | Claim::C2 => 20_000,
@@ -33,8 +34,8 @@ impl Claim {
         Accuracy { tolerance: 1e-2, budget }
     }
 
-    /// The extreme at a point where the value `attained` is known, in the worst direction found
-    /// from the axes.
+    /// Returns the extreme at a point where the value `attained` is known, in the worst direction
+    /// that is found when starting from the axes.
     fn at<const D: usize>(
         self,
         metric: &impl Metric<D>,
@@ -54,11 +55,12 @@ impl Claim {
 
 /// Encloses each constant over the region, from the formula of the metric.
 ///
-/// A claim is proved if it is on the right side of both bounds, and right to their distance if it
-/// is between them. A claim that the bounds contradict is refused, with the point to which an
-/// ascent from the box leads. If the boxes run out, the bounds reached so far may still prove or
-/// refute the claim, but without a point. Nothing is tried above three dimensions, or if the
-/// formula cannot be recorded. The standing of each constant says which of these it was.
+/// A claim is proved if it is on the right side of both bounds, and right to within their
+/// difference if it is between them. A claim that the bounds contradict is refused; the fault shows
+/// the point to which an ascent from the box leads. If the boxes run out, the bounds reached so far
+/// may still prove or refute the claim, but without a point. Nothing is tried in more than three
+/// dimensions, or if the formula cannot be recorded. The standing of each constant says which of
+/// these cases it was.
 pub(super) fn constants<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, region) = (&case.metric, &case.region);
     let constants = metric.constants();

@@ -1,4 +1,4 @@
-//! Propositions 7.6 and 7.7, on smooth curves in the region of one metric.
+//! Propositions 7.6 and 7.7, checked on smooth curves in the region of one metric.
 
 use std::num::NonZeroUsize;
 
@@ -11,20 +11,22 @@ use tautline_statements::{
 use super::{Case, statements::judge};
 use crate::{Effort, Region, report::LawResult};
 
-/// One sample in so many of the other laws, since the energy of each is integrated to rounding.
+/// These laws draw one sample for so many of the other laws, since the energy of each curve is
+/// integrated to rounding.
 const FEWER: u32 = 4;
 
 /// ```text
 /// γ(t)  =  (1 − t)³ a + 3 (1 − t)² t p + 3 (1 − t) t² q + t³ b
 /// ```
 ///
-/// A weighted mean of the four points at every time, which therefore stays in a box around them.
+/// At every time this is a weighted mean of the four points, so the curve stays in a box around
+/// them.
 fn cubic<const D: usize>([a, p, q, b]: [SVector<f64, D>; 4]) -> SmoothCurve<D> {
     SmoothCurve::polynomial([a, (p - a) * 3.0, (a - p * 2.0 + q) * 3.0, b - a + (p - q) * 3.0])
 }
 
-/// Three curves of the region between the same points: a random cubic, one half as far from the
-/// straight line, and that line.
+/// Draws three curves of the region between the same points: a random cubic, a curve half as far
+/// from the straight line, and the straight line itself.
 fn curves<const D: usize>(
     region: &Region<D>,
 ) -> impl Strategy<Value = [SmoothCurve<D>; 3]> + use<D> {
@@ -37,16 +39,16 @@ fn curves<const D: usize>(
     )
 }
 
-/// What a statement says about smooth curves under `N` subintervals.
+/// The claims of a statement about smooth curves with `N` subintervals.
 type OfCurves<'m, const D: usize> =
     fn(&AnyBounded<'m, D>, &[SmoothCurve<D>; 3], NonZeroUsize) -> Result<Evidence, VerifyError>;
 
-/// Proposition 7.6, on smooth curves with `N` from 1 to 8.
+/// Checks Proposition 7.6 on smooth curves with `N` from 1 to 8.
 pub(super) fn prop_7_6<const D: usize>(case: &Case<'_, D>) -> LawResult {
     of_curves(case, |metric, [curve, ..], n| statements::prop_7_6(&LIBRARY, metric, curve, n))
 }
 
-/// Proposition 7.7, on three smooth curves with `N` from 1 to 8.
+/// Checks Proposition 7.7 on three smooth curves with `N` from 1 to 8.
 pub(super) fn prop_7_7<const D: usize>(case: &Case<'_, D>) -> LawResult {
     of_curves(case, |metric, curves, n| statements::prop_7_7(&LIBRARY, metric, curves, n))
 }

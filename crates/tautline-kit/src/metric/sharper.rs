@@ -11,7 +11,7 @@ use super::{
 };
 use crate::report::LawResult;
 
-/// Lemmas S.2 and S.3.
+/// Checks Lemmas S.2 and S.3.
 pub(super) fn of_sequences<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let gaps = case.of_point_sequences(lemma_s_2)?;
     let trapezoidal = case
@@ -21,7 +21,7 @@ pub(super) fn of_sequences<const D: usize>(case: &Case<'_, D>) -> LawResult {
     Ok(gaps.and(trapezoidal).and(left))
 }
 
-/// Lemmas S.4 and S.5. Between ends that touch there is no speed to compare with.
+/// Checks Lemmas S.4 and S.5. If the ends touch, there is no speed to compare with.
 pub(super) fn of_minima<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| {
         let seen = minimiser.seen;
@@ -30,7 +30,7 @@ pub(super) fn of_minima<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// Theorems A to D.
+/// Checks Theorems A to D.
 pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| {
         let seen = minimiser.seen;
@@ -40,12 +40,12 @@ pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// Proposition S.6.
+/// Checks Proposition S.6.
 pub(super) fn enclosures<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| judge(&prop_s_6(&LIBRARY, minimiser.seen, 0.0)?))
 }
 
-/// Proposition S.8.
+/// Checks Proposition S.8.
 pub(super) fn localities<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| judge(&prop_s_8(&LIBRARY, minimiser.known, minimiser.seen)?))
 }

@@ -1,4 +1,4 @@
-//! The solved problems of a metric: minimisers, and the curves they are compared with.
+//! The solved problems of a metric: the minimisers, and the curves with which they are compared.
 
 use std::cell::{Cell, RefCell};
 
@@ -32,8 +32,8 @@ pub(super) struct Minimiser<'a, const D: usize> {
 }
 
 impl<const D: usize> Minimiser<'_, D> {
-    /// A detour with as many subintervals by way of a third point, between the members of the two
-    /// sets nearest to it.
+    /// Returns a detour with the same number of subintervals. It passes through a third point and
+    /// joins the members of the two sets that are nearest to this point.
     pub(super) fn detour(&self) -> Result<PointSequence<D>, VerifyError> {
         let via = self.posed.further();
         let [a, b] = self.sets().map(|set| set.project(&via));
@@ -45,7 +45,7 @@ impl<const D: usize> Minimiser<'_, D> {
         admissible(self.sets(), points.collect())
     }
 
-    /// The minimiser with each point moved by less than a 64th of its mean step.
+    /// Returns the minimiser with each point moved by less than a 64th of its mean step.
     pub(super) fn moved(&self) -> Result<PointSequence<D>, VerifyError> {
         let step = self.seen.k3 / (64.0 * self.seen.n.get() as f64 * (D as f64).sqrt());
         let points = self.seen.minimum.sequence.points().iter().zip(1_u32..);
@@ -55,7 +55,7 @@ impl<const D: usize> Minimiser<'_, D> {
         admissible(self.sets(), moved.collect())
     }
 
-    /// The result of a search that may also start from another sequence.
+    /// Returns the result of a search that may also start from another sequence.
     pub(super) fn again(&self, other: &PointSequence<D>) -> Result<PointSequence<D>, VerifyError> {
         let options = Options { starts: Starts::Also(vec![other.clone()]), ..Options::default() };
         let Known { metric, ends, .. } = self.known;
@@ -72,7 +72,7 @@ impl<const D: usize> Minimiser<'_, D> {
     }
 }
 
-/// The sequence of these points, with its ends projected to the sets.
+/// Returns the sequence of these points, with its ends projected to the sets.
 fn admissible<const D: usize>(
     sets: [&dyn ClosedSet<D>; 2],
     mut points: Vec<SVector<f64, D>>,
@@ -89,13 +89,13 @@ fn enough(failed: u64, tried: u64, error: VerifyError) -> Result<(), Fault> {
 }
 
 impl<const D: usize> Case<'_, D> {
-    /// Checks a statement about minimisers of a rule.
+    /// Checks a statement about the minimisers for a rule.
     pub(super) fn of_minimisers(&self, rule: PaperRule, statement: OfMinimisers<D>) -> LawResult {
         self.of_solutions(rule, &|minimiser| judge(&statement(&LIBRARY, minimiser.seen)))
     }
 
-    /// Checks a statement with claims that every metric attains: equalities of constants, and
-    /// equalities at `N = 1`. A report shows the overestimation of another claim, or none.
+    /// Checks a statement whose claims are attained by every metric: equalities of constants, and
+    /// equalities at `N = 1`. The report shows the overestimation of the claim `shown`, or none.
     pub(super) fn of_constants(
         &self,
         rule: PaperRule,
@@ -113,7 +113,7 @@ impl<const D: usize> Case<'_, D> {
         })
     }
 
-    /// Checks a law on the minimisers of both rules.
+    /// Checks a law on the minimisers for both rules.
     pub(super) fn of_both_rules(
         &self,
         law: &dyn Fn(&Minimiser<'_, D>) -> Result<Margin, Fault>,
@@ -122,11 +122,11 @@ impl<const D: usize> Case<'_, D> {
         Ok(of(PaperRule::Trapezoidal)?.and(of(PaperRule::LeftEndpoint)?))
     }
 
-    /// Checks a law on minimisers of a rule, between sets of every kind and for every `N` of the
-    /// effort.
+    /// Checks a law on the minimisers for a rule, between sets of every kind and for every `N` of
+    /// the effort.
     ///
-    /// That the solver gets stuck is no fault of the metric. If it does for most problems, nothing
-    /// was tested, and that is a fault.
+    /// If the solver gets stuck, this is not a fault of the metric. If it gets stuck on most
+    /// problems, nothing was tested, and this is a fault.
     pub(super) fn of_solutions(
         &self,
         rule: PaperRule,
@@ -167,13 +167,13 @@ impl<const D: usize> Case<'_, D> {
             enough(failed, tried.cases, error).map_err(|fault| self.effort.failure(fault))?;
             tried = tried.with_note(format!("{failed} problems without a minimum"));
         }
-        // Of minimisers, not of problems.
+        // The cases are minimisers, not problems.
         tried.cases = (tried.cases - failed) * self.effort.subintervals.len() as u64;
         tried.idle = idle.get();
         Ok(tried)
     }
 
-    /// The minimisers of one problem for every `N` of the effort, computed once.
+    /// Returns the minimisers of one problem for every `N` of the effort, which are computed once.
     fn solution(&self, rule: PaperRule, posed: &Posed<D>) -> Solutions<D> {
         let memory = &self.solved.minimisers;
         memory.recall(&(rule, *posed), || Ok(self.solve(rule, posed)?.into()))
@@ -188,7 +188,7 @@ impl<const D: usize> Case<'_, D> {
         };
         let solution: Solution<D> = observe(self.known(posed, &[])?)?;
         let all = &solution.minimisers;
-        // A grid may lead to a shorter curve than the one that the estimate comes from.
+        // A grid may lead to a shorter curve than the curve on which the estimate is based.
         if all.iter().all(|seen| seen.energy.value + seen.granted >= seen.distance_squared) {
             return Ok(solution);
         }

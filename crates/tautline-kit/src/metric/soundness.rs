@@ -1,4 +1,4 @@
-//! Whether a formula is sound: checked before problems are solved with it.
+//! Checks whether a formula is sound, before problems are solved with it.
 
 use nalgebra::SVector;
 use tautline::{Bounded, check_gram};
@@ -13,27 +13,28 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// A value this many times a constant, or the size of `H` over the region, is not a loose claim.
+/// A value counts as grossly wrong if it exceeds both the claimed constant and the size of `H` over
+/// the region by this factor.
 const GROSS: f64 = 1e3;
 
-/// How many parts of each chord are searched for a NaN.
+/// The number of parts of each chord that are searched for a NaN.
 const BETWEEN: u32 = 64;
 
 /// A law of metrics.
 type Law<const D: usize> = fn(&Case<'_, D>) -> LawResult;
 
 impl<const D: usize> Case<'_, D> {
-    /// Fails at once if a law of the formula does. On a discontinuous metric the solver stalls for
+    /// Fails at once if a law of the formula fails. On a discontinuous metric the solver stalls for
     /// minutes, and the failures of statements would show nothing.
     ///
-    /// Wrong constants are no reason, unless grossly wrong: the statements that rest on them say
-    /// so.
+    /// Wrong constants do not make this check fail unless they are grossly wrong; the statements
+    /// that rest on them report the error.
     pub(super) fn solvable(&self) -> Result<(), Failure> {
         let Some(law) = *self.solved.broken.get_or_init(|| self.broken()) else { return Ok(()) };
         Err(self.effort.failure(Fault::NotTried { law }))
     }
 
-    /// The name of a law of the formula that fails.
+    /// Returns the name of a law of the formula that fails.
     fn broken(&self) -> Option<&'static str> {
         let laws: [(_, Law<D>); 6] = [
             ("is_finite_and_symmetric", formula::finite_and_symmetric),
@@ -46,7 +47,7 @@ impl<const D: usize> Case<'_, D> {
         laws.into_iter().find_map(|(name, law)| law(self).is_err().then_some(name))
     }
 
-    /// Fails if an ascent leads a thousand times beyond what is claimed, as at a pole.
+    /// Fails if an ascent reaches a value a thousand times the claimed one, as it does at a pole.
     fn bounded(&self, claim: Claim) -> LawResult {
         let c2 = self.metric.constants().c2();
         let size = if claim == Claim::LH { c2 / self.region.size() } else { c2 };
@@ -60,8 +61,8 @@ impl<const D: usize> Case<'_, D> {
         }
     }
 
-    /// Replaces a fault with a NaN side by a fault of `H` at these points or on the chords between
-    /// them, or else by the law of the formula that fails.
+    /// If a side of the fault is NaN, replaces it by a fault of `H` at these points or on the
+    /// chords between them, or otherwise by the law of the formula that fails.
     pub(super) fn explained(&self, fault: Fault, points: &[SVector<f64, D>]) -> Fault {
         if !fault.is_nan() {
             return fault;
@@ -74,13 +75,14 @@ impl<const D: usize> Case<'_, D> {
         if let Some(error) = all.find_map(|x| check_gram(&self.metric, &x).err()) {
             return Fault::Metric(error);
         }
-        // Only a quadrature met it, or it lies beside a jump.
+        // Only a quadrature met the NaN, or it lies next to a jump.
         self.solvable().map_or_else(|failure| failure.fault, |()| fault)
     }
 }
 
-/// By the mean value theorem, differences are bounded where derivatives are. If no derivative was
-/// found beyond `L_H`, but a difference was, `H` jumps.
+/// Checks that `H` is continuous. By the mean value theorem, differences are bounded where
+/// derivatives are. If no derivative beyond `L_H` was found, but a difference quotient was, `H`
+/// jumps.
 fn continuous<const D: usize>(case: &Case<'_, D>) -> LawResult {
     lipschitz(case).or_else(|failure| match search(case, Claim::LH) {
         Ok(_) => Err(failure),
@@ -96,7 +98,8 @@ mod tests {
 
     use crate::{Effort, Fault, MetricCase, Region, metric};
 
-    /// `H = 3 + sin x₂` plus a jump by `½` at `x₁ = 1`, or `0 · √(x₁ − 1)`, or a pole at `x₁ = 1`.
+    /// `H = 3 + sin x₂` plus a jump by `½` at `x₁ = 1`, plus `0 · √(x₁ − 1)`, or plus a pole at
+    /// `x₁ = 1`.
     #[derive(Clone, Copy, PartialEq)]
     enum Odd {
         Jump,
@@ -139,7 +142,7 @@ mod tests {
             }
         }
         assert_eq!(case(Odd::Neither).erased().solvable(), Ok(()));
-        // The derivative of a jump is 0 beside it.
+        // The derivative of a jump is 0 on either side of it.
         assert!(metric::l_h_bounds_the_derivative(&case(Odd::Jump)).holds());
     }
 

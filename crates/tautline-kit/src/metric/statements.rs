@@ -1,4 +1,4 @@
-//! The statements of the paper, on random cases of a metric.
+//! The statements of the paper, checked on random cases of a metric.
 
 use std::cell::RefCell;
 
@@ -20,8 +20,9 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// Returns the margin of an evidence, which is idle if it could not have contradicted the
-/// statement, or the violated claim. If the evidence has companions only, these are tested.
+/// Returns the margin of the evidence, or the violated claim. The margin is idle if the evidence
+/// could not have contradicted the statement. If the evidence consists of companions only, these
+/// are tested.
 pub(super) fn judge(evidence: &Evidence) -> Result<Margin, Fault> {
     let stated = evidence.conclusions.iter().any(|claim| claim.source == Source::Stated);
     let could_fail = match stated {
@@ -39,16 +40,16 @@ pub(super) fn judge(evidence: &Evidence) -> Result<Margin, Fault> {
     Err(Fault::Statement { statement: evidence.statement, hypothesis, inequality })
 }
 
-/// Combines the margins of several evidences.
+/// Combines the margins of several pieces of evidence.
 pub(super) fn judge_all(evidence: impl IntoIterator<Item = Evidence>) -> Result<Margin, Fault> {
     evidence.into_iter().try_fold(Margin::idle(), |all, one| Ok(all.and(judge(&one)?)))
 }
 
-/// A statement about a metric and something else, `T`.
+/// A statement about a metric and another argument of type `T`.
 type About<'m, T, const D: usize> =
     fn(&Subject, &AnyBounded<'m, D>, &T) -> Result<Evidence, MetricError>;
 
-/// A statement about two points with their distance, and the inner points of a sequence between
+/// A statement about two points with a known distance, and the inner points of a sequence between
 /// them.
 type OfKnown<'m, const D: usize> = fn(
     &Subject,
@@ -56,7 +57,7 @@ type OfKnown<'m, const D: usize> = fn(
     &[SVector<f64, D>],
 ) -> Result<Evidence, VerifyError>;
 
-/// The point sequence between two known points by way of others.
+/// Returns the point sequence from one known point to the other through the given inner points.
 pub(super) fn joined<M, const D: usize>(
     known: &Known<M, D>,
     inner: &[SVector<f64, D>],
@@ -70,19 +71,19 @@ pub(super) fn joined<M, const D: usize>(
 impl<'m, const D: usize> Case<'m, D> {
     /// Checks a statement about the metric at a point.
     ///
-    /// No point is special: the statements step to all sides, and some claims hold in the region
-    /// alone.
+    /// The points are never special ones: the statements take steps in all directions, and some
+    /// claims hold in the region only.
     pub(super) fn of_points(&self, statement: About<'m, SVector<f64, D>, D>) -> LawResult {
         self.effort.for_all(self.region.uniform(), |x| {
             judge(&statement(&LIBRARY, &self.metric, x).map_err(VerifyError::from)?)
         })
     }
 
-    /// Checks Proposition 7.5 at two points, for a unit vector and another one; both sides are of
-    /// degree 2 in the vectors.
+    /// Checks Proposition 7.5 at two points, for a unit vector and another vector. Both sides are
+    /// homogeneous of degree 2 in the vectors.
     ///
-    /// The vectors are between 4 and `2⁻¹²` apart, so that each of the three terms of the bound is
-    /// the largest in some samples.
+    /// The distance between the vectors is between `2⁻¹²` and 4, so that each of the three terms of
+    /// the bound is the largest in some samples.
     pub(super) fn of_two_forms(&self) -> LawResult {
         let samples = (self.region.pairs(), directions::<D>(), directions::<D>(), -2..=12_i32);
         self.effort.for_all(samples, |(points, u, w, halvings)| {
@@ -92,8 +93,8 @@ impl<'m, const D: usize> Case<'m, D> {
         })
     }
 
-    /// Checks a statement about any point sequence, with `N` from 1 to 8, since the bounds are
-    /// sharpest for few subintervals.
+    /// Checks a statement about any point sequence, with `N` from 1 to 8; the bounds are sharpest
+    /// for few subintervals.
     pub(super) fn of_point_sequences(
         &self,
         statement: About<'m, PointSequence<D>, D>,
@@ -109,8 +110,8 @@ impl<'m, const D: usize> Case<'m, D> {
     /// Checks a statement about two points, their distance, and the inner points of a sequence
     /// between them, with `N` from 1 to 8.
     ///
-    /// Half of the samples are between the points of the theorems' problems, the other half, if the
-    /// metric knows distances, between random points.
+    /// Half of the samples lie between the points of the theorems' problems. The other half, if the
+    /// metric knows distances, lie between random points.
     pub(super) fn of_known(&self, statement: OfKnown<'m, D>) -> LawResult {
         self.solvable()?;
         let ends = &self.ends;
@@ -128,7 +129,7 @@ impl<'m, const D: usize> Case<'m, D> {
         for posed in posed.into_inner() {
             let known = match self.known(&posed, &[]) {
                 Ok(known) => known,
-                // The theorems fail if most problems are like that.
+                // If this happens for most problems, the theorems fail.
                 Err(VerifyError::NotConverged { .. }) => continue,
                 Err(error) => return Err(self.effort.failure(error)),
             };

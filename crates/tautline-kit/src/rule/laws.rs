@@ -15,15 +15,15 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// The grids of the fit: beyond the first terms of the expansion in `1/N`, and with errors far
-/// above rounding.
+/// The grids of the fit. They are beyond the first terms of the expansion in `1/N`, and the errors
+/// on them are far above rounding.
 const WINDOW: [usize; 4] = [128, 256, 512, 1024];
 
-/// How far below its exponent a slope may be: the next term of the expansion is smaller by some
-/// `10/N`, which tilts the line by less than 0.05 over the window.
+/// The amount by which a slope may be below its exponent. The next term of the expansion is smaller
+/// by a factor of about `10/N`, which tilts the line by less than 0.05 over the window.
 const TILT: f64 = 0.05;
 
-/// Checks an inequality of the nodes, which is about no point.
+/// Checks an inequality about the nodes, which does not involve a point.
 fn check(
     case: &RuleCase<impl Rule>,
     law: &'static str,
@@ -33,7 +33,7 @@ fn check(
     Fault::unless_at_most(law, pair, granted, &[]).map_err(|fault| case.effort.failure(fault))
 }
 
-/// The weights are nonnegative and add up to 1.
+/// Checks that the weights are nonnegative and add up to 1.
 pub(super) fn weights<R: Rule>(case: &RuleCase<R>) -> LawResult {
     for node in R::NODES {
         check(case, "0 ≤ weight", [-node.weight, 0.0], 0.0)?;
@@ -45,7 +45,7 @@ pub(super) fn weights<R: Rule>(case: &RuleCase<R>) -> LawResult {
     Ok(Tried::cases(R::NODES.len() as u64))
 }
 
-/// There is a node, and all nodes lie on the chord.
+/// Checks that there is a node and that all nodes lie on the chord.
 pub(super) fn nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
     check(case, "1 ≤ number of nodes", [1.0, R::NODES.len() as f64], 0.0)?;
     for node in R::NODES {
@@ -55,12 +55,13 @@ pub(super) fn nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
     Ok(Tried::cases(R::NODES.len() as u64))
 }
 
-/// Where the random sequences of the laws below lie.
+/// Returns the region in which the random sequences of the laws below lie.
 fn region() -> Region<2> {
     Region::cell([-2.0, -2.0], [2.0, 2.0])
 }
 
-/// Under a constant metric the discrete energy is `(1/N) Σ βᵀAβ`, the energy of the curve.
+/// Checks that under a constant metric the discrete energy is `(1/N) Σ βᵀAβ`, the energy of the
+/// curve.
 pub(super) fn constant_metrics<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let matrix = SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 3.0);
     let metric = Constant::new(matrix).expect("positive definite");
@@ -72,13 +73,13 @@ pub(super) fn constant_metrics<R: Rule>(case: &RuleCase<R>) -> LawResult {
         let energy = case.rule.energy(&metric, &sequence);
         let law = "|E_N − (1/N) Σ βᵀAβ| = 0 for constant A";
         let point: Vec<f64> = points.iter().flatten().copied().collect();
-        // A dozen roundings a term, and as many nodes.
+        // Each term has about a dozen roundings, and each node adds as many.
         let granted = 1e-14 * (1 + R::NODES.len()) as f64 * exact;
         Fault::unless_zero(law, (energy - exact).abs(), granted, &point)
     })
 }
 
-/// The gradient by the `N + 1` points is that of the energy.
+/// Checks that the gradient with respect to the `N + 1` points is the gradient of the energy.
 pub(super) fn gradient<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let metric = shear();
     let points = proptest::collection::vec((region().uniform(), region().uniform()), 2..=9);
@@ -91,11 +92,11 @@ pub(super) fn gradient<R: Rule>(case: &RuleCase<R>) -> LawResult {
         let own = case.rule.energy(&metric, &start);
         let point: Vec<f64> = pairs.iter().flat_map(|(x, _)| x).copied().collect();
         let law = "the energy beside the gradient is the energy";
-        // Sums of the same terms, a dozen roundings each.
+        // Both are sums of the same terms, with about a dozen roundings each.
         Fault::unless_zero(law, (energy - own).abs(), 1e-13 * own.abs(), &point)?;
         let along: f64 = gradient.iter().zip(pairs).map(|(g, (_, v))| g.dot(v)).sum();
         let terms: f64 = gradient.iter().zip(pairs).map(|(g, (_, v))| g.norm() * v.norm()).sum();
-        // The steps are at most 1/16, so that all points are finite.
+        // The steps are at most 1/16, so all points are finite.
         let line = |t: f64| at(t).map_or(f64::NAN, |s| case.rule.energy(&metric, &s));
         let law = "|∇E_N·v − its central difference| = O(h²)";
         difference_test(along, line, 1.0, own + terms).map_err(|off| off.of(law, &point))?;
@@ -103,13 +104,13 @@ pub(super) fn gradient<R: Rule>(case: &RuleCase<R>) -> LawResult {
     })
 }
 
-/// The shear of amplitude ½, on which no symmetry hides an order.
+/// Returns the shear of amplitude ½, on which no symmetry hides an order.
 fn shear() -> Shear {
     Shear::new(0.5, 1.0).expect("a wave number")
 }
 
-/// `E_N,min − d²` falls at least like `N⁻ᑫ` with the claimed `q`, on a shear from `(0, 0)` to
-/// `(2, 3)`.
+/// Checks that `E_N,min − d²` falls at least like `N⁻ᑫ` with the claimed `q`, on a shear from
+/// `(0, 0)` to `(2, 3)`.
 pub(super) fn exponent<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let metric = shear();
     let known = Known::between(metric, [0.0, 0.0], [2.0, 3.0]).expect("finite");
@@ -125,7 +126,7 @@ pub(super) fn exponent<R: Rule>(case: &RuleCase<R>) -> LawResult {
             return Err(case.effort.failure(VerifyError::NotConverged { n, stop, curvature }));
         }
         let error = (minimum.energy - d2).abs();
-        // Ten times the rounding of sums of N terms and of the points, some 10⁻¹³ d².
+        // This is ten times the rounding of sums of N terms and of the points, about 10⁻¹³ d².
         if !(error <= 1e-12 * d2) {
             errors.push((n, error));
         }

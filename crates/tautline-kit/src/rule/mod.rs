@@ -1,6 +1,7 @@
 //! The laws of a rule of numerical integration.
 //!
-//! One function per law, named like its test in [`rule_suite!`](crate::rule_suite).
+//! There is one function per law, with the same name as its test in
+//! [`rule_suite!`](crate::rule_suite).
 
 mod laws;
 mod mutants;
@@ -9,7 +10,7 @@ use tautline::Rule;
 
 use super::{Effort, Report};
 
-/// A rule, and how thoroughly to test it.
+/// A rule to test, and the effort.
 #[derive(Clone, Copy, Debug)]
 pub struct RuleCase<R> {
     rule: R,
@@ -17,13 +18,13 @@ pub struct RuleCase<R> {
 }
 
 impl<R: Rule> RuleCase<R> {
-    /// A rule, to be tested on metrics of the gallery.
+    /// Returns the case of a rule, which is tested on metrics of the gallery.
     pub fn new(rule: R, effort: Effort) -> Self {
         Self { rule, effort }
     }
 }
 
-/// The laws, one per row: its name, what it says, and the function that checks it.
+/// The laws, one per row: its name, its content, and the function that checks it.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __rule_laws {

@@ -8,7 +8,7 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// The left-endpoint rule with an exponent of 2.
+/// The left-endpoint rule with a claimed exponent of 2.
 #[derive(Clone, Copy, Debug)]
 struct WrongOrder;
 
@@ -17,7 +17,7 @@ impl Rule for WrongOrder {
     const ERROR_EXPONENT: i32 = 2;
 }
 
-/// Weights that add up to 0.9.
+/// A rule with weights that add up to 0.9.
 #[derive(Clone, Copy, Debug)]
 struct LightWeights;
 
@@ -26,7 +26,7 @@ impl Rule for LightWeights {
     const ERROR_EXPONENT: i32 = 2;
 }
 
-/// A node beyond the end of the chord.
+/// A rule with a node beyond the end of the chord.
 #[derive(Clone, Copy, Debug)]
 struct Beyond;
 
@@ -36,7 +36,7 @@ impl Rule for Beyond {
     const ERROR_EXPONENT: i32 = 2;
 }
 
-/// A rule with an energy that its nodes do not give.
+/// A rule with an energy that differs from the sum over its nodes.
 #[derive(Clone, Copy, Debug)]
 struct OtherEnergy<R>(R);
 
@@ -49,7 +49,7 @@ impl<R: Rule> Rule for OtherEnergy<R> {
     }
 }
 
-/// Fails if a law accepts a rule that breaks it.
+/// Fails if a law accepts a rule that violates it.
 fn refused<R: Rule, W: Rule>(
     case: &RuleCase<R>,
     wrong: W,
@@ -62,19 +62,19 @@ fn refused<R: Rule, W: Rule>(
     }
 }
 
-/// Weights that add up to 0.9, and nodes off the chord.
+/// Checks that weights that add up to 0.9 are refused, and nodes off the chord.
 pub(super) fn wrong_nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
     Ok(refused(case, LightWeights, laws::weights, "weights that add up to 0.9")?
         .and(refused(case, LightWeights, laws::constant_metrics, "weights that add up to 0.9")?)
         .and(refused(case, Beyond, laws::nodes, "a node off the chord")?))
 }
 
-/// An exponent of 2 for the left-endpoint rule.
+/// Checks that an exponent of 2 is refused for the left-endpoint rule.
 pub(super) fn wrong_order<R: Rule>(case: &RuleCase<R>) -> LawResult {
     refused(case, WrongOrder, laws::exponent, "an exponent of 2 for the left-endpoint rule")
 }
 
-/// The rule itself, with an energy that its nodes do not give.
+/// Checks that the rule itself is refused with an energy that differs from the sum over its nodes.
 pub(super) fn another_energy<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let what = "an energy that is not that of the nodes";
     refused(case, OtherEnergy(case.rule), laws::gradient, what)
@@ -91,7 +91,7 @@ mod tests {
         RuleCase::new(Trapezoidal, Effort::default())
     }
 
-    /// A law does not refuse a rule that obeys it.
+    /// A law does not refuse a rule that satisfies it.
     #[test]
     fn an_accepted_mutant_is_a_fault() {
         let passes = |result: LawResult| {

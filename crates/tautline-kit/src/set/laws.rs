@@ -14,31 +14,31 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// How much larger than the region the cubes are from which points are projected: they reach
-/// members outside the region.
+/// The cubes from which points are projected are larger than the region by these factors, so that
+/// the projections include members outside the region.
 const FAR: [f64; 3] = [1.0, 8.0, 512.0];
 
-/// The step of the differences of `P`, relative to the longest edge; a power of two.
+/// The step of the differences of `P`, relative to the longest edge. It is a power of two.
 const STEP: f64 = 1.0 / 131_072.0;
 
-/// `P` counts as smooth at a point if its differences to both sides differ by no more than this:
-/// `h |D²P|`. The central difference is then off by `h² |D³P|/6`, which for `|D³P|` of the size of
-/// `|D²P|²` or `|D²P|/ℓ` is far below `OFF`.
+/// `P` counts as smooth at a point if its differences to both sides differ by at most this number,
+/// that is, `h |D²P|`. The error of the central difference is then `h² |D³P|/6`, which is far below
+/// `OFF` if `|D³P|` is of the size of `|D²P|²` or `|D²P|/ℓ`.
 const SMOOTH: f64 = 1e-3;
 
-/// The accuracy of a central difference of a smooth `P`: its truncation, see above, and the
-/// rounding `ε |x|/h` of points of the size of the region.
+/// The accuracy of a central difference of a smooth `P`. It covers the truncation error (see above)
+/// and the rounding `ε |x|/h` of points of the size of the region.
 const OFF: f64 = 1e-5;
 
 impl<const D: usize> Case<'_, D> {
-    /// The rounding of a coordinate of `P(x)`: a hundred roundings of numbers of the size of `x`,
-    /// of the region, and of `P(x)`.
+    /// Returns the rounding error of a coordinate of `P(x)`, which is a hundred roundings of
+    /// numbers of the size of `x`, of the region, and of `P(x)`.
     fn rounding(&self, points: &[&SVector<f64, D>]) -> f64 {
         let size = points.iter().map(|x| x.norm()).fold(self.region.reach(), f64::max);
         64.0 * (D as f64).sqrt() * f64::EPSILON * size
     }
 
-    /// Checks a law at the projections of points near and far.
+    /// Checks a law at the projections of near and far points.
     fn at_members(
         &self,
         law: impl Fn(&SVector<f64, D>, &SVector<f64, D>) -> Result<f64, Fault>,
@@ -53,26 +53,27 @@ impl<const D: usize> Case<'_, D> {
     }
 }
 
-/// The rounding of the entries of `DP`, which are at most 1, with some `D²` roundings each.
+/// Returns the rounding error of the entries of `DP`, which are at most 1 and have about `D²`
+/// roundings each.
 const fn derivative_rounding(dimension: usize) -> f64 {
     64.0 * (dimension * dimension) as f64 * f64::EPSILON
 }
 
-/// `P(x)` and `DP(x)` are finite, and `P(x)` is the same each time.
+/// Checks that `P(x)` and `DP(x)` are finite, and that repeated calls return the same `P(x)`.
 pub(super) fn finite<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.at_points(|x| {
         let (p, point) = (case.set.project(x), x.as_slice());
         Fault::unless_at_most("|P(x)| < ∞", [p.norm(), f64::MAX], 0.0, point)?;
         let off = (case.set.project(x) - p).norm();
         Fault::unless_zero("P(x) is the same each time", off, 0.0, point)?;
-        // The sum is NaN if an entry is.
+        // The sum is NaN if an entry is NaN.
         let size = case.set.projection_derivative(x).abs().sum();
         Fault::unless_at_most("|DP(x)| < ∞", [size, f64::MAX], 0.0, point)?;
         Ok(f64::INFINITY)
     })
 }
 
-/// `P(P(x)) = P(x)`.
+/// Checks `P(P(x)) = P(x)`.
 pub(super) fn idempotent<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.at_points(|x| {
         let p = case.set.project(x);
@@ -81,8 +82,8 @@ pub(super) fn idempotent<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// No member is nearer to `x` than `P(x)`: neither a seed, nor `P(y)` for any other `y`, for a `y`
-/// near `x` or `P(x)`, or for one between them.
+/// Checks that no member is nearer to `x` than `P(x)`. The members compared are the seeds and
+/// `P(y)` for an arbitrary `y`, for a `y` near `x`, near `P(x)`, or near their midpoint.
 pub(super) fn nearest<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let samples = (case.region.pairs(), directions::<D>(), 1..=12_i32);
     case.effort.for_all(samples, |([x, y], w, halvings)| {
@@ -100,7 +101,7 @@ pub(super) fn nearest<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// No member is longer than the radius.
+/// Checks that the norm of a member does not exceed the radius.
 pub(super) fn radius<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let Some(radius) = case.set.radius() else { return Ok(Tried::none("claims no bound")) };
     case.at_members(|y, member| {
@@ -109,7 +110,7 @@ pub(super) fn radius<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// No member lies outside the enclosing ball.
+/// Checks that no member lies outside the enclosing ball.
 pub(super) fn ball<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let Some((centre, radius)) = case.set.enclosing_ball() else {
         return Ok(Tried::none("claims no bound"));
@@ -121,9 +122,9 @@ pub(super) fn ball<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// For a set that claims to be convex: `P` does not expand, `x − P(x)` and the set make obtuse
-/// angles, the midpoint of two members is a member, the eigenvalues of `DP` lie in `[0, 1]`, and
-/// there are no seeds.
+/// Checks a set that claims to be convex: `P` does not expand, the angles between `x − P(x)` and
+/// the directions from `P(x)` into the set are at least right angles, the midpoint of two members
+/// is a member, the eigenvalues of `DP` lie in `[0, 1]`, and there are no seeds.
 pub(super) fn convex<const D: usize>(case: &Case<'_, D>) -> LawResult {
     if !case.set.is_convex() {
         return Ok(Tried::none("claims no convexity"));
@@ -139,7 +140,7 @@ pub(super) fn convex<const D: usize>(case: &Case<'_, D>) -> LawResult {
         let overestimation =
             Fault::unless_at_most("|P(x) − P(y)| ≤ |x − y|", pair, granted, point)?;
         let angle = (x - p).dot(&(q - p));
-        // Each factor is off by the rounding times the size of the other.
+        // The error of each factor is the rounding times the size of the other factor.
         let lengths = (x - p).norm() + (q - p).norm();
         let law = "(x − P(x))·(member − P(x)) ≤ 0";
         Fault::unless_at_most(law, [angle, 0.0], granted * (lengths + granted), point)
@@ -156,7 +157,7 @@ pub(super) fn convex<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// `DP` is symmetric, and the derivative of `P` where `P` is smooth.
+/// Checks that `DP` is symmetric, and that it is the derivative of `P` where `P` is smooth.
 pub(super) fn derivative<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let step = case.region.size() * STEP;
     let smooth = Cell::new(0_u64);
@@ -191,7 +192,8 @@ pub(super) fn derivative<const D: usize>(case: &Case<'_, D>) -> LawResult {
     Ok(tried.with_note(format!("smooth at {} of them", smooth.get())))
 }
 
-/// Seeds are members, and the nearest member of a union is that of one of its pieces.
+/// Checks that seeds are members, and that the nearest member of a union is the nearest member of
+/// one of its pieces.
 pub(super) fn seeds_and_pieces<const D: usize>(case: &Case<'_, D>) -> LawResult {
     for seed in case.set.seeds() {
         let off = (case.set.project(&seed) - seed).norm();
@@ -213,9 +215,9 @@ pub(super) fn seeds_and_pieces<const D: usize>(case: &Case<'_, D>) -> LawResult 
     })
 }
 
-/// The box that is claimed to contain a member is as small as rounding, lies in the set up to
-/// rounding, and is as near to `x` as `P(x)`. That it contains a member needs a proof by the
-/// author: no sample decides it.
+/// Checks that the box that is claimed to contain a member is as small as rounding, lies in the set
+/// up to rounding, and is as near to `x` as `P(x)`. The author of the set must prove that the box
+/// contains a member, since no sample can decide it.
 pub(super) fn proved_members<const D: usize>(case: &Case<'_, D>) -> LawResult {
     if case.set.member_near(&case.on_diagonal(0.5)).is_none() {
         return Ok(Tried::none("proves no members"));

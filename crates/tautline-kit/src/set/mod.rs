@@ -1,6 +1,7 @@
 //! The laws of a closed set.
 //!
-//! One function per law, named like its test in [`set_suite!`](crate::set_suite).
+//! There is one function per law, with the same name as its test in
+//! [`set_suite!`](crate::set_suite).
 
 mod laws;
 mod mutants;
@@ -10,7 +11,7 @@ use tautline::ClosedSet;
 
 use super::{Effort, Fault, Region, Report, report::LawResult};
 
-/// A closed set, where to sample it, and how thoroughly.
+/// A closed set, the region to sample, and the effort.
 ///
 /// The region should reach beyond the set, or beyond its boundary if the set is unbounded.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +22,7 @@ pub struct SetCase<'a, S, const D: usize> {
 }
 
 impl<'a, S: ClosedSet<D>, const D: usize> SetCase<'a, S, D> {
-    /// A closed set and the region of the points that are projected to it.
+    /// Returns the case of a closed set and the region from which points are projected to it.
     pub fn new(set: &'a S, region: Region<D>, effort: Effort) -> Self {
         Self { set, region, effort }
     }
@@ -31,7 +32,7 @@ impl<'a, S: ClosedSet<D>, const D: usize> SetCase<'a, S, D> {
     }
 }
 
-/// The case as the laws see it, with the type of the set erased, so that they are compiled once.
+/// The case that the laws use. The type of the set is erased, so that the laws are compiled once.
 #[derive(Clone, Copy)]
 struct Case<'a, const D: usize> {
     set: &'a dyn ClosedSet<D>,
@@ -44,13 +45,13 @@ impl<const D: usize> Case<'_, D> {
         self.effort.for_all(self.region.points(), law)
     }
 
-    /// The point on the diagonal of the region.
+    /// Returns a point on the diagonal of the region.
     fn on_diagonal(&self, fraction: f64) -> SVector<f64, D> {
         self.region.at(&SVector::repeat(fraction))
     }
 }
 
-/// The laws, one per row: its name, what it says, and the function that checks it.
+/// The laws, one per row: its name, its content, and the function that checks it.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __set_laws {

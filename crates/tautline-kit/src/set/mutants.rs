@@ -1,4 +1,4 @@
-//! Sets that are wrong in one place: the laws must refuse them.
+//! Sets with one mistake, which the laws must refuse.
 
 use std::sync::Arc;
 
@@ -11,20 +11,20 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// What is wrong with a [`Mutant`].
+/// The mistake in a [`Mutant`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Mistake {
-    /// The nearest point belongs to a point this far away along the first axis.
+    /// The nearest point is computed for a point that is this far away along the first axis.
     NearestBeside(f64),
-    /// The nearest point is halfway to the right one.
+    /// The nearest point is replaced by the point halfway to it.
     Halfway,
-    /// The radius is multiplied by this.
+    /// The radius is multiplied by this factor.
     Radius(f64),
-    /// The radius of the enclosing ball is multiplied by this.
+    /// The radius of the enclosing ball is multiplied by this factor.
     Ball(f64),
     /// The derivative is doubled.
     Derivative,
-    /// The box about a member is moved this far along the first axis.
+    /// The box around a member is moved by this distance along the first axis.
     MemberBeside(f64),
 }
 
@@ -111,11 +111,12 @@ fn projected<const D: usize>(case: &Case<'_, D>) -> [[SVector<f64, D>; 2]; 5] {
     })
 }
 
-/// A nearest point that belongs to another point.
+/// Checks that the nearest point for another point is refused.
 pub(super) fn beside<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let by = 0.25 * case.region.size();
     let moves = (1..=32).any(|k| {
-        // Off the diagonal: the fractional parts of k/32 times 1, 3, 5, ….
+        // The points lie off the diagonal: their coordinates are the fractional parts of k/32 times
+        // 1, 3, 5, ….
         let odd = |i: usize, _| (f64::from(k) / 32.0 * (2 * i + 1) as f64).fract();
         let x = case.region.at(&SVector::from_fn(odd));
         let mut y = x;
@@ -130,7 +131,7 @@ pub(super) fn beside<const D: usize>(case: &Case<'_, D>) -> LawResult {
     refused(case, Mistake::NearestBeside(by), what, &[laws::nearest, laws::idempotent])
 }
 
-/// A nearest point outside the set.
+/// Checks that a nearest point outside the set is refused.
 pub(super) fn halfway<const D: usize>(case: &Case<'_, D>) -> LawResult {
     if projected(case).iter().all(|[x, p]| x == p) {
         return Ok(Tried::none("the set contains the region"));
@@ -138,13 +139,15 @@ pub(super) fn halfway<const D: usize>(case: &Case<'_, D>) -> LawResult {
     refused(case, Mistake::Halfway, "a nearest point outside of the set", &[laws::idempotent])
 }
 
-/// A radius that is ten percent too small, if the claimed one is attained to five.
+/// Checks that a radius ten percent too small is refused, if the claimed one is attained to within
+/// five percent.
 pub(super) fn small_radius<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let bounded = case.set.radius().is_some();
     small(case, bounded, Mistake::Radius(0.9), "a radius that is too small", laws::radius)
 }
 
-/// An enclosing ball that is ten percent too small, if the claimed one is attained to five.
+/// Checks that an enclosing ball ten percent too small is refused, if the claimed one is attained
+/// to within five percent.
 pub(super) fn small_ball<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let bounded = case.set.enclosing_ball().is_some();
     small(case, bounded, Mistake::Ball(0.9), "a ball that is too small", laws::ball)
@@ -157,7 +160,7 @@ fn small<const D: usize>(
     what: &'static str,
     law: Law<D>,
 ) -> LawResult {
-    // A false claim fails the law itself.
+    // If the claim itself is false, the law for it already fails.
     let Ok(tried) = law(case) else { return Ok(Tried::none("the claim itself does not hold")) };
     if tried.overestimation < 1.05 {
         return refused(case, mistake, what, &[law]);
@@ -169,7 +172,7 @@ fn small<const D: usize>(
     }))
 }
 
-/// A derivative that is twice too large, if it is not zero.
+/// Checks that a derivative twice too large is refused, if it is not zero.
 pub(super) fn derivative<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let seen = projected(case);
     let apart = |[_, p]: &[SVector<f64, D>; 2]| (p - seen[0][1]).norm() > 1e-3 * case.region.size();
@@ -182,7 +185,7 @@ pub(super) fn derivative<const D: usize>(case: &Case<'_, D>) -> LawResult {
     refused(case, Mistake::Derivative, "a wrong derivative", &[laws::derivative])
 }
 
-/// A box about a member that is a millionth of the region off.
+/// Checks that a box around a member that is off by a millionth of the region is refused.
 pub(super) fn member<const D: usize>(case: &Case<'_, D>) -> LawResult {
     if case.set.member_near(&case.on_diagonal(0.5)).is_none() {
         return Ok(Tried::none("proves no members"));

@@ -23,8 +23,8 @@ impl RotatingAnisotropy {
     /// the wave vector `k` in `1/ℓ`.
     ///
     /// # Errors
+    ///
     /// [`GalleryError`] with the parameter that is out of range.
-    /// [`GalleryError`] with the parameter that is out of its range.
     pub fn new(
         eigenvalues: [f64; 2],
         wave_vector: impl Into<SVector<f64, 2>>,
