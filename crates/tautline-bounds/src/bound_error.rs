@@ -7,7 +7,7 @@
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BoundError {
-    /// The distance of the ends is negative, infinite or NaN.
+    /// The distance between the ends is negative, infinite or NaN.
     #[error("d = {distance} must be nonnegative and finite: it is a distance (Theorem 1.1)")]
     NotADistance {
         /// The given number.
@@ -43,7 +43,7 @@ pub enum BoundError {
          constants need not hold (Proposition S.8)"
     )]
     LeavesTheBall {
-        /// The greatest distance of a competitor from the centre, in `ℓ`.
+        /// The greatest distance of a competitor from the centre of the ball, in `ℓ`.
         reach: f64,
         /// The radius of the ball, in `ℓ`.
         radius: f64,

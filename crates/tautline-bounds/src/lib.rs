@@ -1,4 +1,5 @@
-//! The explicit constants and right-hand sides of the theorems: constants in, numbers out.
+//! The explicit constants and right-hand sides of the theorems. Each function takes constants and
+//! returns a number.
 //!
 //! Nothing here depends on a metric, a curve or a solver. The theorems use the constants `c₁`, `c₂`
 //! and `L_H` of a metric ([`Constants`]). Together with the distance `d` between the ends and the
@@ -8,7 +9,7 @@
 //! use std::num::NonZeroUsize;
 //! use tautline_bounds::{self as bounds, Constants, Setting};
 //!
-//! // A metric in the plane with I ≤ H ≤ 2 I, and ends at distance 3.
+//! // A metric in the plane with I ≤ H ≤ 2 I, and ends at distance 3 from each other.
 //! let setting = Setting::new(Constants::new(1.0, 2.0, 0.5)?, 3.0, 2)?;
 //! assert_eq!(bounds::k1_g(setting), 3.0);
 //! assert_eq!(bounds::k2_g(setting), 27.0);

@@ -60,8 +60,8 @@ impl Setting {
         self.dimension
     }
 
-    /// Returns the factor `ω` in `|γ̈| ≤ ω (L_H/c₁) |γ̇|²` for geodesics, a pure number: ½ for an
-    /// isotropic metric and on the line, 3/2 otherwise.
+    /// Returns the factor `ω` in `|γ̈| ≤ ω (L_H/c₁) |γ̇|²` for geodesics, a pure number. It is ½
+    /// for an isotropic metric and on the line, and 3/2 otherwise.
     #[must_use]
     pub fn omega(&self) -> f64 {
         if self.dimension == 1 || self.constants.is_isotropic() { 0.5 } else { 1.5 }
@@ -75,7 +75,7 @@ impl Setting {
         product([self.constants.l_h(), self.distance, root, root, root])
     }
 
-    /// Returns `μ = M_H d² / c₁²`, a pure number; `None` if `M_H` is unknown.
+    /// Returns `μ = M_H d² / c₁²`, a pure number, or `None` if `M_H` is unknown.
     #[must_use]
     pub fn mu(&self) -> Option<f64> {
         let root = 1.0 / self.constants.c1().sqrt();

@@ -67,7 +67,7 @@ impl Default for Effort {
     ///
     /// # Panics
     ///
-    /// If one of these variables is not a number.
+    /// If the value of one of these variables is not a number.
     fn default() -> Self {
         Self::drawn_by(Chance::asked())
     }

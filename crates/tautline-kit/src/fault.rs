@@ -81,9 +81,9 @@ pub enum Fault {
     /// The solver found no minimum for most of the problems, so nothing was tested.
     #[error("the solver found no local minimum for {failed} of {tried} problems: {error}")]
     NotSolved {
-        /// The number of problems without a minimum.
+        /// The number of problems for which it found no minimum.
         failed: u64,
-        /// The number of problems.
+        /// The number of problems that were tried.
         tried: u64,
         /// The reason for the last of them.
         error: VerifyError,

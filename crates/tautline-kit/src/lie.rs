@@ -3,13 +3,13 @@
 /// One of the constants that a metric claims and the theorems use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Claim {
-    /// `c₁ ≤ λ_min(H)`, in `m²/ℓ²`.
+    /// The claim `c₁ ≤ λ_min(H)`, in `m²/ℓ²`.
     C1,
-    /// `λ_max(H) ≤ c₂`, in `m²/ℓ²`.
+    /// The claim `λ_max(H) ≤ c₂`, in `m²/ℓ²`.
     C2,
-    /// `‖DH(x)[w]‖ ≤ L_H |w|`, in `m²/ℓ³`.
+    /// The claim `‖DH(x)[w]‖ ≤ L_H |w|`, in `m²/ℓ³`.
     LH,
-    /// `|uᵀ D²H(x)[w, w] u| ≤ M_H |w|² |u|²`, in `m²/ℓ⁴`.
+    /// The claim `|uᵀ D²H(x)[w, w] u| ≤ M_H |w|² |u|²`, in `m²/ℓ⁴`.
     MH,
 }
 

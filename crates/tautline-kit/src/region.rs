@@ -25,7 +25,7 @@ pub struct Region<const D: usize> {
     high: SVector<f64, D>,
 }
 
-/// An edge along which no samples can be drawn.
+/// An edge along which samples cannot be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("edge {index} from {low} to {high} must be finite and of positive length")]
 pub struct RegionError {
@@ -91,7 +91,7 @@ impl<const D: usize> Region<D> {
         self.low + (self.high - self.low).component_mul(fractions)
     }
 
-    /// Returns the nearest point of the box, in `ℓ`.
+    /// Returns the point of the box nearest to `x`, in `ℓ`.
     #[must_use]
     pub fn clamp(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
         x.sup(&self.low).inf(&self.high)

@@ -13,7 +13,7 @@ pub struct Standing {
     pub proof: Proof,
 }
 
-/// How far a claim is proved over the whole region, with outward rounding.
+/// The result of the attempt to prove a claim over the whole region, with outward rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Proof {
     /// The claim holds at every point of the region.

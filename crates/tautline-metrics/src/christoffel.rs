@@ -51,7 +51,7 @@ mod tests {
     use crate::Metric;
     use crate::gallery::{Shear, Sphere, Swirl, Valleys};
 
-    /// For `H = φ I`: `Γᵏᵢⱼ = ½ (δₖᵢ ∂ⱼ + δₖⱼ ∂ᵢ − δᵢⱼ ∂ₖ) log φ`.
+    /// For `H = φ I`, returns `Γᵏᵢⱼ = ½ (δₖᵢ ∂ⱼ + δₖⱼ ∂ᵢ − δᵢⱼ ∂ₖ) log φ`.
     fn conformal(gradient_of_log: [f64; 2], k: usize, i: usize, j: usize) -> f64 {
         let delta = |a: usize, b: usize| f64::from(u8::from(a == b));
         0.5 * (delta(k, i) * gradient_of_log[j] + delta(k, j) * gradient_of_log[i]
@@ -93,7 +93,7 @@ mod tests {
         let r2 = x.norm_squared();
         let sphere = christoffel(&Sphere, &x).expect("positive definite");
         let valleys = christoffel(&Valleys, &x).expect("positive definite");
-        // log 4/(1+r²)² and log (2 − cos x₁)²
+        // The gradients of log 4/(1+r²)² and of log (2 − cos x₁)².
         let grad_sphere = [-4.0 * x[0] / (1.0 + r2), -4.0 * x[1] / (1.0 + r2)];
         let grad_valleys = [2.0 * x[0].sin() / (2.0 - x[0].cos()), 0.0];
         for (k, i, j) in [(0, 0, 0), (0, 0, 1), (0, 1, 1), (1, 0, 0), (1, 1, 0), (1, 1, 1)] {

@@ -31,8 +31,8 @@
 //! | [`LocallyBounded`] | such constants on balls | proven bounds near the ends |
 //! | [`KnownDistance`] | the exact distance of (some) pairs of points | measuring an error |
 //!
-//! The [`gallery`] has metrics of each kind. [`composition`] builds new ones from them, and the
-//! methods of [`Constants`] derive the constants of the result.
+//! The [`gallery`] contains metrics of each kind. [`composition`] builds new metrics from them, and
+//! the methods of [`Constants`] derive the constants of the result.
 //!
 //! # Units
 //!

@@ -1,4 +1,4 @@
-//! `LocallyBounded`: a metric with constants on balls, and perhaps not on all of `R^D`.
+//! `LocallyBounded`: a metric with constants on balls, though perhaps not on all of `R^D`.
 
 use nalgebra::SVector;
 

@@ -66,7 +66,7 @@ pub fn is_gram<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>) -> bool {
 fn is_definite<T: Lanes, const D: usize>(mut a: SMatrix<T, D, D>) -> bool {
     for k in 0..D {
         let pivot = a[(k, k)];
-        // NaN and +∞ fail here too.
+        // NaN and +∞ fail this check too.
         if !pivot.are_positive() {
             return false;
         }
@@ -150,7 +150,7 @@ pub fn cholesky<const D: usize>(a: &SMatrix<f64, D, D>) -> Option<SMatrix<f64, D
         for k in 0..j {
             pivot -= l[(j, k)] * l[(j, k)];
         }
-        // NaN and +∞ fail here too.
+        // NaN and +∞ fail this check too.
         if !(pivot > 0.0 && pivot <= f64::MAX) {
             return None;
         }

@@ -63,7 +63,7 @@ fn is_enough(integral: Integral, magnitude: f64, tolerance: f64) -> bool {
     integral.error <= tolerance.max(4.0 * f64::EPSILON) * magnitude
 }
 
-/// No integrand here needs more than this many intervals unless it is singular.
+/// The number of intervals allowed. Here only a singular integrand needs more.
 const MAX_INTERVALS: usize = 4096;
 
 /// Returns `∫ₐᵇ f`. It halves intervals until the estimated error on each is at most `tolerance`

@@ -16,7 +16,7 @@ use crate::{Setting, k1_g, k2_g, product::product};
 ///
 /// - `constants`: the constants of `g`; only `c₂` (`m²/ℓ²`) and `L_H` (`m²/ℓ³`) are used.
 /// - `k1`, `k2`: bounds on the speed and on the acceleration, in `ℓ`.
-/// - `n`: number of subintervals `N`.
+/// - `n`: the number of subintervals `N`.
 ///
 /// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz, and `γ̇` absolutely continuous with `γ̈` in `L²`. A kink is
 /// not allowed even if `γ̈` vanishes on both sides of it: for `γ(t) = |t − ½|` with `H = 1` and
@@ -88,7 +88,7 @@ pub fn c_tra_sharp_g(setting: Setting) -> f64 {
     c_tra_sharp(setting.constants(), k1_g(setting), k2_g(setting))
 }
 
-/// The coefficients of `1/N` and of `1/N²` in `C_tra(N)`, in `m²`.
+/// Returns the coefficients of `1/N` and of `1/N²` in `C_tra(N)`, in `m²`.
 fn coefficients(constants: Constants, k1: f64, k2: f64) -> (f64, f64) {
     assert!(k1 >= 0.0, "K1 must be nonnegative, got {k1}");
     assert!(k2 >= 0.0, "K2 must be nonnegative, got {k2}");

@@ -87,7 +87,7 @@ pub fn theorem_1_4_length_excess(setting: Setting, n: NonZeroUsize) -> f64 {
     theorem_1_3_constant(setting) / (n.get() as f64).sqrt()
 }
 
-/// `L_H (K̄_{3,g}³ + K̄_{4,g}³) / 2`, in `m²`.
+/// Returns `L_H (K̄_{3,g}³ + K̄_{4,g}³) / 2`, in `m²`.
 fn cubes(setting: Setting) -> f64 {
     let constants = setting.constants();
     let (third, fourth) = (k3_bar_g(setting), k4_bar_g(setting));

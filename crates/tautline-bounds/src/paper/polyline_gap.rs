@@ -15,7 +15,7 @@ use crate::product::product;
 ///
 /// - `constants`: the constants of `g`; only `L_H` (`m²/ℓ³`) is used.
 /// - `k3`: the root mean square speed `K₃` of the point sequence, in `ℓ`, or an upper bound on it.
-/// - `n`: number of subintervals `N`; the sequence has `N + 1` points.
+/// - `n`: the number of subintervals `N`; the sequence has `N + 1` points.
 ///
 /// Needs: `H` Lipschitz on the segments of `γᵖˡ`. The bound needs neither `c₁` nor `c₂`, and `γᵖ`
 /// need not be a minimiser.
@@ -75,7 +75,7 @@ pub fn rule_gap(constants: Constants, k3: f64, n: NonZeroUsize) -> f64 {
     l_h_k_cubed(constants, k3) / (2.0 * (n.get() as f64).sqrt())
 }
 
-/// `L_H K³`, in `m²`.
+/// Returns `L_H K³`, in `m²`.
 pub(crate) fn l_h_k_cubed(constants: Constants, k: f64) -> f64 {
     assert!(k >= 0.0, "K3 must be nonnegative, got {k}");
     product([constants.l_h(), k, k, k])

@@ -1,5 +1,5 @@
 //! The least of all bounds on `E(γᵖˡ) − d²` and on `L(γᵖˡ)² − d²`, and the number of subintervals
-//! for a tolerance.
+//! that meets a tolerance.
 
 use std::num::NonZeroUsize;
 
@@ -102,8 +102,8 @@ pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -
 /// The search is by doubling and bisection. The bounds decreased with `N` in every case we tried.
 /// If one did not, the returned `N` would still be enough, but perhaps not the least.
 ///
-/// Overestimation: if the bound is `r` times the excess and falls like `1/N²`, `N/√r` subintervals
-/// are enough.
+/// Overestimation: if the bound is `r` times the excess and falls like `1/N²`, then already `N/√r`
+/// subintervals are enough.
 #[must_use]
 pub fn suggest_n(
     setting: Setting,

@@ -1,4 +1,4 @@
-//! Lemma S.4: upper bounds `min E_N ≤ d² e`, by sampling a minimal geodesic.
+//! Lemma S.4: upper bounds `min E_N ≤ d² e`, obtained by sampling a minimal geodesic.
 //!
 //! The functions return the surplus `e − 1`, computed without cancellation.
 

@@ -1,4 +1,4 @@
-//! Proposition S.7: where the discrete energy between two points is strictly convex.
+//! Proposition S.7: a set on which the discrete energy between two points is strictly convex.
 
 use std::{f64::consts::FRAC_PI_2, num::NonZeroUsize};
 

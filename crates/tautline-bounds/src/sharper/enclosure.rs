@@ -18,7 +18,7 @@ pub enum FromBelow {
     Minimum,
 }
 
-/// The number that bounds `d²` from above.
+/// The number that serves as the upper bound on `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FromAbove {
     /// `L(γᵖˡ)²`, the squared length of a curve between the two sets.
@@ -99,7 +99,7 @@ pub fn enclose(
     let least = match minimum {
         DiscreteMinimum::Assumed => discrete_energy,
         DiscreteMinimum::AtLeast(least) => {
-            // A negative lower bound says nothing.
+            // A negative lower bound carries no information.
             let least = if least < 0.0 { 0.0 } else { least };
             BoundError::check_energy(least)?;
             least

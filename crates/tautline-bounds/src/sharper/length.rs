@@ -1,4 +1,4 @@
-//! Lemma S.5: bounds on the length of a reconstruction, from the discrete energy alone.
+//! Lemma S.5: bounds on the length of a reconstruction in terms of its discrete energy alone.
 
 use std::num::NonZeroUsize;
 
@@ -6,7 +6,7 @@ use tautline_metrics::Constants;
 
 use crate::{PaperRule, product::product};
 
-/// Bounds `L(γᵖˡ)²` of any point sequence by its discrete energy, in `m²` (Lemma S.5).
+/// Bounds `L(γᵖˡ)²` of any point sequence in terms of its discrete energy, in `m²` (Lemma S.5).
 ///
 /// ```text
 /// L(γᵖˡ)²  ≤  E_N + (k L_H/N c₁^{3/2}) E_N^{3/2},      k = ¼ (trapezoidal), ½ (left endpoint)

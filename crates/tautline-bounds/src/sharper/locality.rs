@@ -38,8 +38,8 @@ pub enum LocalityError<E> {
     Escapes {
         /// The largest radius that was tried, in `ℓ`.
         radius: f64,
-        /// How far a competitor could move away from the bounded end with the constants there, in
-        /// `ℓ`.
+        /// The distance from the bounded end that a competitor could reach, given the constants on
+        /// the region of that radius, in `ℓ`.
         reach: f64,
     },
     /// The bound on the distance or the dimension is invalid.
@@ -173,7 +173,7 @@ mod tests {
     }
 
     /// Constants within a radius are treated as constants on a region, even if they are not marked
-    /// as such. On a region, with one chord, `e = 1 + δ/4 + δ²/24` for an isotropic metric with
+    /// as local. On a region, with one chord, `e = 1 + δ/4 + δ²/24` for an isotropic metric with
     /// `M_H = 0`; on all of space `G` would be 0.
     #[test]
     fn constants_within_a_radius_are_those_of_a_region() {

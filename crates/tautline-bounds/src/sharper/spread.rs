@@ -1,11 +1,11 @@
-//! `Spread`: bounds on how unequal the speeds of a sequence are, from its energy alone (Lemma S.5).
+//! `Spread`: bounds on how much the speeds of a sequence differ, from its energy alone (Lemma S.5).
 
 use std::num::NonZeroUsize;
 
 use crate::{PaperRule, Setting, product::product};
 
 /// Bounds on the moments of the relative speeds `uₙ = qₙ/d` of an admissible sequence with
-/// `E_N ≤ d² ε`, all pure numbers (Lemma S.5).
+/// `E_N ≤ d² ε` (Lemma S.5). All of them are pure numbers.
 ///
 /// The length of `γᵖˡ` is at least `d` and nearly equals the mean speed; the energy is the mean
 /// square speed. If mean and root mean square almost agree, the speeds are almost equal:
@@ -73,7 +73,7 @@ impl Spread {
     /// Returns the bounds that follow from `mean u ≥ 1 − x` and `mean u² ≤ 1 + surplus`.
     fn of_shortfall(shortfall: f64, surplus: f64, n: NonZeroUsize) -> Self {
         let (e, count) = (1.0 + surplus, n.get() as f64);
-        // ε − (1 − x)², without cancellation.
+        // ε − (1 − x)², computed without cancellation.
         let variance = if shortfall < 1.0 { surplus + shortfall * (2.0 - shortfall) } else { e };
         let others = count - 1.0;
         let square = product([others, variance]);

@@ -57,7 +57,7 @@ pub fn theorem_a_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize
 /// Bounds both `E(γᵖˡ) − d²` and `L(γᵖˡ)² − d²`, in `m²`, by the sum of the bounds on the two gaps.
 /// It is `O(1/N)`, whereas the paper proves `O(1/√N)`.
 ///
-/// Needs and overestimation: as for the two gaps.
+/// Needs and overestimation: as for the bounds on the two gaps.
 #[must_use]
 pub fn theorem_a_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     theorem_a_minimum_gap(setting, rule, n) + theorem_a_polyline_gap(setting, rule, n)

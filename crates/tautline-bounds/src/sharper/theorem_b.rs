@@ -45,7 +45,7 @@ pub fn theorem_b_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> 
 /// Bounds both `E(γᵖˡ) − d²` and `L(γᵖˡ)² − d²`, in `m²`, by the sum of the bounds on the two gaps,
 /// which is `O(1/N²)`.
 ///
-/// Needs and overestimation: as for the two gaps.
+/// Needs and overestimation: as for the bounds on the two gaps.
 #[must_use]
 pub fn theorem_b_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some(theorem_b_minimum_gap(setting, n)? + theorem_b_polyline_gap(setting, n)?)

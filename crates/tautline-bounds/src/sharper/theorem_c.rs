@@ -34,7 +34,7 @@ use crate::{PaperRule, Setting, product::product, theorem_a_minimum_gap};
 pub fn theorem_c_deficit(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let d = setting.distance();
     let a = product([rule.mean_distance(), setting.delta()]) / n.get() as f64;
-    // 1 − s² = a s³, without cancellation; s = 0 if δ overflows.
+    // 1 − s² = a s³, computed without cancellation; s = 0 if δ overflows.
     let lost = if a.is_finite() { product([a, root(a).powi(3)]) } else { 1.0 };
     product([d, d, lost])
 }
@@ -146,7 +146,7 @@ mod tests {
         close(theorem_c_polyline_gap(tame, TRA, n(30)), 9.0 * gap);
         close(theorem_c_excess(tame, TRA, n(30)), 9.0 * (0.0125 + gap));
         close(theorem_c_polyline_gap(tame, LEFT, n(30)), 9.0 * 3.0 / 60.0 * cube(3.0 * e / 120.0));
-        // At N = 1 there is one speed.
+        // At N = 1 there is only one speed.
         close(theorem_c_polyline_gap(tame, LEFT, n(1)), 9.0 * 1.5 * e.powf(1.5));
     }
 

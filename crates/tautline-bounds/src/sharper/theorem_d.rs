@@ -51,7 +51,7 @@ pub fn theorem_d_deficit(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let count = n.get() as f64;
     let c = mu / (24.0 * count * count);
     let s = 2.0 / (1.0 + (1.0 + 4.0 * c).sqrt());
-    // 1 − s = c s², without cancellation; s = 0 if μ overflows.
+    // 1 − s = c s², computed without cancellation; s = 0 if μ overflows.
     let lost = if c.is_finite() { product([c, s, s]) } else { 1.0 };
     Some(product([d, d, lost]))
 }

@@ -5,7 +5,8 @@ use std::{collections::HashMap, num::NonZeroUsize};
 use csv::{Reader, ReaderBuilder};
 use tautline_bounds::{self as bounds, Constants, PaperRule, Setting};
 
-/// A table, its number of rows, and the relative tolerance; a reference value of 0 must be exact.
+/// The tables: file name, content, number of rows, and relative tolerance. Where a reference value
+/// is 0, the computed value must be exactly 0.
 const TABLES: [(&str, &str, usize, f64); 3] = [
     // Rounding an input has a relative error of 2⁻⁵³. The worst result, C of Theorem 1.3, varies at
     // most like d⁹, L_H⁷ and c₁^−13 and takes some 40 roundings. The total error is below

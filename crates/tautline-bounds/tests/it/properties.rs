@@ -55,7 +55,7 @@ fn subintervals() -> impl Strategy<Value = NonZeroUsize> {
     (1..5000_usize).prop_map(n)
 }
 
-/// The setting with `c₁`, `c₂`, `L_H` and `d` multiplied by these factors.
+/// Returns the setting with `c₁`, `c₂`, `L_H` and `d` multiplied by these factors.
 fn scaled(s: Setting, c1: f64, c2: f64, l_h: f64, d: f64) -> Setting {
     let c = s.constants();
     setting(c.c1() * c1, c.c2() * c2, c.l_h() * l_h, s.distance() * d, s.dimension())

@@ -11,7 +11,7 @@ use crate::{decades, n};
 const TRA: PaperRule = PaperRule::Trapezoidal;
 const LEFT: PaperRule = PaperRule::LeftEndpoint;
 
-/// A bound on an energy, in `m²`; `None` without `M_H`.
+/// A function that returns a bound on an energy, in `m²`, or `None` without `M_H`.
 type Energy = fn(Setting, NonZeroUsize) -> Option<f64>;
 
 #[rustfmt::skip]

@@ -106,7 +106,7 @@ fn by_hand_in_dimension_one() {
     }
 }
 
-/// `K_{2,g}` is proportional to `D²`, and `K_{1,g}` independent of `D`.
+/// `K_{2,g}` is proportional to `D²`, and `K_{1,g}` does not depend on `D`.
 #[test]
 fn dimension_enters_k2_squared() {
     let at = |dimension| setting(4.0, 5.0, 8.0, 2.0, dimension);

@@ -21,7 +21,7 @@ fn moments_of_speeds_are_within_their_spread() {
         // The speeds are scaled to the mean square 1 + surplus.
         let scale = ((1.0 + surplus) / mean(2)).sqrt();
         let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| scale.powi(p) * mean(p));
-        // A setting with x ≥ 1 − m₁; δ = L_H for c₁ = d = 1.
+        // The setting is chosen with x ≥ 1 − m₁; δ = L_H for c₁ = d = 1.
         let missing = (1.0 - m1).max(0.0) * (1.0 + 1e-12);
         for (rule, k) in PaperRule::BOTH.into_iter().zip([0.25, 0.5]) {
             for wider in [1.0, 1.5, 40.0] {

@@ -73,7 +73,8 @@ impl<const D: usize> Posed<D> {
                 Ends::new(FiniteSet::new([a])?, FiniteSet::new([b, further])?)
             }
             Kind::FiniteSetToBox => {
-                // `further` may lie in the box, at the distance 0, so the second point mirrors `b`.
+                // `further` may lie in the box and then have distance 0, so the second point
+                // mirrors `b` instead.
                 let mirrored = a * 2.0 - b;
                 Ends::new(FiniteSet::new([a, mirrored])?, AxisBox::new(b, half)?)
             }

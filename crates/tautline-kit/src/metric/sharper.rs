@@ -1,4 +1,4 @@
-//! The sharper statements as laws of a metric.
+//! The sharper statements, as laws of a metric.
 
 use tautline_statements::{
     LIBRARY, PaperRule, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, theorem_a,

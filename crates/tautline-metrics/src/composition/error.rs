@@ -14,7 +14,7 @@ pub enum CompositionError {
         /// The number that was given.
         value: f64,
     },
-    /// A factor that is not positive, or a matrix that is not provably invertible.
+    /// A factor is not positive, or a matrix is not provably invertible.
     #[error(transparent)]
     Hypothesis(#[from] HypothesisError),
 }

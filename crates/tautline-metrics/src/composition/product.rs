@@ -99,8 +99,8 @@ where
 {
     /// Returns `√(d² + d′²)`, or `None` if one of the two is not known.
     ///
-    /// Since `∫ √(a² + b²) ≥ √((∫ a)² + (∫ b)²)`, with equality for constant `a` and `b`, the pair of
-    /// minimal geodesics is minimal.
+    /// The pair of minimal geodesics is minimal, since `∫ √(a² + b²) ≥ √((∫ a)² + (∫ b)²)`, with
+    /// equality for constant `a` and `b`.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let ((x, x_second), (y, y_second)) = (split(x), split(y));
         let first = self.first.distance(&x, &y)?;

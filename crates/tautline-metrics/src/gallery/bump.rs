@@ -32,7 +32,7 @@ impl Bump {
     /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(height: f64, width: f64) -> Result<Self, GalleryError> {
         let (a, s) = (nonnegative("height", height)?, positive("width", width)?);
-        // With ρ = |x|/s: |∇f²| = (2a/s) (ρ e^{−ρ²/2} + a ρ e^{−ρ²}), at most the sum of the
+        // With ρ = |x|/s: |∇f²| = (2a/s) (ρ e^{−ρ²/2} + a ρ e^{−ρ²}) is at most the sum of the
         // maxima e^{−1/2} (at ρ = 1) and a e^{−1/2}/√2 (at ρ² = 1/2).
         let l_h = 2.0 * a / s * (-0.5_f64).exp() * (1.0 + a * FRAC_1_SQRT_2);
         // With y = ρ², g = e^{−y/2} and the radial part c of a unit vector w, D²(f²)[w,

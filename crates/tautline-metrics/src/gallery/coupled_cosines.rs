@@ -1,4 +1,4 @@
-//! Three coordinates coupled by the cosines of their differences.
+//! A metric with three coordinates coupled by the cosines of their differences.
 
 use nalgebra::{SMatrix, SVector, matrix};
 use tautline_scalar::Scalar;

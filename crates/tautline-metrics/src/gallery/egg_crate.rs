@@ -11,8 +11,8 @@ use super::{
 };
 use crate::{Bounded, Constants, KnownDistance, Metric, quadrature::integrate};
 
-/// `H(x) = I + ∇f ∇fᵀ` with `f = a (sin kx₁ + sin kx₂)`, in the plane: the metric of the graph
-/// of `f` in `R³`, with peaks and pits in a square pattern.
+/// `H(x) = I + ∇f ∇fᵀ` with `f = a (sin kx₁ + sin kx₂)`, in the plane. This is the metric of the
+/// graph of `f` in `R³`, which has peaks and pits in a square pattern.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EggCrate {
     amplitude: f64,

@@ -57,7 +57,7 @@ pub enum GalleryError {
          must be positive"
     )]
     SingularArm {
-        /// `C (A − C) − B²`.
+        /// The value of `C (A − C) − B²`.
         determinant: f64,
     },
     /// A given matrix is not symmetric positive definite.

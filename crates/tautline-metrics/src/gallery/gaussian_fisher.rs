@@ -11,7 +11,7 @@ use crate::{Constants, KnownDistance, LocalError, LocallyBounded, Metric};
 /// `H(μ, t) = diag(e^{−2t}, 2)`: the Fisher metric of the normal distributions with mean `μ` and
 /// standard deviation `σ = e^t`, that is `(dμ² + 2 dσ²)/σ²`. All numbers are pure.
 ///
-/// It has constants on every ball, but not on the whole plane.
+/// The metric has constants on every ball, but not on the whole plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[doc(alias = "information geometry")]
 pub struct GaussianFisher;

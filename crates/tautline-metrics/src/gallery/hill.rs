@@ -10,8 +10,8 @@ use super::{
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
-/// `H(x) = I + ∇f ∇fᵀ` with `f = h e^{−|x|²/2s²}`, in any dimension: the metric of the graph
-/// of `f` in `R^{D+1}`.
+/// `H(x) = I + ∇f ∇fᵀ` with `f = h e^{−|x|²/2s²}`, in any dimension. This is the metric of the
+/// graph of `f` in `R^{D+1}`.
 ///
 /// Minimal geodesics go around a high hill and over a low one.
 #[derive(Clone, Copy, Debug, PartialEq)]

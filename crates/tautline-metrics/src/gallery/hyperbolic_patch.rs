@@ -28,8 +28,8 @@ pub struct HyperbolicPatch {
 }
 
 impl HyperbolicPatch {
-    /// Returns the patch of coordinate radius `R` (a pure number): the ball of radius `2 artanh R`
-    /// of hyperbolic space.
+    /// Returns the patch of coordinate radius `R` (a pure number), which is the ball of radius
+    /// `2 artanh R` in hyperbolic space.
     ///
     /// # Errors
     ///

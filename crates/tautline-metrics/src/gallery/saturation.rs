@@ -141,7 +141,7 @@ mod tests {
         let bound = greatest(|a, b| b * b - a);
         assert!((0.0..4e-6).contains(&bound), "{bound}");
         assert_eq!(greatest(|a, _| 3.0 * rest(a, 1.0)), 3.0);
-        // A NaN value, a NaN bound, and infinity.
+        // The cases are a NaN value, a NaN bound, and infinity.
         assert!(greatest(|_, b| if b > 0.7 { f64::NAN } else { b }).is_nan());
         assert!(greatest(|a, b| if a < b && b > 0.7 { f64::NAN } else { a }).is_nan());
         assert_eq!(greatest(|_, b| 1.0 / (1.0 - b)), f64::INFINITY);

@@ -28,8 +28,8 @@ pub struct SpherePatch {
 }
 
 impl SpherePatch {
-    /// Returns the patch of coordinate radius `R` (a pure number): the ball of radius `2 arctan R`
-    /// on the sphere, a hemisphere for `R = 1`.
+    /// Returns the patch of coordinate radius `R` (a pure number), which is the ball of radius
+    /// `2 arctan R` on the sphere; for `R = 1` it is a hemisphere.
     ///
     /// # Errors
     ///

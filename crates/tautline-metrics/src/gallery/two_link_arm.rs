@@ -1,4 +1,4 @@
-//! A planar robot arm of two links, measured by its kinetic energy.
+//! A planar robot arm with two links, measured by its kinetic energy.
 
 use std::f64::consts::SQRT_2;
 
@@ -14,18 +14,18 @@ use crate::{Bounded, Constants, Metric};
 /// One link of a [`TwoLinkArm`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Link {
-    /// Its mass, nonnegative.
+    /// The mass of the link, nonnegative.
     pub mass: f64,
     /// The distance between its two joints, nonnegative. For the second link it does not matter.
     pub length: f64,
     /// The distance between its centre of mass and the joint before it, nonnegative.
     pub centre: f64,
-    /// Its moment of inertia about its centre of mass, nonnegative.
+    /// The moment of inertia about the centre of mass, nonnegative.
     pub inertia: f64,
 }
 
-/// The inertia of an arm with joint angles `q₁`, `q₂` (`q₂` relative to the first link, in
-/// radians), without gravity:
+/// The inertia of an arm without gravity, with joint angles `q₁`, `q₂` in radians, where `q₂` is
+/// relative to the first link:
 ///
 /// ```text
 /// H(q) = [[A + 2B cos q₂, C + B cos q₂], [C + B cos q₂, C]],    kinetic energy ½ q̇ᵀ H(q) q̇
@@ -77,7 +77,8 @@ impl TwoLinkArm {
     ///
     /// # Errors
     ///
-    /// As for [`TwoLinkArm::new`], and [`GalleryError::Negative`] with the parameter of a link.
+    /// The errors of [`TwoLinkArm::new`], and [`GalleryError::Negative`] with the parameter of a
+    /// link.
     pub fn from_links(first: Link, second: Link) -> Result<Self, GalleryError> {
         for link in [first, second] {
             nonnegative("mass", link.mass)?;

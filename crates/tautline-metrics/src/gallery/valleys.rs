@@ -106,7 +106,7 @@ mod tests {
         let limit = 20.0 + climb(1.0) + climb(1.5);
         assert_relative_eq!(d(-1.0, 1.5), limit, max_relative = 1e-8);
         assert!(d(-1.0, 1.5) > limit);
-        // The mirror image.
+        // This is the mirror image.
         assert_relative_eq!(d(-1.0, 1.5), d(1.0, -1.5), max_relative = 1e-15);
     }
 

@@ -152,7 +152,7 @@ fn conformal_attains_l_h_in_the_limit_of_two_tents() {
     for octave in 4..20 {
         let step = 0.5_f64.powi(octave);
         let slope = (tent(1.0).powi(2) - tent(1.0 + step).powi(2)) / step;
-        // (4 − (2 − step)²) / step = 4 − step, exact in powers of two.
+        // (4 − (2 − step)²) / step = 4 − step, which is exact for powers of two.
         assert_eq!(slope, l_h - step);
     }
 }

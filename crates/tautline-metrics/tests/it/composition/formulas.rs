@@ -1,4 +1,4 @@
-//! The formulas of compositions, and their distances.
+//! The formulas of compositions, and the distances of compositions.
 
 use approx::assert_relative_eq;
 use nalgebra::{SMatrix, SVector, matrix, vector};
@@ -44,7 +44,7 @@ fn distances_are_those_of_the_parts() {
     let d = shear.distance(&x, &y).expect("all pairs");
     let scaled = Scaled::new(shear, 9.0).expect("positive");
     assert_relative_eq!(scaled.distance(&x, &y).expect("all pairs"), 3.0 * d, max_relative = 1e-15);
-    // A shear in oblique coordinates, and back.
+    // The shear is written in oblique coordinates and transformed back.
     let (map, shift) = (matrix![0.3, -1.2; 2.0, 0.4], vector![0.5, -0.25]);
     let pulled = AffinePullback::new(shear, map, shift).expect("invertible");
     let back = |image: SVector<f64, 2>| map.try_inverse().expect("invertible") * (image - shift);

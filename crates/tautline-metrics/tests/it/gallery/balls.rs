@@ -44,7 +44,7 @@ constants_hold! {
         };
 }
 
-/// The balls contain the origin, lie beside it, or lie beyond all extremes.
+/// The balls contain the origin, lie next to it, or lie beyond all extremes.
 #[test]
 fn constants_of_the_sphere_are_attained() {
     let ray = vector![0.6, 0.8];

@@ -182,7 +182,8 @@ fn two_channels_has_a_distance() {
     assert!(known.get() > 20, "{} triples of 256 are known", known.get());
 }
 
-/// From one end of the axis to the other, both channels are shorter than the ridge.
+/// Between the ends of the axis, the way through either channel is shorter than the way along the
+/// ridge.
 #[test]
 fn two_channels_has_two_ways() {
     let g = TwoChannels::new(4.0, 1.0, 0.4).expect("positive");

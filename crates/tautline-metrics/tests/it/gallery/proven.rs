@@ -107,7 +107,7 @@ fn the_forms_are_those_of_the_swirl() {
     }
 }
 
-/// `G₁²/λ² + G₂²/κ² ≤ 1.01²`.
+/// Proves `G₁²/λ² + G₂²/κ² ≤ 1.01²`.
 #[test]
 fn swirl_l_h_is_proven() {
     let lambda = 2.0 * (-0.5_f64).exp();
@@ -121,7 +121,7 @@ fn swirl_l_h_is_proven() {
     assert!(!below(frame(), 1.004_f64.powi(2), squares), "the bound is almost sharp");
 }
 
-/// `F₁²/4 + F₂²/(9/4)² ≤ 1.02²`.
+/// Proves `F₁²/4 + F₂²/(9/4)² ≤ 1.02²`.
 #[test]
 fn swirl_m_h_is_proven() {
     let squares = |part| {
