@@ -150,8 +150,8 @@ mod tests {
         close(theorem_c_polyline_gap(tame, LEFT, n(1)), 9.0 * 1.5 * e.powf(1.5));
     }
 
-    /// As `N → ∞` the constants are `δ/2N` and `δ/N`; Theorem A has `(δ/4 + (δ/4)(1 + δ))/N` and
-    /// twice this number.
+    /// As `N → ∞` the bounds behave like `δ/2N` and `δ/N`; Theorem A has `(δ/4 + (δ/4)(1 + δ))/N`
+    /// and twice this number.
     #[test]
     fn the_leading_constant_is_linear_in_delta() {
         let huge = 1 << 40;
