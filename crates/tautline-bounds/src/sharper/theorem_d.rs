@@ -133,7 +133,7 @@ mod tests {
         close(theorem_d_deficit(one, n(1)), 3.0);
     }
 
-    /// As `N → ∞` the bounds behave like `(G²/12 + μ/12)/N²` from above and to `μ/24N²` from below.
+    /// As `N → ∞` the bound from above behaves like `(G²/12 + μ/12)/N²`, from below like `μ/24N²`.
     #[test]
     fn the_leading_constants() {
         let (setting, huge) = (setting(4e6, 32.0), 1_usize << 26);
