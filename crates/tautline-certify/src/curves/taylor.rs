@@ -157,9 +157,8 @@ macro_rules! operators {
         impl<T: Scalar, const M: usize> $Op<f64> for Taylor<T, M> {
             type Output = Self;
             fn $op(self, $c: f64) -> Self {
-                let mut $f = self.0;
-                $value;
-                Self($f)
+                let $f = self.0;
+                Self($value)
             }
         }
         impl<T: Scalar, const M: usize> $Assign for Taylor<T, M> {
@@ -171,10 +170,16 @@ macro_rules! operators {
 }
 
 operators! {
-    Add add AddAssign add_assign |f, c| f[0] = f[0] + c;
-    Sub sub SubAssign sub_assign |f, c| f[0] = f[0] + -c;
-    Mul mul MulAssign mul_assign |f, c| f = f.map(|a| a * c);
-    Div div DivAssign div_assign |f, c| f = f.map(|a| a / c);
+    Add add AddAssign add_assign |f, c| with_first(f, f[0] + c);
+    Sub sub SubAssign sub_assign |f, c| with_first(f, f[0] + -c);
+    Mul mul MulAssign mul_assign |f, c| f.map(|a| a * c);
+    Div div DivAssign div_assign |f, c| f.map(|a| a / c);
+}
+
+/// Returns the coefficients with another constant one.
+fn with_first<T, const M: usize>(mut coefficients: [T; M], first: T) -> [T; M] {
+    coefficients[0] = first;
+    coefficients
 }
 
 tautline_scalar::f64_on_the_left!([T: Scalar, const M: usize] Taylor<T, M>);

@@ -31,7 +31,7 @@ fn with_exact(x: f64, at_zero: f64, y: f64, least: f64, greatest: f64) -> (f64, 
 const MAX: f64 = f64::INFINITY;
 const MIN: f64 = f64::NEG_INFINITY;
 
-macro_rules! with_exact {
+macro_rules! by_pxfm {
     ($($function:ident: $by:ident, $at_zero:literal, [$least:expr, $greatest:expr];)*) => {$(
         #[inline]
         fn $function(x: f64) -> (f64, f64) {
@@ -57,7 +57,7 @@ impl Kernel for Fast {
         let (s, c) = pxfm::f_sincos(x);
         (with_exact(x, 0.0, s, -1.0, 1.0), with_exact(x, 1.0, c, -1.0, 1.0))
     }
-    with_exact! {
+    by_pxfm! {
         sin: f_sin, 0.0, [-1.0, 1.0];
         cos: f_cos, 1.0, [-1.0, 1.0];
         tan: f_tan, 0.0, [MIN, MAX];
