@@ -6,7 +6,6 @@
 //! error bound is derived where it is used, in units of `u = 2⁻⁵³`. Bounds on rounding errors are
 //! at least a tenth larger than derived. This margin covers the higher-order terms in `u`, which
 //! are less than `10⁻¹⁴` times the first-order term.
-//! than `10⁻¹⁴` of the first.
 
 mod approximation;
 mod arithmetic;
