@@ -10,9 +10,9 @@ use tautline_metrics::{MetricError, check_matrix};
 
 /// A function of point sequences, `E_N(x) = N Σₖ Σⱼ wⱼ g(xₖ + tⱼ dₖ)(dₖ, dₖ)` with
 /// `dₖ = xₖ₊₁ − xₖ`, and its derivatives.
+///
 /// The metric is behind a pointer, which is followed once for many chords, so that nothing is
 /// compiled again for another formula or rule.
-/// another formula or rule.
 #[derive(Clone, Copy)]
 pub(crate) struct DiscreteEnergy<'m, const D: usize> {
     nodes: &'static [Node],
