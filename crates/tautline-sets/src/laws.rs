@@ -19,8 +19,8 @@ const SIZE: f64 = 8.0;
 
 /// The accuracy of a coordinate or a distance at scale 1.
 ///
-/// A projection, a membership formula and the comparison together make about 4 D ≤ 20 roundings of
-/// ε/2 each, in numbers up to `SIZE` √D. The bound is doubled.
+/// A projection, a membership formula and the comparison together incur about 4 D ≤ 20 roundings of
+/// ε/2 each, in numbers up to `SIZE` √D. This number is more than twice the bound that results.
 const ROUNDING: f64 = 64.0 * SIZE * f64::EPSILON;
 
 /// The step of the central difference at scale 1. It is a power of two, so that `x ± h` is exact.

@@ -1,8 +1,8 @@
 //! Runs the kit on the metrics of the gallery that have constants only on balls.
 //!
 //! If the centre of a ball lies on a diagonal, a corner of the largest cube in the ball is as far
-//! from the origin as any point of the ball. Constants that are extreme there are therefore
-//! attained.
+//! from the origin as any point of the ball. A constant whose extreme value is taken at the point
+//! of the ball farthest from the origin is therefore attained in the cube.
 
 use tautline::{
     LocalError,

@@ -24,8 +24,9 @@ use super::{
 ///
 /// # The choice
 ///
-/// Let the form have its maximum at `v = u = e₁`. The eigenvector must be `e₁ ⊗ e₁`, so the other
-/// entries of its row must vanish. Those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` vanish because
+/// Let the form have its maximum at `v = u = e₁`. For the largest eigenvalue to equal this maximum,
+/// `e₁ ⊗ e₁` must be an eigenvector of the matrix, so the other entries of the row `(1, 1)` must
+/// vanish. Those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` vanish because
 /// `u` and `v` are stationary; those at `(1, 1), (l, j)` are made to vanish. For any other `u` and
 /// `v` the coordinates are rotated. In two dimensions this is exact: a nonnegative biquadratic form
 /// in two by two variables is a sum of squares (Calderón), and one that vanishes at `e₁ ⊗ e₁` has

@@ -53,8 +53,8 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
     /// Returns the enclosures; they are undefined if the metric is undefined somewhere on the
     /// chord.
     ///
-    /// Each round bisects all panels that are too wide, so that they end up equally long if the
-    /// limit is reached.
+    /// Each round bisects every panel whose enclosure is too wide. If a limit ends the rounds, the
+    /// panels that are still too wide therefore all have the same length.
     pub(super) fn integrals(&self, metric: &impl Metric<D>) -> Integrals<K> {
         let whole = Panel { centre: 0.5, width: 1.0 };
         let (integrals, done) = self.over(metric, whole);

@@ -58,8 +58,8 @@ pub(crate) struct Half {
 /// Contracts a formula and its derivatives up to this order with a chord. Returns `None` if that
 /// takes too many operations.
 ///
-/// If `needs_gram` is set, the entries of `H` are computed anyway. In that case it is cheaper to
-/// compute `dᵀHd` alone from these entries than from squares of vectors.
+/// If `needs_gram` is set, the entries of `H` are computed anyway. If, in addition, only `dᵀHd` is
+/// wanted, it is cheaper to compute it from these entries than from squares of vectors.
 pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Option<Contracted> {
     let dimension = formula.dimension;
     let (mut graph, entries) = Graph::of(formula);

@@ -39,8 +39,8 @@ pub(super) struct Posed<const D: usize> {
 
 impl<const D: usize> Posed<D> {
     /// Draws problems of one kind, with `a` and `b` at least an eighth of the longest edge apart.
-    /// The points are never special ones, since between two points on an axis of symmetry there may
-    /// be a saddle.
+    /// The points are drawn at random, never placed on an axis of symmetry, because the critical
+    /// point found between two points on such an axis may be a saddle.
     pub(super) fn problems(kind: Kind, region: &Region<D>) -> impl Strategy<Value = Self> + use<D> {
         let apart = region.size() / 8.0;
         (region.uniform(), region.uniform(), region.uniform())

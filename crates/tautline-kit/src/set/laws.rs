@@ -21,9 +21,9 @@ const FAR: [f64; 3] = [1.0, 8.0, 512.0];
 /// The step of the differences of `P`, relative to the longest edge. It is a power of two.
 const STEP: f64 = 1.0 / 131_072.0;
 
-/// `P` counts as smooth at a point if its differences to both sides differ by at most this number,
-/// that is, `h |D²P|`. The error of the central difference is then `h² |D³P|/6`, which is far below
-/// `OFF` if `|D³P|` is of the size of `|D²P|²` or `|D²P|/ℓ`.
+/// `P` counts as smooth at a point if its forward and backward difference quotients differ by at
+/// most this number. Their difference is about `h |D²P|`. The error of the central difference is
+/// then `h² |D³P|/6`, which is far below `OFF` if `|D³P|` is of the size of `|D²P|²` or `|D²P|/ℓ`.
 const SMOOTH: f64 = 1e-3;
 
 /// The accuracy of a central difference of a smooth `P`. It covers the truncation error (see above)

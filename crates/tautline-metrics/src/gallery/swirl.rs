@@ -24,7 +24,8 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 /// Since `|Φ(x)| = |x|`, `Φ` maps every disc and every circle about the origin onto itself, and
 /// distances between these sets are Euclidean. Two circles of radii `r ≤ R` about the origin have
 /// the distance `R − r`, and so do the disc of radius `r` and the outside of the disc of radius
-/// `R`. Every point of the smaller circle or disc boundary has a nearest point at this distance.
+/// `R`. Every point of the smaller circle, or of the boundary of the disc, has a nearest point on
+/// the other set at exactly this distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "twist")]
 pub struct Swirl {

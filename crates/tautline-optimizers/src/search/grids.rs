@@ -8,9 +8,9 @@
 /// there, and it depends on the grid which leaps save energy.
 const COARSEST: usize = 32;
 
-/// Up to this many chords the coarsest grid has half as many chords as the finest. So a solve does
-/// not cost more than a solve on a finer grid, which begins on the same coarsest grid. Leaps may
-/// still save energy; if the energies suggest it, the search looks for them once more.
+/// Up to this many chords, the coarsest grid has half as many chords as the finest. A solve
+/// therefore starts on the same coarsest grid as a solve with more chords, and costs no more. Leaps
+/// may still save energy; if the energies suggest this, the search looks for leaps once more.
 pub(crate) const SMALL: usize = 64;
 const DOUBLED: usize = 2;
 

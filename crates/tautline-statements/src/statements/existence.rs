@@ -75,7 +75,7 @@ pub fn prop_7_1<const D: usize>(
         .sharper("Σ |xₙ₊₁ − xₙ| ≤ √(R/c₁)", Unit::COORDINATE, [way, radius], rounding))
 }
 
-/// Evaluates the claim that a minimiser is a critical point, in companions of Proposition 7.1.
+/// Evaluates companions of Proposition 7.1, which state that a minimiser is a critical point.
 ///
 /// ```text
 /// ρₙ = (N/2) ∂E_N/∂xₙ = 0 inside,    P(x − s ∂E_N/∂x) = x at the ends, for small s > 0

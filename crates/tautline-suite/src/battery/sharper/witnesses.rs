@@ -220,10 +220,11 @@ fn theorem_is_attained(evidence: Evidence, limit: f64) -> Result<Evidence, Verif
         .claim_is_attained("L(γᵖˡ)² − d² ≤ its bound", limit)
 }
 
-/// The `n` equal chords of the first route lead over ridges, and those of the second over valleys
-/// that seem lower by a hair, which is a thousandth. For the left rule the first route leads down
-/// an incline and the second leads up one. The next order of the excess is smaller by a factor of
-/// `δ`, or of `√N δ`.
+/// The `n` equal chords of the first route lead over ridges, and those of the second over valleys.
+/// At the points that the rule reads, the second route is lower by a thousandth, so the rule
+/// prefers it. For the left rule the first route leads down an incline and the second leads up one.
+/// The next term in the expansion of the excess is smaller than the leading one by a factor of `δ`,
+/// or of `√N δ`.
 fn many_chords(trial: &Trial<'_>) -> Outcome {
     let mut evidence = Vec::new();
     for n in [2_u32, 5, 16] {
