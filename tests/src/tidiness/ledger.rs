@@ -88,15 +88,45 @@ fn every_statement_has_its_row() {
     }
 }
 
-/// The compiler checks that the functions exist.
+/// The item of a list in Markdown that begins with `head`.
+fn item<'a>(section: &'a str, head: &str) -> &'a str {
+    section.lines().find_map(|line| line.strip_prefix("- ")?.strip_prefix(head)).unwrap_or_default()
+}
+
+/// What its row says of a statement is in its section of the page. The compiler knows that the
+/// functions exist.
 #[test]
-fn every_statement_has_its_section_with_its_function() {
+fn every_statement_has_its_section_as_its_row_says() {
     let page = read(&root().join("paper/STATEMENTS.md"));
+    // The page has another bar, since `|` ends a cell.
+    let set = |claims: &str| -> BTreeSet<String> {
+        claims.split("; ").map(|claim| claim.replace('|', "∣")).collect()
+    };
+    let mut wrong = Vec::new();
     for statement in Statement::ALL {
-        let (name, head) = (statement.function(), format!("\n## {}\n", statement.number()));
-        assert!(page.contains(&head), "STATEMENTS.md has no section on {statement}");
-        assert!(page.contains(&format!("::{name}`")), "STATEMENTS.md does not name {name}");
+        let head = format!("\n## {}\n", statement.number());
+        let (_, section) = page.split_once(&head).unwrap_or_else(|| panic!("no section {head}"));
+        let section = section.split("\n## ").next().expect("the first part");
+        let hypotheses: Vec<&str> = statement.hypotheses().collect();
+        let hypotheses =
+            if hypotheses.is_empty() { "none".to_owned() } else { hypotheses.join("; ") };
+        let assumed: Vec<&str> = statement.assumed().collect();
+        let code = format!("`tautline_statements::{}`", statement.function());
+        let verdict = item(section, "verdict: ");
+        for (what, agrees) in [
+            ("claim", section.starts_with(&format!("\n{}.\n", statement.claim()))),
+            ("code", item(section, "code: ") == code),
+            ("verdict", verdict.contains(statement.verdict().name())),
+            ("remark", verdict.trim_end_matches('*').ends_with(statement.verdict().remark())),
+            ("hypotheses", set(item(section, "hypotheses evaluated: ")) == set(&hypotheses)),
+            ("assumed", set(item(section, "assumed: ")) == set(&assumed.join("; "))),
+        ] {
+            if !agrees {
+                wrong.push(format!("{statement}: {what}"));
+            }
+        }
     }
+    assert!(wrong.is_empty(), "STATEMENTS.md does not agree with the table: {wrong:#?}");
 }
 
 #[test]

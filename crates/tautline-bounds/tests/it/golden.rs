@@ -31,11 +31,22 @@ fn the_bounds_have_their_reference_values() {
             let row = row.expect("a row of five columns");
             let (problem, name, rule, n, expected) = &row;
             let value = quantity(name, rule, *n, problems[problem]);
-            let off = (value - expected).abs();
-            assert!(off <= tolerance * expected, "{file}, {row:?}: found {value:e}");
+            assert!(agrees(value, *expected, tolerance), "{file}, {row:?}: found {value:e}");
             compared += 1;
         }
         assert_eq!(compared, count, "rows of {file}");
+    }
+}
+
+fn agrees(value: f64, expected: f64, tolerance: f64) -> bool {
+    (value - expected).abs() <= tolerance * expected
+}
+
+#[test]
+fn other_numbers_do_not_agree() {
+    assert!(agrees(2.0, 2.0, 0.0) && agrees(2.0, 2.01, 0.01) && agrees(0.0, 0.0, 1.0));
+    for (value, expected) in [(2.0, 2.03), (2.03, 2.0), (f64::NAN, 2.0), (1e-300, 0.0)] {
+        assert!(!agrees(value, expected, 0.01), "{value} and {expected}");
     }
 }
 

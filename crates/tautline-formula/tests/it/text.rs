@@ -201,3 +201,27 @@ fn long_lists_of_functions_are_read_in_one_pass() {
     assert!(matches!(problem, Some(Problem::Record(RecordError::TooLong { .. }))), "{problem:?}");
     assert!(Formula::<2>::parse(&text.replace("graph", "phi"), &[]).is_ok());
 }
+
+/// Two names exchanged would be written and read alike.
+#[test]
+fn every_name_is_that_of_its_function() {
+    let x = 0.3_f64;
+    for (name, expected) in [
+        ("sqr", x * x),
+        ("recip", 1.0 / x),
+        ("sqrt", x.sqrt()),
+        ("exp", x.exp()),
+        ("ln", x.ln()),
+        ("sin", x.sin()),
+        ("cos", x.cos()),
+        ("tan", x.tan()),
+        ("atan", x.atan()),
+        ("sinh", x.sinh()),
+        ("cosh", x.cosh()),
+        ("tanh", x.tanh()),
+    ] {
+        let formula = Formula::<1>::parse(&format!("[{name}(x1)]"), &[]).expect("a formula");
+        let found = formula.gram(&vector![x])[(0, 0)];
+        assert!((found - expected).abs() <= 1e-15 * expected.abs(), "{name}: {found}");
+    }
+}

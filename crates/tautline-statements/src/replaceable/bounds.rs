@@ -137,3 +137,25 @@ macro_rules! for_each_bound {
 pub(crate) use for_each_bound;
 
 for_each_bound!(bounds);
+
+#[cfg(test)]
+mod tests {
+    /// The entries, and the functions of the library.
+    macro_rules! names {
+        ($($entry:ident($($name:ident),*) -> $result:ty = $genuine:path;)*) => {
+            [$((stringify!($entry), stringify!($genuine))),*]
+        };
+    }
+
+    #[test]
+    fn every_entry_is_the_function_of_its_name() {
+        for (entry, genuine) in for_each_bound!(names) {
+            let expected = match entry {
+                "spread" => "Spread::of_first_order".to_owned(),
+                "sharp_spread" => "Spread::of_second_order".to_owned(),
+                _ => format!("bounds::{entry}"),
+            };
+            assert_eq!(genuine.replace(' ', ""), expected);
+        }
+    }
+}

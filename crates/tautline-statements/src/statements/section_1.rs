@@ -199,3 +199,36 @@ fn length_excess<const D: usize>(
         .sharper("L(γᵖˡ)² ≤ E(γᵖˡ)", Unit::ENERGY, [length2 - seen.energy.value, 0.0], seen.granted)
         .sharper("L(γᵖˡ)² − d² = O(1/N)", Unit::ENERGY, [length2 - d2, first_order], seen.granted)
 }
+
+#[cfg(test)]
+mod tests {
+    use tautline::{bounds, gallery::Shear};
+
+    use super::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4};
+    use crate::{Known, LIBRARY, PaperRule, Reconstruction};
+
+    /// The bounds are so large that no case tells one theorem's from another's.
+    #[test]
+    fn every_claim_has_the_bound_of_its_theorem() {
+        let shear = Shear::new(0.5, 1.0).expect("a wave number");
+        let known = Known::between(shear, [0.0, 0.0], [2.0, 3.0]).expect("finite").expect("known");
+        let [tra, left] = PaperRule::BOTH
+            .map(|rule| Reconstruction::observe(&LIBRARY, &known, rule, 12).expect("a minimum"));
+        let setting = known.setting().expect("a distance");
+        let of_tra = bounds::theorem_1_1_constant(setting);
+        let of_left = bounds::theorem_1_3_constant(setting);
+        let [first, second] = [theorem_1_1, theorem_1_2].map(|theorem| theorem(&LIBRARY, &tra));
+        let [third, fourth] = [theorem_1_3, theorem_1_4].map(|theorem| theorem(&LIBRARY, &left));
+        let (n, root) = (12.0, 12_f64.sqrt());
+        for (evidence, claim, bound) in [
+            (&first, "E(γᵖˡ) − E_tra,N ≤ C/√N", of_tra / root),
+            (&first, "E_tra,N − d² ≤ C/N", of_tra / n),
+            (&second, "L(γᵖˡ)² − d² ≤ C/√N", of_tra / root),
+            (&third, "E(γᵖˡ) − E_l,N ≤ C/√N", of_left / root),
+            (&third, "E_l,N − d² ≤ C/√N", of_left / root),
+            (&fourth, "L(γᵖˡ)² − d² ≤ C/√N", of_left / root),
+        ] {
+            assert_eq!(evidence.conclusion(claim).bound, bound, "{}: {claim}", evidence.statement);
+        }
+    }
+}

@@ -69,3 +69,46 @@ fn a_constant_metric_is_symmetric_to_the_last_bit() {
     let h: SMatrix<f64, 2, 2> = g.gram(&vector![0.0, 0.0]);
     assert_eq!(h, matrix![2.0, 0.5; 0.5, 1.0]);
 }
+
+/// Fails unless the constants that are `exact` in a sample are those of the metric's row in the
+/// table at the top of the gallery.
+#[track_caller]
+fn assert_as_in_the_table(sample: &str, metric: &str, exact: [bool; 4]) {
+    let table = include_str!("../../../src/gallery/mod.rs");
+    let rows = table.lines().filter(|line| line.starts_with("//! | [`"));
+    let mut rows = rows.map(|row| row.split(" | ").collect::<Vec<_>>());
+    let words = || metric.split(|c: char| !c.is_alphanumeric());
+    let row = rows.find(|row| words().any(|word| row[1] == format!("[`{word}`]")));
+    let row = row.unwrap_or_else(|| panic!("{metric} has no row"));
+    let stated = match row[4] {
+        "exact" => [true; 4],
+        "exact but `M_H`" => [true, true, true, false],
+        "exact but `L_H`" => [true, true, false, true],
+        "exact but `L_H`, `M_H`" => [true, true, false, false],
+        "bounds" => [false; 4],
+        other => panic!("{metric}: {other}"),
+    };
+    let rounded = match row[1] {
+        // The eigenvalues are computed.
+        "[`Constant`]" => [true, true, false, false],
+        patch if patch.ends_with("Patch`]") => [false, false, true, true],
+        _ => [false; 4],
+    };
+    let expected: [bool; 4] = std::array::from_fn(|k| stated[k] && !rounded[k]);
+    assert_eq!(exact, expected, "{sample}");
+}
+
+macro_rules! exact_constants_are_as_in_the_table {
+    ($(
+        $id:ident: $name:literal, $metric:expr, dimension $D:literal, in $cell:expr,
+        exact $exact:expr $(, with $distances:ident)?;
+    )*) => {
+        $(assert_as_in_the_table(stringify!($id), stringify!($metric), $exact);)*
+    };
+}
+
+/// A constant that is not marked exact is hardly checked.
+#[test]
+fn constants_are_marked_exact_if_and_only_if_the_table_says_so() {
+    for_each_sample!(exact_constants_are_as_in_the_table);
+}

@@ -18,6 +18,15 @@ fn agrees<const D: usize>(row: &[&str], metric: impl KnownDistance<D>) {
         let found = found.expect("a pair with a known distance");
         assert!((found - distance).abs() <= tolerance * distance, "{row:?}: {found}");
     }
+    // Rounding, not more.
+    assert!(0.0 < tolerance && tolerance <= 1e-14, "{row:?}");
+}
+
+#[test]
+#[should_panic = "1.000001"]
+fn another_distance_does_not_agree() {
+    let flat = Constant::<1>::new([[1.0]].into()).expect("definite");
+    agrees("constant,1,0,1,1.000001,1e-14,no".split(',').collect::<Vec<_>>().as_slice(), flat);
 }
 
 #[test]
