@@ -77,11 +77,12 @@ impl<const D: usize> Domain<D> {
     /// The width is 0 along a coordinate that does not occur in the formula, or that occurs only in
     /// differences with others. If the formula is a function of `|x|²` times the identity, the
     /// width is 0 along all coordinates but the first. Along a coordinate in which the formula is
-    /// periodic, the width is one period, rounded up. All this is read off the formula, not
-    /// sampled. The periods found are those of sines, cosines and tangents of linear functions
-    /// whose coefficients are doubles with a common divisor. Along any other coordinate the box
-    /// reaches from `−2¹⁰⁰` to `2¹⁰⁰`, and [`is_all_of_space`](Domain::is_all_of_space) is false:
-    /// nothing is known beyond [`REACH`](Domain::REACH).
+    /// periodic, the width is one period, rounded up. Along any other coordinate the box reaches
+    /// from `−2¹⁰⁰` to `2¹⁰⁰`, and [`is_all_of_space`](Domain::is_all_of_space) is false: nothing
+    /// is known beyond [`REACH`](Domain::REACH).
+    ///
+    /// All this is read off the formula, not sampled. The periods found are those of sines, cosines
+    /// and tangents of linear functions whose coefficients are doubles with a common divisor.
     ///
     /// ```
     /// use tautline_certify::Domain;

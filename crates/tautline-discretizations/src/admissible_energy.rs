@@ -6,8 +6,8 @@ use tautline_formula::{Batches, Kind};
 use crate::{ChordBatch, CompensatedSum, Node, point_sequence::chords as chords_of};
 
 /// Returns the discrete energy of the rule with these `nodes`, in `m²`. The result is `None` if the
-/// energy is not finite, or if it is negative at a node: the points then leave the region where the
-/// metric is positive definite.
+/// energy is not finite, or if the term of a node is negative: that node then lies outside the
+/// region where the metric is positive definite.
 ///
 /// # Panics
 ///

@@ -152,7 +152,7 @@ impl<const D: usize> PointSequence<D> {
         chords(&self.points)
     }
 
-    /// Returns the chords with these indices, as an iterator that runs from either end.
+    /// Returns the chords with these indices, as an iterator that can be advanced from either end.
     ///
     /// # Panics
     ///

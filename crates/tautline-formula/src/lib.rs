@@ -2,7 +2,8 @@
 //!
 //! A metric is a function that is generic in its number type. Evaluated once in a number type that
 //! records its operations, it becomes a list of operations, a [`Formula`]. A formula can be
-//! compared, hashed, sent and printed, and evaluated again in any number type, with the same bits.
+//! compared, hashed, sent and printed, and evaluated in any number type, where it gives the same
+//! bits as the metric.
 //!
 //! ```
 //! use nalgebra::{SMatrix, SVector, vector};
@@ -23,9 +24,9 @@
 //! ```
 //!
 //! A search needs `H` and its derivatives along thousands of chords. [`Prepared`] derives a program
-//! from the formula and runs it over a [`Batch`] of chords, which is faster than the compiled
-//! formula. A formula that cannot be recorded is evaluated as compiled, behind the same interface
-//! ([`Plain`]).
+//! from the formula and runs it over a [`Batch`] of chords, which is faster than calling the
+//! compiled metric. If the formula cannot be recorded, the compiled metric is called instead,
+//! behind the same interface ([`Plain`]).
 //!
 //! ```
 //! use nalgebra::vector;

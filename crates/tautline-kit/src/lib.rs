@@ -91,10 +91,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! If your metric knows its distances, end the line with `with distances`, or call
-//! [`MetricCase::with_known_distance`]. [`WithConstants`](tautline_statements::WithConstants) adds
-//! constants to a metric that claims none. [`Certified`](tautline::Certified) proves them if the
-//! formula is constant or periodic along each coordinate; then you only write the formula. Use
+//! If your metric knows its distances, end the arguments of `metric_suite!` with `with distances`,
+//! or call [`MetricCase::with_known_distance`].
+//! [`WithConstants`](tautline_statements::WithConstants) adds constants to a metric that claims
+//! none. [`Certified`](tautline::Certified) proves them if the formula is constant or periodic
+//! along each coordinate; then you need to write only the formula. Use
 //! [`Certified::settled`](tautline::Certified::settled) if the metric is constant far away.
 //! Otherwise prove constants in a ball:
 //! `metric_suite!(dent: LocallyCertified::new(Dent, Accuracy::default()), dimension 2, within 0.5, of [0.1, 0.2]);`.
@@ -148,9 +149,9 @@
 //! print a report, perhaps with more effort, and run `cargo test -- --nocapture`:
 //! `println!("{}", verify_metric(&Egg, &region, &Effort { ascents: 12, ..Effort::default() }))`.
 //!
-//! A claim may be loose. The [`Report`] shows the overestimation of each law, and
-//! `refuses_a_smaller_l_h` repeats it in a note: the bounds of the theorems are as loose as the
-//! constants.
+//! A claim may be loose, and the bounds of the theorems are then as loose as the constants. The
+//! [`Report`] shows the overestimation of each law, and `refuses_a_smaller_l_h` repeats that of
+//! `L_H` in a note.
 //!
 //! Samples are integers mapped to the [`Region`], so the coordinates of the smallest failing sample
 //! are short binary fractions of its edges. Nothing is written to disk, and every run draws the
@@ -160,8 +161,8 @@
 //! $ TAUTLINE_SEED=7 TAUTLINE_CASES=100 cargo test egg
 //! ```
 //!
-//! A seed is a whole number of 64 bits. A failure shows the variables that its samples were drawn
-//! with. See [`Chance`].
+//! A seed is an unsigned 64-bit integer. A failure shows the environment variables with which its
+//! samples were drawn. See [`Chance`].
 
 mod brought;
 mod difference_test;

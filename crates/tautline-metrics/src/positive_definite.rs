@@ -50,9 +50,9 @@ pub enum MetricError {
 /// Returns whether a matrix is finite, symmetric up to rounding, and positive definite, in every
 /// lane of its entries.
 ///
-/// Two entries computed by the same formula in a different order differ by a few roundings of its
-/// terms. For a positive definite `H` these are at most of size `√(Hᵢᵢ Hⱼⱼ)`, and the tolerance is
-/// `10⁻¹²` times this number.
+/// If the entries `(i, j)` and `(j, i)` are computed by the same formula in a different order, they
+/// differ by a few roundings of its terms. For a positive definite `H` the terms are at most of
+/// size `√(Hᵢᵢ Hⱼⱼ)`, and the tolerance is `10⁻¹²` times this number.
 #[must_use]
 #[inline]
 pub fn is_gram<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>) -> bool {

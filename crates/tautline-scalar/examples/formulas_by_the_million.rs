@@ -1,5 +1,5 @@
-//! Makes a million comparisons of random formulas and their derivatives over boxes with values in
-//! high precision.
+//! Compares enclosures of random formulas and of their derivatives over boxes with values computed
+//! in high precision, a million times.
 //!
 //! The tests make a hundred thousand comparisons. This example takes ten seconds:
 //! `cargo run --release -p tautline-scalar --example formulas_by_the_million [COUNT] [SEED]`. It

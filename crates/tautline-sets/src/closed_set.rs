@@ -18,7 +18,7 @@ use tautline_scalar::Interval;
 /// - no member of `X` is farther from the origin than [`radius`](ClosedSet::radius), or outside the
 ///   [`enclosing_ball`](ClosedSet::enclosing_ball);
 /// - a box from [`member_near`](ClosedSet::member_near) contains a member of `X`; this law holds
-///   without rounding.
+///   exactly, not only up to rounding.
 ///
 /// No method panics on finite input; none reads a clock, a file or a random number. An empty set
 /// has no nearest point: an implementation that may be empty returns NaN, and

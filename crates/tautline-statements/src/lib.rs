@@ -1,7 +1,7 @@
 //! Every statement of the paper as a function that returns its evidence.
 //!
-//! The function evaluates the statement on a case. The [`Evidence`] contains its hypotheses,
-//! checked or assumed, and its inequalities, each with the observed number and the bound.
+//! Each function evaluates its statement on a case. The [`Evidence`] contains the hypotheses,
+//! checked or assumed, and the inequalities, each with the observed number and the bound.
 //!
 //! ```
 //! use tautline::{PointSequence, gallery::Valleys};

@@ -2,8 +2,9 @@
 //!
 //! A taut line between two bodies is a shortest curve. Given the metric `H(x)` and the closed sets
 //! `X⁽⁰⁾`, `X⁽¹⁾` of `R^D`, one of them bounded, Tautline minimises a discretisation of the energy
-//! `E(γ) = ∫ γ̇ᵀ H(γ) γ̇ dt`, joins the points, and returns proven bounds on the error. The minimum
-//! of the energy is the squared distance.
+//! `E(γ) = ∫ γ̇ᵀ H(γ) γ̇ dt` over sequences of points, joins the points of the minimiser into
+//! a curve, and returns proven bounds on the error. The minimum of the energy is the squared
+//! distance.
 //!
 //! ```
 //! use tautline::{Ball, Ends, HalfSpace, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal};
@@ -41,7 +42,7 @@
 //! | [`TautLine::energy`], [`TautLine::length`] | energy and length of an actual curve between the sets: upper bounds on `d²` and `d`, up to an estimated quadrature error |
 //! | [`TautLine::discrete_energy`] | may lie on either side of `d²` |
 //! | [`TautLine::distance_squared_estimate`] | extrapolated: an estimate, not a bound |
-//! | [`TautLine::enclosure`], [`TautLine::enclosure_among`] | bounds on `d²` by theorems, up to an estimated quadrature error; reports whether a global minimum is assumed (between sets always) |
+//! | [`TautLine::enclosure`], [`TautLine::enclosure_among`] | bounds on `d²` by theorems, up to an estimated quadrature error; reports whether a global minimum is assumed (between sets, it always is) |
 //! | [`TautLine::prove`] | the same with constants that are proved from the formula, and an upper bound with outward rounding |
 //! | [`leading_constants`] | limits of the errors times `N` or `N²` on smooth data: computed, not proven |
 //! | [`bounds`] | proven, for global minimisers of the discrete energy |

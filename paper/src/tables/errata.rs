@@ -80,7 +80,7 @@ const MISPRINTS: [&str; 14] = [
     "Proposition 7.5: the hypothesis bounds H at x₁ where it means every x.",
     "Proposition 7.6: in (7.5) an equality sign stands for ≤, and the two half distances to the \
      midpoint are counted as whole ones.",
-    "Proposition 7.9 does not repeat that H is Lipschitz, which it needs; c₁ and c₂ it does not.",
+    "Proposition 7.9 does not repeat that H is Lipschitz, which it needs; it does not need c₁ and c₂.",
     "Proposition 7.10: the bound by L h/h stands outside of its limit.",
     "Theorem 1.1: its proof ends with C/√N for the upper bound, where C_tra♯/N was shown and C/N is \
      claimed.",
@@ -119,8 +119,8 @@ No theorem falls: wherever a refuted statement is used, the case at hand is cove
             text += &format!("- {}: {reading}.\n", statement.number());
         }
     }
-    text += "- Propositions 4.3 and 6.2 are about connected manifolds, or distances are not finite; \
-             R^D is one.\n- The constant C of Theorems 1.1 to 1.4 depends on D, through K_{2,g}.\n- \
+    text += "- Propositions 4.3 and 6.2 need a connected manifold, since distances are otherwise not finite; \
+             R^D is connected.\n- The constant C of Theorems 1.1 to 1.4 depends on D, through K_{2,g}.\n- \
              *Trapezoidal rule*: H is read at the midpoint of each chord, which elsewhere is the \
              midpoint rule.\n\n## The open question\n\n";
     for statement in Statement::ALL {

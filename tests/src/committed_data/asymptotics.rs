@@ -90,9 +90,9 @@ fn asymptotics_over_the_valleys_are_explicit() {
     }
 }
 
-/// For the trapezoidal rule the next term of the expansion has two more powers of `1/N`, for the
-/// left rule one more. Extrapolation from two grids leaves the fourth power, and from three grids
-/// the sixth.
+/// The next term of the expansion has two more powers of `1/N` for the trapezoidal rule, and one
+/// more for the left rule. Extrapolating the trapezoidal energy from two grids leaves an error of
+/// order `1/N⁴`, and from three grids an error of order `1/N⁶`.
 #[test]
 fn asymptotics_are_approached_at_the_next_order() {
     let figure = Table::read("data/asymptotics.csv");

@@ -58,8 +58,8 @@ pub fn theorem_1_3_polyline_gap(setting: Setting, n: NonZeroUsize) -> f64 {
 /// E(γᵖˡ) − min E  ≤  C_tra♯ / N + L_H (K̄_{3,g}³ + K̄_{4,g}³) / (2 √N)  ≤  C / √N
 /// ```
 ///
-/// Adding the inequalities of the theorem gives `2 C/√N`. Theorem 1.4 follows from this finer form,
-/// with the same `C`.
+/// Adding the inequalities of the theorem gives only `2 C/√N`. Theorem 1.4, with the same `C`,
+/// follows from the finer form above.
 ///
 /// Overestimation: as for [`theorem_1_3_constant`]. The bound equals `C / √N` at `N = 1`.
 #[doc(alias = "theo:approx_numerical_integral_left")]

@@ -73,8 +73,9 @@ impl Enclosure {
 /// # Errors
 ///
 /// [`BoundError::NotAnEnergy`] if an energy is negative, infinite or NaN;
-/// [`BoundError::NotADistance`] if `gap` is; [`BoundError::NoDimension`] if the dimension is 0;
-/// [`BoundError::Contradiction`] if the sequence refutes the lower bound on the minimum.
+/// [`BoundError::NotADistance`] if `gap` is negative, infinite or NaN;
+/// [`BoundError::NoDimension`] if the dimension is 0; [`BoundError::Contradiction`] if the sequence
+/// refutes the lower bound on the minimum.
 pub fn enclose(
     constants: Constants,
     dimension: usize,

@@ -1,11 +1,11 @@
 //! Theorem B: bounds of order `1/N²`, in terms of `M_H`, for the trapezoidal rule and sequences
 //! that are stationary with respect to their inner points.
 //!
-//! All of these functions return `None` if `M_H` is unknown. With `μ = M_H d²/c₁²`:
+//! All functions of this module return `None` if `M_H` is unknown. With `μ = M_H d²/c₁²`:
 //!
-//! 1. *From above* (Lemma S.4). Expanded about the middle of each subinterval, the sampled geodesic
-//!    has no terms of odd order: `min E_tra,N ≤ d² e₂` with `e₂ = min(e, 1 + (Gδ/3 + μ/24)/N²)` and
-//!    the `e` of Theorem A.
+//! 1. *From above* (Lemma S.4). The energy of the sampled geodesic, expanded about the middle of
+//!    each subinterval, has no terms of odd order: `min E_tra,N ≤ d² e₂` with
+//!    `e₂ = min(e, 1 + (Gδ/3 + μ/24)/N²)` and the `e` of Theorem A.
 //! 2. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_tra,N| ≤ (M_H/24N²) mean |β|⁴ ≤ d² (μ/24N²) e₂ Q²` with
 //!    `Q = min(√(Ne₂), √e₂ + δe₂)` by Lemma S.3.
 

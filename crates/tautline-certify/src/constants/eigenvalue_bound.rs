@@ -19,9 +19,10 @@ pub(crate) struct Enclosed {
 /// Returns an upper bound on the largest eigenvalue of `S(x)` for all `x` in the box; `∞` or NaN if
 /// there is none.
 ///
-/// Let `Q` contain the eigenvectors of the midpoint of the centre, computed in doubles. Then
-/// `B = Qᵀ S Q` is nearly diagonal. If the eigenvalues are simple, the off-diagonal entries affect
-/// them only to second order in the size of the box. Two enclosures of `B` are intersected: the
+/// Let `m` be the midpoint of the box. The columns of `Q` are eigenvectors, computed in doubles, of
+/// the matrix of the midpoints of the intervals that enclose `S(m)`. Then `B = Qᵀ S Q` is nearly
+/// diagonal. If the eigenvalues are simple, the off-diagonal entries affect them only to second
+/// order in the size of the box. Two enclosures of `B` are intersected: the
 /// mean value form `Qᵀ S(m) Q + Σ Qᵀ ∂ₖS Q (xₖ − mₖ)` and `Qᵀ S Q` itself. Then [`rayleigh`] bounds
 /// `zᵀBz / zᵀz`, and `yᵀSy / yᵀy = zᵀBz / zᵀQᵀQz` for `y = Qz`. The bound holds for any `Q`.
 pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {

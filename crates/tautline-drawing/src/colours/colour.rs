@@ -33,7 +33,8 @@ impl Colour {
 
     /// Returns the lightest shade of this hue that is legible as text on white.
     ///
-    /// WCAG requires 4.5:1 for text. The margin covers rounding.
+    /// WCAG requires a contrast of 4.5:1 for text. The shade has a little more, to allow for
+    /// rounding.
     pub fn for_text(self) -> Colour {
         let [lightness, a, b] = self.oklab();
         // The contrast increases as the lightness decreases, so a downward search suffices. The

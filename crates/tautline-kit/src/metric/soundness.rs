@@ -80,9 +80,9 @@ impl<const D: usize> Case<'_, D> {
     }
 }
 
-/// Checks that `H` is continuous. By the mean value theorem, differences are bounded where
-/// derivatives are. If no derivative beyond `L_H` was found, but a difference quotient was, `H`
-/// jumps.
+/// Checks that `H` is continuous. By the mean value theorem, a bound on the derivatives also bounds
+/// the difference quotients. So if a difference quotient beyond `L_H` was found, but no derivative
+/// beyond it, then `H` jumps.
 fn continuous<const D: usize>(case: &Case<'_, D>) -> LawResult {
     lipschitz(case).or_else(|failure| match search(case, Claim::LH) {
         Ok(_) => Err(failure),

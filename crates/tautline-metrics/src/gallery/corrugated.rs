@@ -28,7 +28,7 @@ pub struct Corrugated {
 
 impl Corrugated {
     /// Returns the sheet with amplitude `a` in `ℓ`, of either sign, and wave number `k > 0` in
-    /// `1/ℓ` (here `m` is the unit of the coordinates).
+    /// `1/ℓ` (here `m` is the same as `ℓ`, the unit of the coordinates).
     ///
     /// # Errors
     ///

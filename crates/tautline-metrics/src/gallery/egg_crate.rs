@@ -22,7 +22,7 @@ pub struct EggCrate {
 
 impl EggCrate {
     /// Returns the egg crate with amplitude `a` in `ℓ`, of either sign, and wave number `k > 0` in
-    /// `1/ℓ` (here `m` is the unit of the coordinates).
+    /// `1/ℓ` (here `m` is the same as `ℓ`, the unit of the coordinates).
     ///
     /// # Errors
     ///

@@ -22,8 +22,8 @@ pub struct Hill {
 }
 
 impl Hill {
-    /// Returns the hill of height `h` (a hollow if it is negative) and width `s > 0`, both in `ℓ`
-    /// (here `m` is the unit of the coordinates).
+    /// Returns the hill of height `h` (a hollow if it is negative) and width `s > 0`, both in `ℓ`,
+    /// the unit of the coordinates, which is the same as `m` here.
     ///
     /// # Errors
     ///

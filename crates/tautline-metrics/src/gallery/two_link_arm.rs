@@ -46,8 +46,8 @@ impl TwoLinkArm {
     ///
     /// # Errors
     ///
-    /// [`GalleryError::SingularArm`] unless `C (A − C) − B² > 0`; [`GalleryError`] with the
-    /// parameter if it is not finite, or if `C` is not positive.
+    /// [`GalleryError::SingularArm`] unless `C (A − C) − B² > 0`; a [`GalleryError`] that names the
+    /// parameter if one of them is not finite, or if `C` is not positive.
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self, GalleryError> {
         finite("A", a)?;
         finite("B", b)?;

@@ -43,9 +43,9 @@ pub(crate) enum Coordinate {
     Free { curvature: f64, force: f64 },
 }
 
-/// Eigenvalues of `J` below this number count as zero. For a sphere of radius `r` at the distance
-/// `|z|` the eigenvalue is `r/|z|`, so only a set smaller than `10⁻¹⁰` of a chord is mistaken for a
-/// point.
+/// Eigenvalues of `J` below this number count as zero. For a sphere of radius `r` about the origin,
+/// the eigenvalue along the sphere is `r/|z|`, so only a set smaller than `10⁻¹⁰` times a chord is
+/// mistaken for a point.
 const FLAT: f64 = 1e-10;
 
 impl<const D: usize> EndFrame<D> {

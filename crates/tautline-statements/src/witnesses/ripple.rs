@@ -18,8 +18,8 @@ pub struct Ripple<const D: usize> {
 }
 
 impl<const D: usize> Ripple<D> {
-    /// Returns the ripple with `c = base > 0` in `m²/ℓ²` and `L = slope > 0` in `m²/ℓ³`, in the
-    /// entry `[i, j]`, along `x_l` with `l = direction`. All indices are taken modulo `D`.
+    /// Returns the ripple of the entry `[i, j]` along `x_l`, where `l = direction`, `c = base > 0`
+    /// in `m²/ℓ²`, and `L = slope > 0` in `m²/ℓ³`. All indices are taken modulo `D`.
     ///
     /// # Errors
     ///

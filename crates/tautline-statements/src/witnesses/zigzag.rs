@@ -9,8 +9,8 @@ use tautline::{Bounded, Constants, Metric, Scalar};
 /// valleys for `s > 0` and ridges for `s < 0`, one in each of `N` steps along `[0, 1]`.
 ///
 /// It is the limit of smooth metrics with the same `L_H = |s|`. It is not differentiable at the
-/// tips, so only its values are of use. On samples of a line, the trapezoidal rule sees only the
-/// tips.
+/// tips, so only its values are of use. If `[0, 1]` is divided into `N` equal chords, the
+/// trapezoidal rule evaluates `H` only at the tips.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zigzag {
     tip: f64,
