@@ -1,4 +1,4 @@
-//! Bad input to the `tautline` crate: an error names the culprit and the number, and nothing
+//! Bad input to the `tautline` crate: each error names the argument and the number, and nothing
 //! panics.
 
 use std::fmt::{Debug, Display};

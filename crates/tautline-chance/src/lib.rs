@@ -36,8 +36,8 @@ const REJECTED: u32 = 1024;
 
 /// The seed, and the factor on the numbers of cases, that a run uses.
 ///
-/// `Display` writes the variables, each followed by a space, so that they can be put before a
-/// command that should draw the same cases. It writes nothing if the run uses the defaults.
+/// `Display` writes the variables, each followed by a space, as a prefix for a command that should
+/// draw the same cases. It writes nothing if the run uses the defaults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chance {
     seed: Option<u64>,

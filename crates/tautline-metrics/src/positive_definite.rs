@@ -52,7 +52,8 @@ pub enum MetricError {
 ///
 /// If the entries `(i, j)` and `(j, i)` are computed by the same formula in a different order, they
 /// differ by a few roundings of its terms. For a positive definite `H` the terms are at most of
-/// size `√(Hᵢᵢ Hⱼⱼ)`, and the tolerance is `10⁻¹²` times this number.
+/// size `√(Hᵢᵢ Hⱼⱼ)`. The tolerance is `10⁻¹²` times this number, or times `|Hᵢⱼ|` if that is larger,
+/// which no positive definite `H` has.
 #[must_use]
 #[inline]
 pub fn is_gram<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>) -> bool {

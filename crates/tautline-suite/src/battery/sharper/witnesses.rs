@@ -255,7 +255,7 @@ fn many_chords(trial: &Trial<'_>) -> Outcome {
 /// The crest and the trough of `H = (1 + a sin kx)²` are nearly two parabolas. One chord has length
 /// 1 and leads over the crest. The other leads over the trough and seems shorter by a hair, `10⁻⁸`.
 ///
-/// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`. It differs between crest and trough by the
+/// `M_H d²/c₁²` is about `2ak² = 1.8 · 10⁻⁴`. It differs between crest and trough by the
 /// relative amount `2a`, and along a chord by `k²/80`.
 fn two_arcs(trial: &Trial<'_>) -> Outcome {
     let metric = crest()?;
