@@ -94,7 +94,7 @@ pub(crate) struct Tape<'f> {
 
 impl Tape<'_> {
     /// Returns the values of all steps at `x`.
-    fn values<S: Scalar>(self, x: &[S]) -> Vec<S> {
+    pub(crate) fn values<S: Scalar>(self, x: &[S]) -> Vec<S> {
         let mut values: Vec<S> = Vec::with_capacity(self.operations.len());
         // The second value of the latest pair.
         let mut second = None;

@@ -62,7 +62,7 @@ pub use formula::Formula;
 pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step};
 pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use record_error::RecordError;
-pub use text::{Problem, TextError};
+pub use text::{AnyFormula, Form, Part, Problem, TextError, Written, WrittenError, number};
 
 /// The largest number of steps of a formula, a million. A longer formula comes from a loop that
 /// nobody meant to unroll.

@@ -74,6 +74,9 @@ macro_rules! functions {
         }
 
         impl Function {
+            /// The names of all functions in a text; that of `−x` is its sign.
+            pub const NAMES: &[&str] = &[$($name),*];
+
             /// Returns the value at `x`.
             #[must_use]
             pub fn of<S: Scalar>(self, x: S) -> S {

@@ -8,7 +8,7 @@ use crate::recording::Symbol;
 
 /// A way to make a Gram matrix from functions of the coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub enum Form {
     /// `JᵀJ` with the derivative `J` of a map from `R^D` to `R^m`, `m ≥ D`. It measures the lengths
     /// of image curves.
     Pullback,
@@ -16,7 +16,9 @@ pub(super) enum Form {
     Graph,
     /// `φ I`.
     Phi,
-    /// `f² I`, under which a curve has the length `∫ f |γ'| dt`.
+    /// `f² I`, under which a curve has the length `∫ f |γ'| dt`: `f` is the cost of a unit of length.
+    Cost,
+    /// `f⁻² I`, under which the length of a curve is the time it takes at the speed `f`.
     Speed,
     /// The diagonal matrix with these entries.
     Diag,
@@ -28,6 +30,7 @@ pub(super) fn form(name: &str) -> Option<Form> {
         "pullback" => Form::Pullback,
         "graph" => Form::Graph,
         "phi" => Form::Phi,
+        "cost" => Form::Cost,
         "speed" => Form::Speed,
         "diag" => Form::Diag,
         _ => return None,
@@ -39,7 +42,7 @@ impl Form {
     pub(super) fn takes(self, functions: usize, dimension: usize) -> bool {
         match self {
             Form::Pullback => functions >= dimension,
-            Form::Graph | Form::Phi | Form::Speed => functions == 1,
+            Form::Graph | Form::Phi | Form::Cost | Form::Speed => functions == 1,
             Form::Diag => functions == dimension,
         }
     }
@@ -50,6 +53,7 @@ impl Form {
             Form::Pullback => ("pullback", dimension),
             Form::Graph => ("graph", 1),
             Form::Phi => ("phi", 1),
+            Form::Cost => ("cost", 1),
             Form::Speed => ("speed", 1),
             Form::Diag => ("diag", dimension),
         };
@@ -58,12 +62,14 @@ impl Form {
         (name, format!("{functions}{more}"))
     }
 
-    /// Returns the entries, column by column.
-    pub(super) fn entries(self, functions: &[Value], dimension: usize) -> Vec<Symbol> {
+    /// Returns the entries of the matrix for curves along which only these coordinates change,
+    /// column by column.
+    pub(super) fn entries(self, functions: &[Value], coordinates: &[usize]) -> Vec<Symbol> {
+        let dimension = coordinates.len();
         let one = |is_diagonal: bool| Value::Number(f64::from(u8::from(is_diagonal)));
         let derivatives: Vec<Vec<Value>> = match self {
-            Form::Pullback | Form::Graph => gradients(functions, dimension),
-            Form::Phi | Form::Speed | Form::Diag => Vec::new(),
+            Form::Pullback | Form::Graph => gradients(functions, coordinates),
+            Form::Phi | Form::Cost | Form::Speed | Form::Diag => Vec::new(),
         };
         let entry = |i: usize, j: usize| {
             let begin = if self == Form::Pullback { one(false) } else { one(i == j) };
@@ -77,7 +83,9 @@ impl Form {
                     products.fold(begin, sum)
                 }
                 Form::Phi => along(begin, functions[0]),
-                Form::Speed => along(begin, functions[0].squared()),
+                Form::Cost => along(begin, functions[0].squared()),
+                Form::Speed if i == j => begin / functions[0].squared(),
+                Form::Speed => begin,
                 Form::Diag => along(begin, functions[i]),
             }
         };

@@ -11,10 +11,10 @@ use crate::{
 const ZERO: Value = Value::Number(0.0);
 const UNDEFINED: Value = Value::Number(f64::NAN);
 
-/// Returns the derivatives of each function with respect to each coordinate, by forward
+/// Returns the derivatives of each function with respect to each of these coordinates, by forward
 /// differentiation. A derivative that vanishes is the number 0. Where a function is undefined, so
 /// are its derivatives.
-pub(super) fn gradients(functions: &[Value], dimension: usize) -> Vec<Vec<Value>> {
+pub(super) fn gradients(functions: &[Value], coordinates: &[usize]) -> Vec<Vec<Value>> {
     let operations = &recording::operations()[..];
     let roots: Vec<Step> = functions
         .iter()
@@ -26,8 +26,9 @@ pub(super) fn gradients(functions: &[Value], dimension: usize) -> Vec<Vec<Value>
         .collect();
     let needed = needed(operations, &roots, |_| true);
     // The loop runs over the coordinates, so that memory does not grow with the dimension.
-    let columns: Vec<Vec<Value>> = (0..dimension)
-        .map(|coordinate| {
+    let columns: Vec<Vec<Value>> = coordinates
+        .iter()
+        .map(|&coordinate| {
             let mut made = vec![ZERO; operations.len()];
             for place in 0..needed.len() {
                 // A tape that is too long is refused anyway.

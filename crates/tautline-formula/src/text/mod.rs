@@ -8,5 +8,8 @@ mod print;
 mod text_error;
 mod token;
 mod value;
+mod written;
 
+pub use form::Form;
 pub use text_error::{Problem, TextError};
+pub use written::{AnyFormula, Part, Written, WrittenError, number};

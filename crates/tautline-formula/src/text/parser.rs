@@ -23,7 +23,7 @@ impl<const D: usize> Formula<D> {
     /// ```text
     /// metric = { definition ";" } ( matrix | expr "I" | form "(" row ")" )
     /// matrix = "[" row { ";" row } "]"          row = expr { "," expr }
-    /// form   = "pullback" | "graph" | "phi" | "speed" | "diag"
+    /// form   = "pullback" | "graph" | "phi" | "cost" | "speed" | "diag"
     /// expr   = term { ( "+" | "-" ) term }      term = factor { ( "*" | "/" ) factor }
     /// factor = "-" factor | atom [ ( "^" | "**" ) [ "-" ] integer ]
     /// atom   = number | name | function "(" expr ")" | "(" expr ")"
@@ -39,7 +39,8 @@ impl<const D: usize> Formula<D> {
     /// * `pullback(Φ₁, …, Φₘ)` is `JᵀJ` with the derivative `J` of the map `Φ`, `m ≥ D`;
     /// * `graph(f)` is `I + ∇f ∇fᵀ`;
     /// * `phi(φ)` is `φ I`;
-    /// * `speed(f)` is `f² I`, under which a curve has length `∫ f |γ'| dt`;
+    /// * `cost(f)` is `f² I`, under which a curve has length `∫ f |γ'| dt`;
+    /// * `speed(f)` is `f⁻² I`, under which the length of a curve is the time it takes at speed `f`;
     /// * `diag(a₁, …, a_D)` is the diagonal matrix.
     ///
     /// Definitions may reuse these names.
@@ -75,11 +76,11 @@ impl<const D: usize> Formula<D> {
     /// [`TextError`] with the offending bytes.
     pub fn parse(text: &str, parameters: &[(&str, f64)]) -> Result<Self, TextError> {
         let (entries, recording) = record(D, |x| {
-            let (tokens, ahead, names) = (Tokens::of(text), (Token::End, 0..0), HashMap::new());
-            let mut parser = Parser { tokens, ahead, x, names, depth: 0 };
+            let mut names = Names::new();
+            let coordinates: Vec<usize> = (0..D).collect();
+            let mut parser = Parser::new(text, x, &coordinates, &mut names);
             for &(name, value) in parameters {
-                parser.check_new(name)?;
-                parser.names.insert(name.to_owned(), Value::Number(value));
+                parser.define(name, Value::Number(value))?;
             }
             parser.advance()?;
             parser.metric()
@@ -90,16 +91,56 @@ impl<const D: usize> Formula<D> {
     }
 }
 
+/// The parameters and definitions so far.
+pub(super) type Names = HashMap<String, Value>;
+
 pub(super) struct Parser<'a> {
     pub(super) tokens: Tokens<'a>,
     pub(super) ahead: (Token<'a>, Range<usize>),
     x: &'a [Symbol],
-    pub(super) names: HashMap<String, Value>,
+    /// The coordinates that have a row and a column of the matrix.
+    coordinates: &'a [usize],
+    pub(super) names: &'a mut Names,
     /// The number of levels of brackets that are open.
     pub(super) depth: usize,
 }
 
 impl<'a> Parser<'a> {
+    pub(super) fn new(
+        text: &'a str,
+        x: &'a [Symbol],
+        coordinates: &'a [usize],
+        names: &'a mut Names,
+    ) -> Self {
+        let (tokens, ahead) = (Tokens::of(text), (Token::End, 0..0));
+        Self { tokens, ahead, x, coordinates, names, depth: 0 }
+    }
+
+    pub(super) fn define(&mut self, name: &str, value: Value) -> Result<(), TextError> {
+        self.check_new(name)?;
+        self.names.insert(name.to_owned(), value);
+        Ok(())
+    }
+
+    /// Defines the name that is the whole text.
+    pub(super) fn define_itself(&mut self, value: Value) -> Result<(), TextError> {
+        self.advance()?;
+        let name = self.new_name()?;
+        self.names.insert(name, value);
+        if self.ahead.0 == Token::End { Ok(()) } else { self.unexpected("the end of a name") }
+    }
+
+    /// Parses a text that is an expression and nothing else.
+    pub(super) fn whole_expression(&mut self) -> Result<Value, TextError> {
+        self.advance()?;
+        let value = self.expression()?;
+        if self.ahead.0 == Token::End {
+            Ok(value)
+        } else {
+            self.unexpected("an operator or the end")
+        }
+    }
+
     pub(super) fn advance(&mut self) -> Result<(Token<'a>, Range<usize>), TextError> {
         let next = self.tokens.word()?;
         Ok(std::mem::replace(&mut self.ahead, next))
@@ -137,7 +178,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Parses the matrix, and returns its entries column by column.
-    fn metric(&mut self) -> Result<Vec<Symbol>, TextError> {
+    pub(super) fn metric(&mut self) -> Result<Vec<Symbol>, TextError> {
         while self.is_definition()? {
             self.definition()?;
         }
@@ -187,7 +228,7 @@ impl<'a> Parser<'a> {
         Ok(name.to_owned())
     }
 
-    fn check_new(&self, name: &str) -> Result<(), TextError> {
+    pub(super) fn check_new(&self, name: &str) -> Result<(), TextError> {
         let is_word = ["I", "sin_cos", "sinh_cosh", STEP].contains(&name);
         if is_word
             || Function::named(name).is_some()
@@ -218,7 +259,7 @@ impl<'a> Parser<'a> {
     }
 
     fn matrix(&mut self) -> Result<Vec<Symbol>, TextError> {
-        let dimension = self.x.len();
+        let dimension = self.coordinates.len();
         let at = self.advance()?.1;
         let mut rows: Vec<Vec<Symbol>> = Vec::new();
         loop {
@@ -271,13 +312,13 @@ impl<'a> Parser<'a> {
             return self.unexpected("an operator, a comma or )");
         }
         let end = self.advance()?.1.end;
-        let dimension = self.x.len();
+        let dimension = self.coordinates.len();
         if !form.takes(functions.len(), dimension) {
             let (found, (form, takes)) = (functions.len(), form.takes_what(dimension));
             let problem = Problem::Functions { form, takes, found, dimension };
             return Err(TextError { at: at.start..end, problem });
         }
-        Ok(form.entries(&functions, dimension))
+        Ok(form.entries(&functions, self.coordinates))
     }
 
     fn multiple_of_identity(&mut self) -> Result<Vec<Symbol>, TextError> {
@@ -286,7 +327,7 @@ impl<'a> Parser<'a> {
             return self.unexpected("an operator, or the identity I");
         }
         self.advance()?;
-        let dimension = self.x.len();
+        let dimension = self.coordinates.len();
         let places = (0..dimension).flat_map(|j| (0..dimension).map(move |i| i == j));
         let zero = Value::Number(0.0).symbol();
         Ok(places.map(|is_diagonal| if is_diagonal { value } else { zero }).collect())

@@ -9,6 +9,7 @@ mod random_formulas;
 mod recorded;
 mod squares;
 mod text;
+mod written;
 
 /// Returns the metric with this text.
 fn parsed<const D: usize>(text: &str) -> tautline_formula::Formula<D> {

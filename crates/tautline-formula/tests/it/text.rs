@@ -84,7 +84,8 @@ fn forms_are_the_metrics_of_the_gallery() {
     let hill = gallery::Hill::new(0.7, 0.6).expect("a width");
     check::<2>("graph(0.7*exp(-(x1^2 + x2^2)/(2*0.6^2)))", &hill);
     check::<3>("graph(0.7*exp(-(x1^2 + x2^2 + x3^2)/(2*0.6^2)))", &hill);
-    check::<2>("speed(2 - cos(x1))", &gallery::Valleys);
+    check::<2>("cost(2 - cos(x1))", &gallery::Valleys);
+    check::<2>("speed(1/(2 - cos(x1)))", &gallery::Valleys);
     check::<2>("phi((2 - cos(x1))^2)", &gallery::Valleys);
     let separable = gallery::Separable::new([0.3, -0.4], [1.1, 1.7]).expect("below one");
     check("diag((1 + 0.3*sin(1.1*x1))^2, (1 - 0.4*sin(1.7*x2))^2)", &separable);
@@ -131,7 +132,7 @@ fn forms_check_their_functions_and_do_not_reserve_their_names() {
         let error = Formula::<2>::parse(text, &[]).expect_err(text);
         assert_eq!(error.to_string(), format!("at byte {says}"), "{text}");
     }
-    let named = Formula::<2>::parse("phi = 2 - cos(x1); speed(phi)", &[]);
+    let named = Formula::<2>::parse("phi = 2 - cos(x1); cost(phi)", &[]);
     assert_eq!(named, Formula::parse("graph = 2 - cos(x1); sqr(graph) I", &[]));
 }
 
@@ -159,6 +160,7 @@ fn the_metric_of_an_undefined_function_is_undefined() {
         "graph(ln(x1)/(1/0) + x2)",
         "graph(x2 + 0/0)",
         "graph(ln(-1))",
+        "cost(ln(x1))",
         "speed(ln(x1))",
     ];
     for text in undefined {

@@ -1,0 +1,142 @@
+//! Metrics written as several texts.
+
+use nalgebra::vector;
+use tautline_formula::{AnyFormula, Form, Formula, Part, Problem, Written, WrittenError, number};
+use tautline_metrics::{Metric, gallery};
+
+fn part(id: usize, text: &str) -> Part<'_> {
+    Part { text, id }
+}
+
+fn parts<'a>(texts: &[&'a str]) -> Vec<Part<'a>> {
+    texts.iter().enumerate().map(|(id, text)| part(id, text)).collect()
+}
+
+#[track_caller]
+fn assert_is<const D: usize>(written: &Written<'_>, text: &str) {
+    let composed = Formula::<D>::compose(&[("a", 0.5)], &[], written);
+    assert_eq!(composed, Ok(Formula::parse(text, &[("a", 0.5)]).expect(text)), "{text}");
+}
+
+#[test]
+fn each_way_of_writing_records_the_tape_of_one_text() {
+    let rows = |rows: &[&[&'static str]]| rows.iter().map(|row| parts(row)).collect();
+    assert_is::<2>(
+        &Written::Matrix(rows(&[&["1 + a", "sin(x1)"], &["sin(x1)", "3"]])),
+        "[1 + a, sin(x1); sin(x1), 3]",
+    );
+    assert_is::<2>(
+        &Written::Upper(rows(&[&["1 + a", "sin(x1)"], &["3"]])),
+        "[1 + a, sin(x1); sin(x1), 3]",
+    );
+    for (form, functions, text) in [
+        (Form::Diag, &["1 + x1^2", "2"][..], "diag(1 + x1^2, 2)"),
+        (Form::Phi, &["2 + cos(x2)"], "phi(2 + cos(x2))"),
+        (Form::Cost, &["2 + cos(x2)"], "cost(2 + cos(x2))"),
+        (Form::Speed, &["2 + cos(x2)"], "speed(2 + cos(x2))"),
+        (Form::Graph, &["a*sin(x1)"], "graph(a*sin(x1))"),
+        (Form::Pullback, &["x1", "x2 + a*x1", "x1*x2"], "pullback(x1, x2 + a*x1, x1*x2)"),
+    ] {
+        assert_is::<2>(&Written::Form(form, parts(functions)), text);
+    }
+    assert_is::<2>(&Written::Whole(part(0, "c = cos(x1); c I")), "cos(x1) I");
+    let sum = [Form::Phi, Form::Diag].map(|form| {
+        let functions: &[&str] = if form == Form::Phi { &["2"] } else { &["x1^2", "x2^2"] };
+        Written::Form(form, parts(functions))
+    });
+    assert_is::<2>(&Written::Sum(sum.to_vec()), "[2 + x1^2, 0; 0, 2 + x2^2]");
+    let scaled = Written::Scaled(part(0, "exp(x1)"), Box::new(Written::Whole(part(1, "2 I"))));
+    let h = Formula::<2>::compose(&[], &[], &scaled).expect("a metric").gram(&vector![0.5, 0.0]);
+    assert_eq!(h, (2.0 * 0.5_f64.exp() * nalgebra::matrix![1.0, 0.0; 0.0, 1.0]));
+}
+
+/// The texts of a block read all coordinates, but its rows and derivatives are those of the block.
+#[test]
+fn a_product_has_its_blocks_on_the_diagonal() {
+    let graph = Written::Form(Form::Graph, vec![part(0, "x1*x2*x3")]);
+    let line = Written::Form(Form::Phi, vec![part(1, "2 + sin(x1)")]);
+    let product = Written::Product(vec![(vec![2, 0], graph), (vec![1], line)]);
+    let x = vector![0.3, 0.7, -1.1];
+    let h = Formula::<3>::compose(&[], &[], &product).expect("a metric").gram(&x);
+    let (by_1, by_3) = (x[1] * x[2], x[0] * x[1]);
+    let expected = nalgebra::matrix![
+        1.0 + by_1 * by_1, 0.0, by_1 * by_3;
+        0.0, 2.0 + x[0].sin(), 0.0;
+        by_1 * by_3, 0.0, 1.0 + by_3 * by_3];
+    assert!((h - expected).amax() < 1e-15, "{h}");
+}
+
+#[test]
+fn a_recorded_formula_is_a_block_with_the_same_bits() {
+    let shear = gallery::Shear::new(0.7, 1.3).expect("a wave number");
+    let recorded = Formula::<2>::record(&shear).expect("recorded");
+    let recorded = Written::Recorded(AnyFormula::from(&recorded));
+    let alone = Formula::<2>::compose(&[], &[], &recorded).expect("a metric");
+    assert_eq!(Ok(alone), Formula::record(&shear));
+    let line = Written::Form(Form::Phi, vec![part(0, "x2^2 + 1")]);
+    let product = Written::Product(vec![(vec![1], line), (vec![2, 0], recorded.clone())]);
+    let h =
+        Formula::<3>::compose(&[], &[], &product).expect("a metric").gram(&vector![0.1, 0.2, 0.3]);
+    let block = shear.gram(&vector![0.3, 0.1]);
+    assert_eq!([h[(2, 2)], h[(2, 0)], h[(0, 0)]], [block[(0, 0)], block[(0, 1)], block[(1, 1)]]);
+    let refused = Formula::<3>::compose(&[], &[], &recorded).expect_err("two coordinates");
+    assert!(matches!(refused.error.problem, Problem::Shape { found: 2, dimension: 3, .. }));
+}
+
+#[test]
+fn definitions_use_those_before_them() {
+    let definitions = [[part(0, "f"), part(1, "a + x1")], [part(2, "g"), part(3, "f^2")]];
+    let metric = Written::Form(Form::Phi, vec![part(4, "g")]);
+    let composed = Formula::<1>::compose(&[("a", 3.0)], &definitions, &metric);
+    assert_eq!(composed, Ok(Formula::parse("(3 + x1)^2 I", &[]).expect("a formula")));
+    // The definitions of a whole text are not those of the next one.
+    let whole = |id| Written::Whole(part(id, "own = 1 + x1^2; own I"));
+    let sum = Written::Sum(vec![whole(4), whole(5)]);
+    assert!(Formula::<1>::compose(&[], &[], &sum).is_ok());
+}
+
+#[test]
+fn an_error_names_the_text_and_the_bytes() {
+    let refused = |definitions: &[[Part<'_>; 2]], metric: Written<'_>| {
+        let error = Formula::<2>::compose(&[("a", 1.0)], definitions, &metric).expect_err("wrong");
+        let WrittenError { id, error } = error;
+        (id, error.at, error.problem.to_string())
+    };
+    let phi = |text| Written::Form(Form::Phi, vec![part(7, text)]);
+    assert_eq!(refused(&[], phi("1 + y")), (7, 4..5, "unknown name y".into()));
+    // An expression cannot close a bracket that it did not open.
+    let found = "found ), expected an operator or the end";
+    assert_eq!(refused(&[], phi("1) + (2")), (7, 1..2, found.into()));
+    assert_eq!(refused(&[], phi("1; [1, 0; 0, 1]")).1, 1..2);
+    let taken = [[part(1, "a"), part(2, "3")]];
+    assert_eq!(refused(&taken, phi("a")), (1, 0..1, "a is already defined".into()));
+    let two_words = [[part(1, "b c"), part(2, "3")]];
+    assert_eq!(refused(&two_words, phi("1")).1, 2..3);
+    let later = [[part(1, "b"), part(2, "c + 1")], [part(3, "c"), part(4, "1")]];
+    assert_eq!(refused(&later, phi("b")), (2, 0..1, "unknown name c".into()));
+    let diag = Written::Form(Form::Diag, vec![part(3, "1")]);
+    let says = "diag takes 2 functions in dimension 2, found 1";
+    assert_eq!(refused(&[], diag), (3, 0..0, says.into()));
+    for rows in [vec![parts(&["1", "0"])], vec![parts(&["1", "0"]), parts(&["0"])]] {
+        assert!(refused(&[], Written::Matrix(rows)).2.contains("in dimension 2"));
+    }
+    let long = Written::Upper(vec![parts(&["1", "0"]), parts(&["0", "1"])]);
+    assert_eq!(refused(&[], long).2, "2 entries in a row in dimension 2");
+    assert_eq!(refused(&[], Written::Sum(Vec::new())).2, "0 terms in dimension 2");
+    for blocks in [&[vec![0]][..], &[vec![0], vec![0]], &[vec![0], vec![2]], &[vec![0, 1], vec![1]]]
+    {
+        let product = blocks.iter().map(|block| (block.clone(), phi("1"))).collect();
+        assert!(refused(&[], Written::Product(product)).2.contains("of a"), "{blocks:?}");
+    }
+}
+
+#[test]
+fn a_number_is_an_expression_without_coordinates() {
+    assert_eq!(number("2*pi/3 + a^2", &[("a", 2.0)]), Ok(2.0 * std::f64::consts::PI / 3.0 + 4.0));
+    assert_eq!(number("-exp(0)", &[]), Ok(-1.0));
+    for (text, at) in
+        [("x1 + 1", 0..2), ("1 + b", 4..5), ("number(2)", 0..9), ("", 0..0), ("1 2", 2..3)]
+    {
+        assert_eq!(number(text, &[]).expect_err(text).at, at, "{text}");
+    }
+}
