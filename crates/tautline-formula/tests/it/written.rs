@@ -44,7 +44,8 @@ fn each_way_of_writing_records_the_tape_of_one_text() {
         let functions: &[&str] = if form == Form::Phi { &["2"] } else { &["x1^2", "x2^2"] };
         Written::Form(form, parts(functions))
     });
-    assert_is::<2>(&Written::Sum(sum.to_vec()), "[2 + x1^2, 0; 0, 2 + x2^2]");
+    let h = Formula::<2>::compose(&[], &[], &Written::Sum(sum.to_vec())).expect("a metric");
+    assert_eq!(h.gram(&vector![0.5, -3.0]), nalgebra::matrix![2.25, 0.0; 0.0, 11.0]);
     let scaled = Written::Scaled(part(0, "exp(x1)"), Box::new(Written::Whole(part(1, "2 I"))));
     let h = Formula::<2>::compose(&[], &[], &scaled).expect("a metric").gram(&vector![0.5, 0.0]);
     assert_eq!(h, (2.0 * 0.5_f64.exp() * nalgebra::matrix![1.0, 0.0; 0.0, 1.0]));
