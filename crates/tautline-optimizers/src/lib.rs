@@ -50,7 +50,7 @@ pub use newton::{
     workspace::Workspace,
 };
 pub use search::{
-    minimum::{Curvature, Level, Minimum, Stop},
+    minimum::{Curvature, Level, Minimum, Other, Stop},
     solve_error::SolveError,
     starts::Starts,
 };

@@ -10,7 +10,7 @@ use tautline_discretizations::LARGEST_N;
 use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
-    Minimum, Options, SolveError, Starts, Workspace,
+    Minimum, Options, Other, SolveError, Starts, Workspace,
     newton::discrete_energy::DiscreteEnergy,
     search::{
         candidate::{Candidate, lowest_first},
@@ -37,15 +37,18 @@ pub(crate) fn solve<const D: usize>(
 
     let mut search = Search { workspace, energy, options, n, iterations: 0, refused: None };
     let mut candidates = Vec::new();
-    let mut local_minima = None;
+    let (mut local_minima, mut others) = (None, Vec::new());
     for grid in search.grids() {
-        search.keep_the_lowest(&mut candidates, grid);
+        others.extend(search.keep_the_lowest(&mut candidates, grid));
         search.follow_all(&mut candidates, grid);
         search.try_new_starts(&mut candidates, &pieces, grid);
         local_minima.get_or_insert_with(|| converged_energies(&candidates));
     }
-    let lowest = search.lowest_with_a_metric(candidates)?;
-    Ok(lowest.into_minimum(search.iterations, local_minima.unwrap_or_default()))
+    let (lowest, rest) = search.lowest_with_a_metric(candidates)?;
+    others.extend(rest.into_iter().filter_map(Candidate::into_other));
+    others.retain(|other| energy.check_between(&other.sequence).is_ok());
+    others.sort_by(|a, b| a.energy.total_cmp(&b.energy));
+    Ok(lowest.into_minimum(search.iterations, local_minima.unwrap_or_default(), others))
 }
 
 /// A piece of each set. A curve runs from the first piece to the second.
@@ -103,15 +106,21 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 
     /// Keeps the candidates that are followed to `grid`. If only one is followed, it is the lowest
-    /// along which the metric is defined.
-    fn keep_the_lowest(&self, candidates: &mut Vec<Candidate<'_, D>>, grid: usize) {
+    /// along which the metric is defined, and the others are returned.
+    fn keep_the_lowest(
+        &self,
+        candidates: &mut Vec<Candidate<'_, D>>,
+        grid: usize,
+    ) -> Vec<Other<D>> {
         if grid > SETTLED && candidates.len() > 1 {
             let passes =
                 |c: &Candidate<'_, D>| self.energy.check_between(&c.found.sequence).is_ok();
             let place = candidates.iter().position(passes).unwrap_or(0);
             candidates.swap(0, place);
         }
-        candidates.truncate(if grid > SETTLED { 1 } else { FOLLOWED });
+        candidates.truncate(FOLLOWED);
+        let kept = if grid > SETTLED { candidates.len().min(1) } else { candidates.len() };
+        candidates.drain(kept..).filter_map(Candidate::into_other).collect()
     }
 
     /// Follows all candidates to `grid`, and sorts them.
@@ -212,17 +221,19 @@ impl<'a, const D: usize> Search<'a, D> {
         found.map_err(refuse).ok()
     }
 
-    /// Returns the lowest candidate along which the metric is defined, including between the nodes.
+    /// Returns the lowest candidate along which the metric is defined, including between the nodes,
+    /// and those above it.
     /// If there is none, the error is the defect of the lowest candidate, which is more informative
     /// than a refused start.
     fn lowest_with_a_metric<'e>(
         &mut self,
         candidates: Vec<Candidate<'e, D>>,
-    ) -> Result<Candidate<'e, D>, SolveError> {
+    ) -> Result<(Candidate<'e, D>, Vec<Candidate<'e, D>>), SolveError> {
         let mut defect = None;
-        for candidate in candidates {
+        let mut candidates = candidates.into_iter();
+        while let Some(candidate) = candidates.next() {
             match self.energy.check_between(&candidate.found.sequence) {
-                Ok(()) => return Ok(candidate),
+                Ok(()) => return Ok((candidate, candidates.collect())),
                 Err(error) => defect = defect.or(Some(error)),
             }
         }

@@ -110,6 +110,16 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         self.enclosure_by(competitors.constants, extent)
     }
 
+    /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), by constants that
+    /// you claim for this metric on all of `R^D`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`enclosure`](TautLine::enclosure).
+    pub fn enclosure_given(&self, constants: Constants) -> Result<Enclosure, BoundError> {
+        self.enclosure_by(global(constants)?, self.extent())
+    }
+
     /// Suggests an `N` like [`suggest_n`](TautLine::suggest_n), by constants that hold where all
     /// [competitors](TautLine::competitors) of this line are. The proven `N` is at least the `N` of
     /// this line. From there on no sequence with as little energy leaves the ball, since the bounds

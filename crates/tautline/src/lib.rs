@@ -89,7 +89,7 @@ pub use tautline_metrics::{
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, NewtonStep, Options,
-    SolveError, Starts, Stop, Workspace, extrapolate, leading_constants, minimise,
+    Other, SolveError, Starts, Stop, Workspace, extrapolate, leading_constants, minimise,
     minimise_by_batches, minimise_in, newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar};

@@ -5,7 +5,7 @@ use tautline_discretizations::{PointSequence, SequenceError};
 use tautline_sets::ClosedSet;
 
 use crate::{
-    Level, Minimum, Stop,
+    Curvature, Level, Minimum, Other, Stop,
     newton::discrete_energy::DiscreteEnergy,
     search::{
         local_search::Found,
@@ -71,8 +71,20 @@ impl<'a, const D: usize> Candidate<'a, D> {
         !((fine.energy - coarse.energy).abs() < fraction * coarse.energy)
     }
 
+    /// Returns the local minimiser as one besides the result, if it is one.
+    pub(crate) fn into_other(self) -> Option<Other<D>> {
+        let is_minimum = !self.failed() && self.found.curvature == Curvature::PositiveDefinite;
+        let Found { sequence, energy, .. } = self.found;
+        is_minimum.then_some(Other { sequence, energy })
+    }
+
     /// Returns the result of the whole solve. `iterations` counts the steps of all searches.
-    pub(crate) fn into_minimum(self, iterations: usize, local_minima: Vec<f64>) -> Minimum<D> {
+    pub(crate) fn into_minimum(
+        self,
+        iterations: usize,
+        local_minima: Vec<f64>,
+        others: Vec<Other<D>>,
+    ) -> Minimum<D> {
         let Self { found, levels, iterations: own_iterations, .. } = self;
         Minimum {
             sequence: found.sequence,
@@ -86,6 +98,7 @@ impl<'a, const D: usize> Candidate<'a, D> {
             own_iterations,
             levels,
             local_minima,
+            others,
         }
     }
 

@@ -44,6 +44,18 @@ pub struct Minimum<const D: usize> {
     /// Energies that agree to a relative `10⁻⁹`, such as those of mirror images, count once. The
     /// list is empty if no search converged on that grid.
     pub local_minima: Vec<f64>,
+    /// The other local minimisers that were followed, lowest first, up to seven. On grids of more
+    /// than 512 chords only the result is followed, and these stay on a coarser grid.
+    pub others: Vec<Other<D>>,
+}
+
+/// A local minimiser with more energy than the result.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Other<const D: usize> {
+    /// The point sequence, perhaps on a coarser grid than that of the result.
+    pub sequence: PointSequence<D>,
+    /// Its discrete energy, in `m²`.
+    pub energy: f64,
 }
 
 /// The minimum on one grid.
@@ -121,6 +133,7 @@ impl<const D: usize> Minimum<D> {
             own_iterations: 0,
             levels: vec![Level { n, energy: 0.0 }],
             local_minima: vec![0.0],
+            others: Vec::new(),
         }
     }
 }

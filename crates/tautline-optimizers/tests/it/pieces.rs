@@ -88,11 +88,18 @@ fn the_ball_of_a_nested_union_is_the_nearest_in_the_metric() {
     let ball = |x: f64, y: f64| -> Arc<dyn ClosedSet<2>> { Arc::new(ball([x, y], 0.5)) };
     let inner = Union::new(vec![ball(0.0, 2.0), ball(4.0, 0.0)]).expect("two");
     let union = Union::new(vec![ball(0.0, -3.0), Arc::new(inner)]).expect("two");
-    for n in [1, 6, 100] {
+    for n in [1, 6, 100, 2000] {
         let minimum = solve(&metric, &between(point([0.0, 0.0]), union.clone()), n);
         assert_close(minimum.energy, 12.25, 1e-14);
         // The three balls give three minima.
         assert_eq!(minimum.local_minima.len(), 3, "{:?}", minimum.local_minima);
+        assert_eq!(minimum.others.len(), 2, "{n}");
+        for (other, (energy, x2)) in minimum.others.iter().zip([(20.25, 1.5), (56.25, -2.5)]) {
+            assert_close(other.energy, energy, 1e-14);
+            assert!((other.sequence.last() - vector![0.0, x2]).amax() < 1e-14, "{n}");
+            // Beyond 512 chords only the result is followed.
+            assert!(other.sequence.n().get() == n || (n > 512 && other.sequence.n().get() <= 512));
+        }
     }
 }
 

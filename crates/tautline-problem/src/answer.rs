@@ -1,0 +1,127 @@
+//! `Answer`: what was computed and proved for a problem.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::Float;
+
+/// A curve between the two sets, and bounds on their distance.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "An answer of Tautline")]
+pub struct Answer {
+    /// The number of coordinates.
+    pub dimension: usize,
+    /// The rule of numerical integration.
+    pub rule: &'static str,
+    /// The number of chords.
+    pub n: usize,
+    /// The length of the curve, an upper bound on the distance up to the error of its quadrature.
+    pub length: Estimated,
+    /// The energy of the curve, an upper bound on the squared distance up to the error of its
+    /// quadrature.
+    pub energy: Estimated,
+    /// The energy of the points by the rule. It may be on either side of the squared distance.
+    pub discrete_energy: f64,
+    /// The distance by extrapolation over several grids: an estimate, not a bound.
+    pub extrapolated: Option<Estimated>,
+    /// How the search ended.
+    pub search: Search,
+    /// Bounds on the distance; absent if they were not asked for or time ran out.
+    pub bounds: Option<Bounds>,
+    /// Why there are no bounds.
+    pub no_bounds: Option<String>,
+    /// The points of the curve, from the first set to the second.
+    pub curve: Vec<Vec<f64>>,
+    /// Other local minima that were met, shortest first, perhaps on a coarser grid.
+    pub other_minima: Vec<OtherMinimum>,
+}
+
+/// A number, and an estimate of its error.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Estimated {
+    /// The number.
+    pub value: f64,
+    /// The estimated error.
+    pub error: f64,
+}
+
+/// How a search ended.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Search {
+    /// Whether it converged to a strict local minimum, or to ends that touch.
+    pub converged: bool,
+    /// Why it stopped.
+    pub stop: &'static str,
+    /// The Hessian of the discrete energy at the result.
+    pub hessian: String,
+    /// The residual of the discrete geodesic equation, relative to the momentum.
+    pub residual: f64,
+    /// The residual that rounding alone is predicted to cause.
+    pub residual_floor: f64,
+    /// The number of Newton steps, from all starts and on all grids.
+    pub newton_steps: usize,
+}
+
+/// Bounds on the distance.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Bounds {
+    /// The lower bound.
+    pub lower: Float,
+    /// The upper bound.
+    pub upper: Float,
+    /// What the lower bound rests on besides the constants.
+    pub global_minimum: GlobalMinimum,
+    /// The constants.
+    pub constants: UsedConstants,
+    /// The statement that gives the lower bound.
+    pub lower_by: String,
+    /// What the upper bound is.
+    pub upper_by: String,
+}
+
+/// Whether the computed minimum is known to be the global one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum GlobalMinimum {
+    /// Convexity proves it, or the lower bound does not need it.
+    Proved,
+    /// It is assumed.
+    Assumed,
+    /// It is refuted: some sequence of points has less energy. The lower bound does not need it.
+    Refuted,
+}
+
+/// Constants of the metric, and where they hold.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct UsedConstants {
+    /// A lower bound on the eigenvalues of `H`.
+    pub c1: f64,
+    /// An upper bound on the eigenvalues of `H`.
+    pub c2: f64,
+    /// A Lipschitz constant of `H`.
+    pub l_h: f64,
+    /// A Lipschitz constant of the derivative of `H`.
+    pub m_h: Option<f64>,
+    /// Whether they are proved from the formula, or claimed in the file.
+    pub proved: bool,
+    /// The ball in which they hold; absent if that is all of space.
+    pub within: Option<BallAnswer>,
+}
+
+/// A ball.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct BallAnswer {
+    /// The centre.
+    pub centre: Vec<f64>,
+    /// The radius.
+    pub radius: f64,
+}
+
+/// A local minimum besides the result.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct OtherMinimum {
+    /// The length of its curve.
+    pub length: Estimated,
+    /// The points of its curve.
+    pub curve: Vec<Vec<f64>>,
+}

@@ -1,0 +1,29 @@
+//! Dimensions that are known when the program runs.
+
+/// The largest dimension. Everything that depends on the dimension is compiled for each of 1 to 12.
+pub const LARGEST_DIMENSION: usize = 12;
+
+/// What is done in a dimension.
+pub(crate) trait InDimension {
+    type Output;
+    fn run<const D: usize>(self) -> Self::Output;
+}
+
+/// Does something in the dimension `d`; returns `None` if it is 0 or above [`LARGEST_DIMENSION`].
+pub(crate) fn in_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
+    Some(match d {
+        1 => task.run::<1>(),
+        2 => task.run::<2>(),
+        3 => task.run::<3>(),
+        4 => task.run::<4>(),
+        5 => task.run::<5>(),
+        6 => task.run::<6>(),
+        7 => task.run::<7>(),
+        8 => task.run::<8>(),
+        9 => task.run::<9>(),
+        10 => task.run::<10>(),
+        11 => task.run::<11>(),
+        12 => task.run::<12>(),
+        _ => return None,
+    })
+}

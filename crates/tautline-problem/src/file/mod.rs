@@ -1,0 +1,52 @@
+//! `ProblemFile`: what a problem file says, word for word. Nothing is evaluated yet.
+
+pub(crate) mod expression;
+pub(crate) mod gallery;
+pub(crate) mod metric;
+pub(crate) mod placed;
+pub(crate) mod request;
+pub(crate) mod set;
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use expression::Text;
+use metric::MetricFile;
+use placed::Placed;
+use request::{AuditFile, CertifyFile, OutputFile, SolveFile};
+use set::SetFile;
+
+/// A problem: a metric, the sets between which a curve runs, and what is asked.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "A problem of Tautline", rename = "Problem")]
+pub(crate) struct ProblemFile {
+    /// The number of coordinates, if the sets do not show it.
+    pub(crate) dimension: Option<Placed<usize>>,
+    /// Named numbers. One may use those before it.
+    #[serde(default)]
+    pub(crate) parameters: BTreeMap<Placed<String>, Text>,
+    /// Named expressions of the coordinates `x1`, `x2`, …. One may use those before it.
+    #[serde(default, rename = "let")]
+    pub(crate) definitions: BTreeMap<Placed<String>, Text>,
+    /// The metric.
+    pub(crate) metric: Placed<MetricFile>,
+    /// The set in which curves start.
+    pub(crate) from: Option<Placed<SetFile>>,
+    /// The set in which curves end.
+    pub(crate) to: Option<Placed<SetFile>>,
+    /// How the problem is solved.
+    #[serde(default)]
+    pub(crate) solve: SolveFile,
+    /// What is proved.
+    #[serde(default)]
+    pub(crate) certify: CertifyFile,
+    /// How the metric is audited.
+    #[serde(default)]
+    pub(crate) audit: AuditFile,
+    /// What is shown.
+    #[serde(default)]
+    pub(crate) output: OutputFile,
+}

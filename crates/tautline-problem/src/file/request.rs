@@ -1,0 +1,115 @@
+//! The sections `[solve]`, `[certify]`, `[audit]` and `[output]` of a file.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::{
+    expression::Text,
+    placed::Placed,
+    set::{Corners, SetFile, Vector},
+};
+
+/// How the problem is solved.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SolveFile {
+    /// The rule of numerical integration.
+    #[serde(default)]
+    pub(crate) rule: RuleFile,
+    /// The number of chords; 256 unless a tolerance is given.
+    pub(crate) n: Option<Placed<usize>>,
+    /// The relative error of the length, by extrapolation over several grids. It replaces `n`.
+    pub(crate) tolerance: Option<Text>,
+    /// Polygons from which a search starts, in addition to the automatic starts.
+    #[serde(default)]
+    pub(crate) starts: Vec<Placed<Vec<Vector>>>,
+    /// Whether the given starts replace the automatic ones.
+    #[serde(default)]
+    pub(crate) only_these_starts: bool,
+    /// The largest number of Newton steps of a local search on one grid.
+    pub(crate) steps: Option<Placed<usize>>,
+    /// The time after which everything stops, in seconds. What is known by then is the answer.
+    pub(crate) time_limit: Option<Text>,
+}
+
+/// A rule of numerical integration.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RuleFile {
+    /// The metric in the middle of each chord, called the midpoint rule elsewhere.
+    #[default]
+    Trapezoidal,
+    /// The metric at the first point of each chord.
+    LeftEndpoint,
+    /// The mean of the metric at both ends of each chord.
+    TrueTrapezoid,
+}
+
+/// What is proved.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct CertifyFile {
+    /// Whether the distance is bounded from both sides; `true` unless said otherwise.
+    pub(crate) bound: Option<bool>,
+    /// Constants that you claim for the metric. Without them they are proved from the formula.
+    pub(crate) constants: Option<ConstantsFile>,
+    /// The region on which `tautline constants` proves constants: a ball or a box. Without it that
+    /// is all of space, or the ball that contains all competitors of the curve.
+    pub(crate) within: Option<Placed<SetFile>>,
+    /// The largest number of boxes for one constant; 100,000 unless said otherwise.
+    pub(crate) boxes: Option<Placed<usize>>,
+    /// The relative accuracy of a constant; 0.001 unless said otherwise.
+    pub(crate) tolerance: Option<Text>,
+}
+
+/// Constants of a metric: `c1 ≤ H ≤ c2`, `‖DH[v]‖ ≤ l_h |v|` and `‖D²H[v, v]‖ ≤ m_h |v|²`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ConstantsFile {
+    /// A lower bound on the eigenvalues of `H`.
+    pub(crate) c1: Text,
+    /// An upper bound on the eigenvalues of `H`.
+    pub(crate) c2: Text,
+    /// A Lipschitz constant of `H`.
+    pub(crate) l_h: Text,
+    /// A Lipschitz constant of the derivative of `H`.
+    pub(crate) m_h: Option<Text>,
+}
+
+/// How the metric is audited.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct AuditFile {
+    /// The box in which samples are drawn.
+    pub(crate) region: Option<Corners>,
+    /// The number of random samples for each law.
+    pub(crate) cases: Option<Placed<u32>>,
+    /// The seed of the samples.
+    pub(crate) seed: Option<u64>,
+}
+
+/// What is shown.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct OutputFile {
+    /// The two coordinates that a picture shows, from 1.
+    pub(crate) coordinates: Option<Placed<[usize; 2]>>,
+    /// How a picture shows the metric.
+    #[serde(default)]
+    pub(crate) field: FieldFile,
+    /// The part of the plane that a picture shows.
+    pub(crate) window: Option<Corners>,
+}
+
+/// How a picture shows the metric.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum FieldFile {
+    /// Filled contours of `det H`.
+    #[default]
+    Determinant,
+    /// Ellipses `vᵀHv = const`.
+    Ellipses,
+    /// Nothing.
+    Plain,
+}

@@ -1,0 +1,206 @@
+//! The formula of the metric of a file.
+
+use std::ops::Range;
+
+use tautline::{
+    Formula,
+    formula::{Form, Part, Written, WrittenError},
+};
+
+use crate::{
+    Diagnostic,
+    file::{
+        ProblemFile,
+        expression::{Expression, Text},
+        metric::{BlockFile, MetricFile, ScaledFile},
+        placed::Placed,
+    },
+    gallery,
+    numbers::{Numbers, counted},
+};
+
+/// The texts of a metric, numbered by their order.
+struct Texts<'f> {
+    numbers: &'f Numbers<'f>,
+    /// The bytes of each text.
+    places: Vec<Range<usize>>,
+}
+
+/// Returns the formula of the metric.
+pub(crate) fn formula<const D: usize>(
+    problem: &ProblemFile,
+    numbers: &Numbers<'_>,
+) -> Result<Formula<D>, Diagnostic> {
+    let mut texts = Texts { numbers, places: Vec::new() };
+    let mut definitions: Vec<_> = problem.definitions.iter().collect();
+    definitions.sort_by_key(|(name, _)| name.span().start);
+    let defined: Vec<&str> = definitions.iter().map(|(name, _)| name.get_ref().as_str()).collect();
+    let definitions: Vec<[Part<'_>; 2]> = definitions
+        .iter()
+        .map(|(name, text)| {
+            let name = texts.numbered(name.get_ref(), name.span());
+            [name, texts.part(text)]
+        })
+        .collect();
+    let whole = problem.metric.span();
+    let coordinates: Vec<usize> = (1..=D).collect();
+    let metric = texts.written(problem.metric.get_ref(), &whole, &coordinates)?;
+    let formula = Formula::compose(&numbers.by_name(), &definitions, &metric);
+    formula.map_err(|WrittenError { id, error }| {
+        let span = texts.places.get(id).cloned().unwrap_or(whole);
+        numbers.explain(&error, span, &defined)
+    })
+}
+
+impl<'f> Texts<'f> {
+    fn numbered<'t>(&mut self, text: &'t str, place: Range<usize>) -> Part<'t> {
+        self.places.push(place);
+        Part { text, id: self.places.len() - 1 }
+    }
+
+    fn part<'t>(&mut self, text: &'t Text) -> Part<'t> {
+        let Expression(expression) = text.get_ref();
+        self.numbered(expression, text.span())
+    }
+
+    fn parts<'t>(&mut self, texts: &'t [Text]) -> Vec<Part<'t>> {
+        texts.iter().map(|text| self.part(text)).collect()
+    }
+
+    /// Returns the metric of the block of these coordinates, numbered from 1. `whole` are the bytes
+    /// of what stands around it.
+    fn written<'t>(
+        &mut self,
+        metric: &'t MetricFile,
+        whole: &Range<usize>,
+        coordinates: &[usize],
+    ) -> Result<Written<'t>, Diagnostic> {
+        let dimension = coordinates.len();
+        let one = |form, part| Written::Form(form, vec![part]);
+        Ok(match metric {
+            MetricFile::Formula(text) => Written::Whole(self.part(text)),
+            MetricFile::Matrix(rows) => {
+                Written::Matrix(self.rows(rows, |_| dimension, dimension)?)
+            }
+            MetricFile::Upper(rows) => {
+                Written::Upper(self.rows(rows, |row| dimension - row, dimension)?)
+            }
+            MetricFile::Diag(texts) => {
+                let found = texts.get_ref().len();
+                expect_count(found, "entry", dimension, found == dimension, texts.span())?;
+                Written::Form(Form::Diag, self.parts(texts.get_ref()))
+            }
+            MetricFile::Pullback(texts) => {
+                let found = texts.get_ref().len();
+                let what = "function or more";
+                expect_count(found, what, dimension, found >= dimension, texts.span())?;
+                Written::Form(Form::Pullback, self.parts(texts.get_ref()))
+            }
+            MetricFile::Phi(text) => one(Form::Phi, self.part(text)),
+            MetricFile::Cost(text) => one(Form::Cost, self.part(text)),
+            MetricFile::Speed(text) => one(Form::Speed, self.part(text)),
+            MetricFile::Graph(text) => one(Form::Graph, self.part(text)),
+            MetricFile::Sum(metrics) if metrics.get_ref().is_empty() => {
+                return Err(Diagnostic::new("a sum of no metrics", metrics.span()));
+            }
+            MetricFile::Sum(metrics) => {
+                let place = metrics.span();
+                let written = |metric| self.written(metric, &place, coordinates);
+                Written::Sum(metrics.get_ref().iter().map(written).collect::<Result<_, _>>()?)
+            }
+            MetricFile::Scaled(ScaledFile { by, metric }) => {
+                let by = self.part(by);
+                Written::Scaled(by, Box::new(self.written(metric, whole, coordinates)?))
+            }
+            MetricFile::Product(blocks) => {
+                self.product(blocks.get_ref(), blocks.span(), coordinates)?
+            }
+            MetricFile::Gallery(metric) => {
+                let place = metric.span();
+                Written::Recorded(gallery::formula(
+                    metric.get_ref(),
+                    place,
+                    self.numbers,
+                    dimension,
+                )?)
+            }
+        })
+    }
+
+    fn product<'t>(
+        &mut self,
+        blocks: &'t [BlockFile],
+        place: Range<usize>,
+        coordinates: &[usize],
+    ) -> Result<Written<'t>, Diagnostic> {
+        let mut taken = Vec::new();
+        let mut written = Vec::new();
+        for BlockFile { coordinates: own, metric } in blocks {
+            for coordinate in own.get_ref() {
+                let wrong = if !coordinates.contains(coordinate) {
+                    format!("there is no coordinate {coordinate} here")
+                } else if taken.contains(coordinate) {
+                    format!("coordinate {coordinate} belongs to two blocks")
+                } else {
+                    taken.push(*coordinate);
+                    continue;
+                };
+                let all: Vec<String> = coordinates.iter().map(usize::to_string).collect();
+                return Err(Diagnostic::new(wrong, own.span())
+                    .label(format!("expected each of {} in one block", all.join(", "))));
+            }
+            if own.get_ref().is_empty() {
+                return Err(Diagnostic::new("a block without coordinates", own.span()));
+            }
+            let block = self.written(metric, &place, own.get_ref())?;
+            written.push((own.get_ref().iter().map(|i| i - 1).collect(), block));
+        }
+        match coordinates.iter().find(|coordinate| !taken.contains(coordinate)) {
+            Some(missing) => {
+                Err(Diagnostic::new(format!("coordinate {missing} belongs to no block"), place))
+            }
+            None => Ok(Written::Product(written)),
+        }
+    }
+
+    fn rows<'t>(
+        &mut self,
+        rows: &'t Placed<Vec<Placed<Vec<Text>>>>,
+        length: impl Fn(usize) -> usize,
+        dimension: usize,
+    ) -> Result<Vec<Vec<Part<'t>>>, Diagnostic> {
+        let found = rows.get_ref().len();
+        expect_count(found, "row", dimension, found == dimension, rows.span())?;
+        for (i, row) in rows.get_ref().iter().enumerate() {
+            let (found, length) = (row.get_ref().len(), length(i));
+            expect_count(found, "entry", length, found == length, row.span())?;
+        }
+        Ok(rows.get_ref().iter().map(|row| self.parts(row.get_ref())).collect())
+    }
+}
+
+/// Refuses a wrong number of entries, rows or functions.
+fn expect_count(
+    found: usize,
+    what: &str,
+    expected: usize,
+    is_right: bool,
+    at: Range<usize>,
+) -> Result<(), Diagnostic> {
+    if is_right {
+        return Ok(());
+    }
+    let counted = |count: usize| match what {
+        "entry" if count != 1 => format!("{count} entries"),
+        "function or more" => format!("{} or more", counted(count, "function")),
+        _ => counted(count, what),
+    };
+    let short =
+        if what == "entry" && found != 1 { "entries" } else { what.trim_end_matches(" or more") };
+    let found = match short {
+        "entries" => format!("{found} entries"),
+        noun => self::counted(found, noun),
+    };
+    Err(Diagnostic::new(format!("{found} here"), at)
+        .label(format!("expected {}", counted(expected))))
+}

@@ -1,0 +1,49 @@
+//! Problems as files: a metric, two sets and what is asked of them, in TOML.
+//!
+//! A file is read, posed and solved in a dimension that is known when the program runs. What is
+//! wrong with it is said with the place in the file.
+//!
+//! ```
+//! use tautline_problem::Question;
+//!
+//! let file = r#"
+//!     [metric]
+//!     cost = "2 - cos(x1)"
+//!     [from]
+//!     ball = { centre = [0, 0], radius = 0.5 }
+//!     [to]
+//!     half_space = { normal = [1, 0], at_least = 3 }
+//! "#;
+//! let answer = Question::read(file)?.solve(&mut |_| ())?;
+//! assert!((answer.length.value - 5.338305).abs() < 1e-6); // 5 − sin 3 + sin ½
+//!
+//! let error = Question::read(&file.replace("radius", "radios")).unwrap_err();
+//! assert_eq!(error.help.as_deref(), Some("did you mean radius?"));
+//! # Ok::<(), tautline_problem::Failure>(())
+//! ```
+
+mod answer;
+mod diagnostic;
+mod dimension;
+mod failure;
+mod file;
+mod float;
+mod formula;
+mod gallery;
+mod meant;
+mod numbers;
+mod parse;
+mod question;
+mod shape;
+mod solve;
+
+pub use answer::{
+    Answer, BallAnswer, Bounds, Estimated, GlobalMinimum, OtherMinimum, Search, UsedConstants,
+};
+pub use diagnostic::Diagnostic;
+pub use dimension::LARGEST_DIMENSION;
+pub use failure::Failure;
+pub use float::Float;
+pub use question::{FieldOfView, Grid, Question, View};
+pub use shape::Shape;
+pub use solve::Gram;

@@ -1,0 +1,330 @@
+//! Solves the problem of a file.
+
+use std::sync::Arc;
+
+use tautline::{
+    Constants, Curvature, Ends, Formula, Integral, Interpolation, LARGEST_N, LeftEndpoint, Metric,
+    Options, PointSequence, Problem, Rule, RuleOfThePaper, SVector, SolveError, Starts, Stop,
+    TautLine, Trapezoidal, TrueTrapezoid,
+    bounds::{Enclosure, FromAbove, FromBelow},
+    certify::Accuracy,
+};
+
+use crate::{
+    Answer, BallAnswer, Bounds, Diagnostic, Estimated, Failure, GlobalMinimum, Grid, OtherMinimum,
+    Question, Search, UsedConstants,
+    dimension::{InDimension, in_dimension},
+    file::request::RuleFile,
+    formula::formula,
+    shape::{union, vector},
+};
+
+impl Question {
+    /// Solves the problem. `solved` is told the answer when the curve is known, before any bound is
+    /// proved, which may take longer.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::BadInput`] with the place in the file, also if the metric turns out not to be one
+    /// along a curve; [`Failure::NotComputed`] if there is no curve.
+    pub fn solve(&self, solved: &mut dyn FnMut(&Answer)) -> Result<Answer, Failure> {
+        let solve = Solve { question: self, solved };
+        in_dimension(self.dimension, solve).unwrap_or(Err(Failure::NotComputed(String::new())))
+    }
+}
+
+struct Solve<'q> {
+    question: &'q Question,
+    solved: &'q mut dyn FnMut(&Answer),
+}
+
+impl InDimension for Solve<'_> {
+    type Output = Result<Answer, Failure>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let Self { question, solved } = self;
+        let formula = formula::<D>(&question.problem, &question.numbers())?;
+        let problem = Problem::new(formula, question.pair::<D>()?);
+        let options = question.options::<D>()?;
+        match question.rule {
+            RuleFile::Trapezoidal => {
+                let line = question.line(&problem, Trapezoidal, &options)?;
+                question.answer(&line, bounds, solved)
+            }
+            RuleFile::LeftEndpoint => {
+                let line = question.line(&problem, LeftEndpoint, &options)?;
+                question.answer(&line, bounds, solved)
+            }
+            RuleFile::TrueTrapezoid => {
+                let line = question.line(&problem, TrueTrapezoid, &options)?;
+                let no_theorem =
+                    |_: &_, _: &_| Err("the paper has no theorem on the true trapezoid".to_owned());
+                question.answer(&line, no_theorem, solved)
+            }
+        }
+    }
+}
+
+/// Returns bounds on the distance, or why there are none.
+fn bounds<R: RuleOfThePaper, const D: usize>(
+    question: &Question,
+    line: &TautLine<Formula<D>, R, D>,
+) -> Result<Bounds, String> {
+    if let Some(claimed) = question.claimed {
+        let enclosure = line.enclosure_given(claimed).map_err(|error| error.to_string())?;
+        return Ok(in_words(enclosure, used(claimed, false, None)));
+    }
+    let accuracy = Accuracy { tolerance: question.accuracy, budget: question.boxes };
+    let proof = line.prove(accuracy).map_err(|error| error.to_string())?;
+    let within = proof
+        .within
+        .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
+    Ok(in_words(proof.enclosure, used(proof.constants, true, within)))
+}
+
+pub(crate) fn used(
+    constants: Constants,
+    proved: bool,
+    within: Option<BallAnswer>,
+) -> UsedConstants {
+    UsedConstants {
+        c1: constants.c1(),
+        c2: constants.c2(),
+        l_h: constants.l_h(),
+        m_h: constants.m_h(),
+        proved,
+        within,
+    }
+}
+
+/// Turns bounds on the squared distance into bounds on the distance, rounded outwards.
+fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
+    let lower = enclosure.lower.max(0.0).sqrt();
+    let lower = if lower > 0.0 { lower.next_down() } else { lower };
+    let upper = enclosure.upper.sqrt();
+    let upper = if upper > 0.0 { upper.next_up() } else { upper };
+    let global_minimum = match (enclosure.is_not_global, enclosure.assumes_global_minimum) {
+        (true, _) => GlobalMinimum::Refuted,
+        (false, true) => GlobalMinimum::Assumed,
+        (false, false) => GlobalMinimum::Proved,
+    };
+    let lower_by = match enclosure.from_below {
+        FromBelow::Euclidean => "Proposition 3.3",
+        FromBelow::Minimum => "Lemma S.4",
+        _ => "nothing: a distance is not negative",
+    };
+    let upper_by = match enclosure.from_above {
+        FromAbove::Length => "the length of the curve",
+        FromAbove::Energy => "the root of the energy of the curve",
+    };
+    Bounds {
+        lower: lower.into(),
+        upper: upper.into(),
+        global_minimum,
+        constants,
+        lower_by: lower_by.to_owned(),
+        upper_by: upper_by.to_owned(),
+    }
+}
+
+impl Question {
+    /// Returns the two sets.
+    pub(crate) fn pair<const D: usize>(&self) -> Result<Ends<D>, Diagnostic> {
+        let metric = self.problem.metric.span();
+        let Some([from, to]) = &self.ends else {
+            return Err(Diagnostic::new("[from] and [to] are missing", metric)
+                .help("a problem has a metric and two sets between which a curve runs"));
+        };
+        let first = |pieces: &[crate::shape::Piece]| match pieces {
+            [piece] => match &piece.shape {
+                crate::Shape::Point(x) => Some(vector::<D>(x)),
+                _ => None,
+            },
+            _ => None,
+        };
+        // Two points are recognised, since more is proved of them.
+        let ends = match (first(from), first(to)) {
+            (Some(a), Some(b)) => Ends::points(a, b),
+            _ => Ends::new(union::<D>(from)?, union::<D>(to)?),
+        };
+        ends.map_err(|error| {
+            let place = to.first().and_then(|piece| piece.places.first());
+            Diagnostic::new(error.to_string(), place.cloned().unwrap_or(metric))
+        })
+    }
+
+    fn options<const D: usize>(&self) -> Result<Options<D>, Failure> {
+        let start = |start: &Vec<Vec<f64>>| {
+            PointSequence::new(start.iter().map(|x| vector::<D>(x)).collect())
+                .map_err(|error| Failure::NotComputed(error.to_string()))
+        };
+        let starts = self.starts.iter().map(start).collect::<Result<Vec<_>, _>>()?;
+        let starts = match (starts.is_empty(), self.only_these_starts) {
+            (true, false) => Starts::Automatic,
+            (_, true) => Starts::Only(starts),
+            (false, false) => Starts::Also(starts),
+        };
+        let default = Options::default();
+        Ok(Options { starts, iterations: self.steps.unwrap_or(default.iterations), ..default })
+    }
+
+    fn line<R: Rule, const D: usize>(
+        &self,
+        problem: &Problem<Formula<D>, D>,
+        rule: R,
+        options: &Options<D>,
+    ) -> Result<TautLine<Formula<D>, R, D>, Failure> {
+        let solve = |n| {
+            problem.solve_with(rule, n, options).map_err(|error| match error {
+                SolveError::Metric(_) => {
+                    let place = self.problem.metric.span();
+                    Failure::BadInput(Diagnostic::new(error.to_string(), place))
+                }
+                _ => Failure::NotComputed(error.to_string()),
+            })
+        };
+        let tolerance = match self.grid {
+            Grid::Chords(n) => return solve(n),
+            Grid::Tolerance(tolerance) => tolerance,
+        };
+        // The excess falls like 1/N². A few rounds settle the rest.
+        let mut n = FIRST_GRID;
+        let mut line = solve(n)?;
+        for _ in 0..ROUNDS {
+            let Some(error) = relative_error(&line) else { break };
+            if error <= tolerance || n >= LARGEST_N {
+                break;
+            }
+            let finer = n as f64 * (1.1 * error / tolerance).sqrt().max(1.5);
+            n = if finer < LARGEST_N as f64 { finer.ceil() as usize } else { LARGEST_N };
+            line = solve(n)?;
+        }
+        Ok(line)
+    }
+
+    fn answer<R: Rule, const D: usize>(
+        &self,
+        line: &TautLine<Formula<D>, R, D>,
+        bounds: impl FnOnce(&Self, &TautLine<Formula<D>, R, D>) -> Result<Bounds, String>,
+        solved: &mut dyn FnMut(&Answer),
+    ) -> Result<Answer, Failure> {
+        let minimum = line.minimum();
+        let others = minimum.others.iter().map(|other| OtherMinimum {
+            length: estimated(Interpolation::new(&other.sequence).length(line.metric())),
+            curve: points(&other.sequence),
+        });
+        let mut other_minima: Vec<OtherMinimum> = others.collect();
+        other_minima.sort_by(|a, b| a.length.value.total_cmp(&b.length.value));
+        let root = |square: f64| square.max(0.0).sqrt();
+        let mut answer = Answer {
+            dimension: D,
+            rule: self.rule.name(),
+            n: minimum.sequence.n().get(),
+            length: estimated(line.length()),
+            energy: estimated(line.energy()),
+            discrete_energy: minimum.energy,
+            extrapolated: line.distance_squared_estimate().map(|square| Estimated {
+                value: root(square.value),
+                error: 0.5 * square.error / root(square.value),
+            }),
+            search: Search {
+                converged: minimum.is_local_minimum(),
+                stop: stop(minimum.stop),
+                hessian: hessian(minimum.curvature),
+                residual: minimum.residual,
+                residual_floor: minimum.residual_floor,
+                newton_steps: minimum.iterations,
+            },
+            bounds: None,
+            no_bounds: self.bound.then(|| "not finished".to_owned()),
+            curve: points(&minimum.sequence),
+            other_minima,
+        };
+        solved(&answer);
+        if self.bound {
+            match bounds(self, line) {
+                Ok(bounds) => (answer.bounds, answer.no_bounds) = (Some(bounds), None),
+                Err(reason) => answer.no_bounds = Some(reason),
+            }
+        }
+        Ok(answer)
+    }
+
+    /// Returns the function `x ↦ H(x)`, column by column. It returns `None` where `H` is not
+    /// finite, and for a point of another dimension.
+    ///
+    /// # Errors
+    ///
+    /// [`Diagnostic`] with the place in the file, if the formula is wrong.
+    pub fn gram(&self) -> Result<Gram, Diagnostic> {
+        struct Make<'q>(&'q Question);
+        impl InDimension for Make<'_> {
+            type Output = Result<Gram, Diagnostic>;
+
+            fn run<const D: usize>(self) -> Self::Output {
+                let formula = formula::<D>(&self.0.problem, &self.0.numbers())?;
+                Ok(Arc::new(move |x| {
+                    let x: [f64; D] = x.try_into().ok()?;
+                    let h = formula.gram(&SVector::from(x));
+                    h.iter().all(|entry| entry.is_finite()).then(|| h.as_slice().to_vec())
+                }))
+            }
+        }
+        let none: Gram = Arc::new(|_| None);
+        in_dimension(self.dimension, Make(self)).unwrap_or(Ok(none))
+    }
+}
+
+/// A function from points to matrices, column by column.
+pub type Gram = Arc<dyn Fn(&[f64]) -> Option<Vec<f64>> + Send + Sync>;
+
+/// The grid from which a tolerance is judged. It needs coarser grids for the extrapolation.
+const FIRST_GRID: usize = 128;
+
+/// The largest number of finer grids that are tried for a tolerance.
+const ROUNDS: usize = 5;
+
+/// Returns the relative error of the length, by extrapolation.
+fn relative_error<R: Rule, const D: usize>(line: &TautLine<Formula<D>, R, D>) -> Option<f64> {
+    let estimate = line.distance_squared_estimate()?.value;
+    let length = line.length().value;
+    (estimate > 0.0).then(|| ((length * length - estimate) / (2.0 * estimate)).max(0.0))
+}
+
+fn estimated(Integral { value, error, .. }: Integral) -> Estimated {
+    Estimated { value, error }
+}
+
+fn points<const D: usize>(sequence: &PointSequence<D>) -> Vec<Vec<f64>> {
+    sequence.points().iter().map(|x| x.as_slice().to_vec()).collect()
+}
+
+fn stop(stop: Stop) -> &'static str {
+    match stop {
+        Stop::Converged => "converged",
+        Stop::EndsTouch => "the sets touch",
+        Stop::Stalled => "stalled",
+        Stop::IterationLimit => "the number of steps ran out",
+        _ => "stopped",
+    }
+}
+
+fn hessian(curvature: Curvature) -> String {
+    match curvature {
+        Curvature::PositiveDefinite => "positive definite".to_owned(),
+        Curvature::Degenerate => "degenerate".to_owned(),
+        Curvature::Indefinite { negative } => format!("{negative} negative eigenvalues"),
+        _ => "unknown".to_owned(),
+    }
+}
+
+impl RuleFile {
+    /// Returns the rule's name in a file.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            RuleFile::Trapezoidal => "trapezoidal",
+            RuleFile::LeftEndpoint => "left_endpoint",
+            RuleFile::TrueTrapezoid => "true_trapezoid",
+        }
+    }
+}
