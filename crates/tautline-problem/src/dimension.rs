@@ -3,6 +3,10 @@
 /// The largest dimension. Everything that depends on the dimension is compiled for each of 1 to 12.
 pub const LARGEST_DIMENSION: usize = 12;
 
+/// The largest dimension in which constants are proved from the formula. Beyond it the boxes of
+/// branch and bound are too many for most formulas, and the code is not compiled.
+pub const LARGEST_PROVED_DIMENSION: usize = 6;
+
 /// What is done in a dimension.
 pub(crate) trait InDimension {
     type Output;

@@ -41,7 +41,7 @@ pub use answer::{
     Answer, BallAnswer, Bounds, Estimated, GlobalMinimum, OtherMinimum, Search, UsedConstants,
 };
 pub use diagnostic::Diagnostic;
-pub use dimension::LARGEST_DIMENSION;
+pub use dimension::{LARGEST_DIMENSION, LARGEST_PROVED_DIMENSION};
 pub use failure::Failure;
 pub use float::Float;
 pub use question::{FieldOfView, Grid, Question, View};

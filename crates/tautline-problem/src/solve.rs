@@ -13,7 +13,7 @@ use tautline::{
 use crate::{
     Answer, BallAnswer, Bounds, Diagnostic, Estimated, Failure, GlobalMinimum, Grid, OtherMinimum,
     Question, Search, UsedConstants,
-    dimension::{InDimension, in_dimension},
+    dimension::{InDimension, LARGEST_PROVED_DIMENSION, in_dimension},
     file::request::RuleFile,
     formula::formula,
     shape::{union, vector},
@@ -74,12 +74,24 @@ fn bounds<R: RuleOfThePaper, const D: usize>(
         let enclosure = line.enclosure_given(claimed).map_err(|error| error.to_string())?;
         return Ok(in_words(enclosure, used(claimed, false, None)));
     }
+    // The compiler decides.
+    if const { D > LARGEST_PROVED_DIMENSION } {
+        return Err(too_many_coordinates());
+    }
     let accuracy = Accuracy { tolerance: question.accuracy, budget: question.boxes };
     let proof = line.prove(accuracy).map_err(|error| error.to_string())?;
     let within = proof
         .within
         .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
     Ok(in_words(proof.enclosure, used(proof.constants, true, within)))
+}
+
+/// Says why nothing is proved in many dimensions.
+fn too_many_coordinates() -> String {
+    format!(
+        "constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions; claim \
+         c1, c2 and l_h in [certify], constants"
+    )
 }
 
 pub(crate) fn used(
