@@ -10,4 +10,4 @@ mod tick_values;
 pub use axis::Axis;
 pub use scale::Scale;
 pub(crate) use stretch::Stretch;
-pub(crate) use tick::{Direction, Tick, named_ticks, ticks};
+pub(crate) use tick::{Direction, Tick, named_ticks, ticks, ticks_at};

@@ -1,6 +1,11 @@
 //! Where an axis has ticks, and which of them have a number.
 
-use super::{axis::Axis, scale::Scale, stretch::Stretch, tick_values::candidates};
+use super::{
+    axis::Axis,
+    scale::Scale,
+    stretch::Stretch,
+    tick_values::{TickValues, candidates},
+};
 use crate::{
     error::DrawingError,
     math_text::{Align, TextBlock, typeset},
@@ -46,9 +51,47 @@ pub(crate) fn ticks(
     length: f64,
     direction: Direction,
 ) -> Result<Vec<Tick>, DrawingError> {
+    fitting(candidates(stretch), stretch, length, direction)
+}
+
+/// Does the same with numbers at some of the `values` only, and no other ticks. If no round numbers
+/// are among the values, there are no ticks.
+///
+/// # Errors
+///
+/// The same as those of [`ticks`].
+pub(crate) fn ticks_at(
+    values: &[f64],
+    stretch: &Stretch,
+    length: f64,
+    direction: Direction,
+) -> Result<Vec<Tick>, DrawingError> {
+    let is_value = |at: f64| values.iter().any(|value| (value - at).abs() <= 1e-9 * at.abs());
+    let mut sets = candidates(stretch);
+    for set in &mut sets {
+        set.retain(|(_, label)| label.is_some());
+    }
+    sets.retain(|set| set.iter().all(|(at, _)| is_value(*at)));
+    fitting(sets, stretch, length, direction)
+}
+
+fn fitting(
+    sets: Vec<TickValues>,
+    stretch: &Stretch,
+    length: f64,
+    direction: Direction,
+) -> Result<Vec<Tick>, DrawingError> {
     let align = direction.align();
     let mut chosen = Vec::new();
-    for set in candidates(stretch) {
+    let last = sets.len().saturating_sub(1);
+    for (k, set) in sets.into_iter().enumerate() {
+        let labels = set.iter().filter(|(_, label)| label.is_some()).count();
+        // Setting labels takes most of the time of a figure, so hopeless sets are not set. The last
+        // one is drawn even if it does not fit.
+        let room = length + 1.0;
+        if k < last && labels.saturating_sub(1) as f64 * least_gap(stretch, direction) > room {
+            continue;
+        }
         let mut all = Vec::with_capacity(set.len());
         for (value, label) in set {
             let label = label.map(|label| typeset(&label, SMALL, align)).transpose()?;
@@ -83,6 +126,16 @@ pub(crate) fn named_ticks(axis: &Axis, direction: Direction) -> Result<Vec<Tick>
     names.map(tick).collect()
 }
 
+/// Returns the smallest distance between two labelled ticks, in px, however narrow their labels.
+fn least_gap(stretch: &Stretch, direction: Direction) -> f64 {
+    match direction {
+        Direction::Vertical => 2.1 * SMALL,
+        Direction::Horizontal if stretch.scale.is_logarithmic() => 0.9 * SMALL,
+        // Short numbers could be closer together, but an axis is not a ruler.
+        Direction::Horizontal => 44.0,
+    }
+}
+
 /// The largest number of labelled multiples of π. Beyond it whole multiples serve as well as
 /// fractions.
 const MOST_MULTIPLES: usize = 7;
@@ -101,13 +154,11 @@ fn airy(ticks: &[Tick], stretch: &Stretch, length: f64, direction: Direction) ->
     }
     placed.windows(2).all(|pair| {
         let ((a, wide_a), (b, wide_b)) = (pair[0], pair[1]);
+        let (gap, widths) = (least_gap(stretch, direction), (wide_a + wide_b) / 2.0);
         let least = match direction {
-            Direction::Vertical => 2.1 * SMALL,
-            Direction::Horizontal if stretch.scale.is_logarithmic() => {
-                (wide_a + wide_b) / 2.0 + 0.9 * SMALL
-            }
-            // Short numbers could be closer together, but an axis is not a ruler.
-            Direction::Horizontal => ((wide_a + wide_b) / 2.0 + SMALL).max(44.0),
+            Direction::Vertical => gap,
+            Direction::Horizontal if stretch.scale.is_logarithmic() => widths + gap,
+            Direction::Horizontal => (widths + SMALL).max(gap),
         };
         b - a >= least
     })
@@ -115,7 +166,7 @@ fn airy(ticks: &[Tick], stretch: &Stretch, length: f64, direction: Direction) ->
 
 #[cfg(test)]
 mod tests {
-    use super::{Direction, Scale, Stretch, Tick, ticks};
+    use super::{Direction, Scale, Stretch, Tick, ticks, ticks_at};
 
     fn chosen(scale: Scale, from: f64, to: f64, length: f64, direction: Direction) -> Vec<Tick> {
         let stretch = Stretch::new(scale, from, to).expect("a range");
@@ -173,5 +224,16 @@ mod tests {
         assert_eq!(labels(&pi), ["0", "π", "2π", "3π", "4π"]);
         let x = chosen(Scale::Linear, -2.0, 2.0, 200.0, Direction::Vertical);
         assert_eq!(labels(&x), ["−2", "−1", "0", "1", "2"]);
+    }
+
+    #[test]
+    fn numbers_can_be_confined_to_values() {
+        let stretch = Stretch::new(Scale::Linear, 0.0, 10.0).expect("a range");
+        let at = |values: &[f64]| {
+            labels(&ticks_at(values, &stretch, 300.0, Direction::Vertical).expect("digits"))
+        };
+        assert_eq!(at(&[0.0, 2.0, 4.0, 6.0, 8.0, 10.0]), ["0", "2", "4", "6", "8", "10"]);
+        assert_eq!(at(&[0.0, 5.0, 10.0]), ["0", "5", "10"]);
+        assert!(at(&[0.3, 0.7]).is_empty());
     }
 }

@@ -1,5 +1,6 @@
 //! Boxes and outlines, in px.
 
+pub mod clip;
 mod extent;
 mod path;
 

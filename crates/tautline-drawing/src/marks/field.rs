@@ -1,8 +1,8 @@
 //! A function of two variables, shown as filled contour bands.
 
-use contour::ContourBuilder;
-
+use super::{gaps::Gaps, grid::Grid, samples::Samples};
 use crate::{
+    axes::Scale,
     colours::{Colour, Ramp},
     error::DrawingError,
 };
@@ -11,12 +11,20 @@ use crate::{
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct Field {
-    columns: usize,
-    rows: usize,
-    origin: (f64, f64),
-    step: (f64, f64),
+    grid: Grid,
+    /// The samples; their logarithms if the scale of the values is logarithmic.
     values: Vec<f64>,
     levels: Vec<f64>,
+    /// The scale of the colour bar.
+    pub(crate) scale: Scale,
+    /// Whether the lowest and the highest band hold all values beyond the levels, too.
+    pub(crate) open: [bool; 2],
+    /// Whether the numbers of the colour bar are levels.
+    pub(crate) numbers_are_levels: bool,
+    /// Whether there is a colour bar.
+    pub(crate) has_bar: bool,
+    /// Where there are no values.
+    pub(crate) gaps: Option<Gaps>,
     /// Whether `x` is sampled logarithmically, so that contours are smooth on a logarithmic axis.
     decades: bool,
     pub(crate) line_every: usize,
@@ -41,35 +49,53 @@ impl Field {
         levels: Vec<f64>,
         f: impl Fn(f64, f64) -> f64,
     ) -> Result<Field, DrawingError> {
-        let increasing = levels.windows(2).all(|pair| pair[0] < pair[1]);
-        if !(increasing && levels.len() >= 2 && levels.iter().all(|level| level.is_finite())) {
-            return Err(DrawingError::BadLevels { levels });
-        }
-        for (from, to) in [x, y] {
-            if !(from < to && (to - from).is_finite()) {
-                let want = "a side of a field must be finite and increasing";
-                return Err(DrawingError::BadRange { from, to, want });
+        check(&levels, Scale::Linear)?;
+        let grid = Grid::over(x, y, CELLS)?;
+        let mut values = Vec::with_capacity(grid.columns * grid.rows);
+        for (a, b) in grid.points() {
+            let value = f(a, b);
+            if !value.is_finite() {
+                return Err(DrawingError::NotFinite { x: a, y: b, value });
             }
+            values.push(value);
         }
-        let (width, height) = (x.1 - x.0, y.1 - y.0);
-        // The shorter side has at least 40 cells, however long the other one is.
-        let cells = |side: f64| (CELLS * side / width.max(height)).ceil().max(40.0);
-        let step = (width / cells(width), height / cells(height));
-        let (columns, rows) = (cells(width) as usize + 3, cells(height) as usize + 3);
-        let origin = (x.0 - step.0, y.0 - step.1);
-        let mut values = Vec::with_capacity(columns * rows);
-        for j in 0..rows {
-            for i in 0..columns {
-                let (a, b) = (origin.0 + i as f64 * step.0, origin.1 + j as f64 * step.1);
-                let value = f(a, b);
-                if !value.is_finite() {
-                    return Err(DrawingError::NotFinite { x: a, y: b, value });
-                }
-                values.push(value);
-            }
+        Ok(Field::new(grid, values, levels))
+    }
+
+    /// Returns the field of these samples. It is hatched where there are none. On a logarithmic
+    /// `scale`, the levels must be positive; values that are not belong to the lowest band.
+    ///
+    /// # Errors
+    ///
+    /// If the levels are not increasing, or not positive on a logarithmic scale.
+    pub fn of_samples(
+        samples: Samples,
+        scale: Scale,
+        levels: Vec<f64>,
+    ) -> Result<Field, DrawingError> {
+        check(&levels, scale)?;
+        let Samples { grid, values, gaps, .. } = samples;
+        let on_scale = |value: f64| {
+            if scale.is_logarithmic() { value.max(f64::MIN_POSITIVE).log10() } else { value }
+        };
+        let values = values.into_iter().map(|value| on_scale(value.unwrap_or(levels[0])));
+        Ok(Field { scale, gaps, ..Field::new(grid, values.collect(), levels) })
+    }
+
+    fn new(grid: Grid, values: Vec<f64>, levels: Vec<f64>) -> Field {
+        Field {
+            grid,
+            values,
+            levels,
+            scale: Scale::Linear,
+            open: [false; 2],
+            numbers_are_levels: false,
+            has_bar: true,
+            gaps: None,
+            decades: false,
+            line_every: 0,
+            label: String::new(),
         }
-        let (decades, line_every, label) = (false, 0, String::new());
-        Ok(Field { columns, rows, origin, step, values, levels, decades, line_every, label })
     }
 
     /// Samples `f` as [`sample`](Field::sample) does, for a panel whose `x` axis is logarithmic.
@@ -91,6 +117,25 @@ impl Field {
     /// Names the quantity in a label above the colour bar.
     pub fn labelled(mut self, label: impl Into<String>) -> Field {
         self.label = label.into();
+        self
+    }
+
+    /// Says that values below the lowest level, or above the highest one, have the colour of the
+    /// nearest band. The colour bar has a tip there.
+    pub fn open_ended(mut self, below: bool, above: bool) -> Field {
+        self.open = [below, above];
+        self
+    }
+
+    /// Allows numbers at levels only, along the colour bar.
+    pub fn numbered_at_levels(mut self) -> Field {
+        self.numbers_are_levels = true;
+        self
+    }
+
+    /// Omits the colour bar.
+    pub fn without_bar(mut self) -> Field {
+        self.has_bar = false;
         self
     }
 
@@ -119,18 +164,23 @@ impl Field {
     ///
     /// If the contour library fails; the error contains its message.
     pub fn rings(&self, level: f64) -> Result<Vec<Vec<(f64, f64)>>, DrawingError> {
-        let lines = ContourBuilder::new(self.columns, self.rows, true)
-            .lines(&self.values, &[level])
-            .map_err(|error| DrawingError::Backend(error.to_string()))?;
-        // The library counts in cells, and places the first sample at one half.
-        let data = |x: f64, y: f64| {
-            let across = self.origin.0 + (x - 0.5) * self.step.0;
-            let across = if self.decades { 10_f64.powf(across) } else { across };
-            (across, self.origin.1 + (y - 0.5) * self.step.1)
-        };
-        let rings = lines.iter().flat_map(|line| line.geometry().0.iter());
-        let ring = |points: Vec<(f64, f64)>| without_straight_points(&points);
-        Ok(rings.map(|line| ring(line.0.iter().map(|p| data(p.x, p.y)).collect())).collect())
+        let level = if self.scale.is_logarithmic() { level.log10() } else { level };
+        let data = |(x, y): (f64, f64)| (if self.decades { 10_f64.powf(x) } else { x }, y);
+        let rings = self.grid.rings(&self.values, level)?;
+        let ring =
+            |ring: Vec<_>| without_straight_points(&ring.into_iter().map(data).collect::<Vec<_>>());
+        Ok(rings.into_iter().map(ring).collect())
+    }
+}
+
+fn check(levels: &[f64], scale: Scale) -> Result<(), DrawingError> {
+    let increasing = levels.windows(2).all(|pair| pair[0] < pair[1]);
+    let placed = levels.iter().all(|level| level.is_finite());
+    let positive = !scale.is_logarithmic() || levels.iter().all(|level| *level > 0.0);
+    if increasing && placed && positive && levels.len() >= 2 {
+        Ok(())
+    } else {
+        Err(DrawingError::BadLevels { levels: levels.to_vec() })
     }
 }
 
@@ -156,7 +206,7 @@ fn without_straight_points(ring: &[(f64, f64)]) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{DrawingError, Field};
+    use super::{DrawingError, Field, Samples, Scale};
 
     #[test]
     fn the_contour_of_a_cone_is_a_circle() {
@@ -168,6 +218,23 @@ mod tests {
         for (x, y) in &rings[0] {
             assert!((x.hypot(*y) - 1.0).abs() <= 2e-5, "({x}, {y})");
         }
+    }
+
+    #[test]
+    fn contours_on_a_logarithmic_scale_are_exact_for_powers() {
+        // log10 f = x is linear, so the contour f = 10^0.3 is at 0.3 up to rounding.
+        let unit = (0.0, 1.0);
+        let power = |x: f64, _: f64| Some(10_f64.powf(x));
+        let samples = Samples::on(unit, unit, 40, power).expect("a rectangle");
+        let levels = vec![0.5, 10_f64.powf(0.3), 20.0];
+        let field = Field::of_samples(samples, Scale::Decades, levels).expect("positive");
+        let rings = field.rings(field.levels()[1]).expect("contours");
+        let lefts = rings[0].iter().filter(|point| point.0 < 0.9);
+        assert!(lefts.clone().count() >= 2);
+        assert!(lefts.clone().all(|point| (point.0 - 0.3).abs() <= 1e-9), "{rings:?}");
+        let samples = Samples::on(unit, unit, 40, power).expect("a rectangle");
+        let zero = Field::of_samples(samples, Scale::Decades, vec![0.0, 1.0]);
+        assert!(matches!(zero, Err(DrawingError::BadLevels { .. })));
     }
 
     #[test]

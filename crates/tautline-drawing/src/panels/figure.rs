@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use super::{
     colour_bar,
     end_label::EndLabel,
+    foot::Foot,
     frame::{self, Margins},
     key::Key,
     panel::{Height, Panel},
@@ -13,6 +14,7 @@ use super::{
 use crate::{
     error::DrawingError,
     geometry::Extent,
+    marks::Field,
     measures::{EDGE, GUTTER, LEADER_GAP},
     picture::Scene,
 };
@@ -25,24 +27,39 @@ pub struct Figure {
     title: String,
     rows: Vec<Vec<Panel>>,
     keyed: bool,
+    remarks: Vec<String>,
+}
+
+/// The columns of a figure: what each panel needs, what each column needs to the left and right of
+/// its frames, and the width of every frame, in px.
+struct Columns {
+    needs: Vec<Vec<Margins>>,
+    left: Vec<f64>,
+    right: Vec<f64>,
+    frame_width: f64,
 }
 
 /// A frame narrower than this, in px, has no readable axis.
 const NARROWEST: f64 = 90.0;
-/// The assumed height, in px, of panels whose height depends on their width.
-const GUESS: f64 = 200.0;
 
 impl Figure {
     /// Returns a figure that is `width` px wide and has rows with the same number of panels each.
     ///
     /// The title describes the picture to readers who cannot see it; it is not drawn.
     pub fn new(width: f64, title: impl Into<String>, rows: Vec<Vec<Panel>>) -> Figure {
-        Figure { width, title: title.into(), rows, keyed: false }
+        Figure { width, title: title.into(), rows, keyed: false, remarks: Vec::new() }
     }
 
     /// Names the curves in a key above the panels instead of at their ends.
     pub fn keyed(mut self) -> Figure {
         self.keyed = true;
+        self
+    }
+
+    /// Adds a remark below the panels, broken into lines at its spaces. The syntax is that of
+    /// [`typeset`](crate::math_text::typeset).
+    pub fn remark(mut self, remark: impl Into<String>) -> Figure {
+        self.remarks.push(remark.into());
         self
     }
 
@@ -57,24 +74,10 @@ impl Figure {
         if columns == 0 || self.rows.iter().any(|row| row.len() != columns) {
             return Err(DrawingError::NoPanels);
         }
-        let mut needs = Vec::with_capacity(self.rows.len());
-        for row in &self.rows {
-            let measured: Result<Vec<Margins>, _> =
-                row.iter().map(|panel| self.measure(panel)).collect();
-            needs.push(measured?);
-        }
-        // The frames in a column have the same left and right sides, so that rows align.
-        let most = |side: fn(&Margins) -> f64, column: usize| {
-            needs.iter().map(|row| side(&row[column])).fold(0.0, f64::max)
-        };
-        let left: Vec<f64> = (0..columns).map(|c| most(|m| m.left, c)).collect();
-        let right: Vec<f64> = (0..columns).map(|c| most(|m| m.right, c)).collect();
-        let labels: f64 = left.iter().chain(&right).sum();
-        let gutters = GUTTER * (columns - 1) as f64;
-        let frame_width = (self.width - 2.0 * EDGE - labels - gutters) / columns as f64;
-        if !(frame_width >= NARROWEST) {
-            return Err(DrawingError::TooNarrow { left: frame_width });
-        }
+        // The labels of a frame depend on its height, which may depend on its width, and that is
+        // what the labels leave. The first width is a guess.
+        let guess = self.columns(0.7 * self.width / columns as f64)?;
+        let Columns { needs, left, right, frame_width } = self.columns(guess.frame_width)?;
         let key = if self.keyed {
             Some(Key::of_panels(self.rows.iter().flatten(), self.width - 2.0 * EDGE)?)
         } else {
@@ -96,7 +99,11 @@ impl Figure {
             }
             top += below + GUTTER;
         }
-        let scene = RefCell::new(Scene::new(self.width, (top - GUTTER + EDGE).ceil(), &self.title));
+        let bottom = top - GUTTER + EDGE;
+        let foot = Foot::of_remarks(&self.remarks, self.width - 2.0 * EDGE)?;
+        let height = (bottom + foot.height()).ceil();
+        let scene = RefCell::new(Scene::new(self.width, height, &self.title));
+        foot.draw(&mut scene.borrow_mut(), (EDGE, bottom));
         if let Some(key) = key {
             key.draw(&scene, EDGE)?;
         }
@@ -108,16 +115,37 @@ impl Figure {
         Ok(scene)
     }
 
-    fn measure(&self, panel: &Panel) -> Result<Margins, DrawingError> {
-        let height = match panel.height {
-            Height::Px(height) => height,
-            Height::EqualUnits => GUESS,
+    /// Measures the labels around frames of about this width, and the width that they leave.
+    fn columns(&self, frame_width: f64) -> Result<Columns, DrawingError> {
+        let columns = self.rows[0].len();
+        let mut needs = Vec::with_capacity(self.rows.len());
+        for row in &self.rows {
+            let measured: Result<Vec<Margins>, _> =
+                row.iter().map(|panel| self.measure(panel, frame_width)).collect();
+            needs.push(measured?);
+        }
+        // The frames in a column have the same left and right sides, so that rows align.
+        let most = |side: fn(&Margins) -> f64, column: usize| {
+            needs.iter().map(|row| side(&row[column])).fold(0.0, f64::max)
         };
+        let left: Vec<f64> = (0..columns).map(|c| most(|m| m.left, c)).collect();
+        let right: Vec<f64> = (0..columns).map(|c| most(|m| m.right, c)).collect();
+        let labels: f64 = left.iter().chain(&right).sum();
+        let gutters = GUTTER * (columns - 1) as f64;
+        let frame_width = (self.width - 2.0 * EDGE - labels - gutters) / columns as f64;
+        if !(frame_width >= NARROWEST) {
+            return Err(DrawingError::TooNarrow { left: frame_width });
+        }
+        Ok(Columns { needs, left, right, frame_width })
+    }
+
+    fn measure(&self, panel: &Panel, frame_width: f64) -> Result<Margins, DrawingError> {
+        let height = panel.frame_height(frame_width);
         let trial = RefCell::new(Scene::new(self.width, height, ""));
         let frame = Extent { left: 0.0, top: 0.0, right: self.width / 3.0, bottom: height };
         let plots = frame::plots(panel, &trial, frame);
         let ends = self.end_labels(panel, &plots, frame)?;
-        let bar = panel.field.as_ref().map(|field| colour_bar::space(field, height));
+        let bar = panel.barred().map(|field| colour_bar::space(field, height));
         frame::margins(panel, &plots, &ends, bar.transpose()?.unwrap_or((0.0, 0.0)))
     }
 
@@ -147,6 +175,7 @@ impl Figure {
             if let Some(field) = &panel.field {
                 plot.field(field)?;
             }
+            panel.regions.iter().for_each(|region| plot.region(region));
             // All markers are drawn over all lines, so that no line crosses a point.
             let runs: Vec<_> =
                 panel.curves.iter().map(|curve| curve.runs(&panel.x, &panel.y)).collect();
@@ -167,7 +196,7 @@ impl Figure {
         for label in self.end_labels(panel, &plots, frame)? {
             label.draw(&mut scene.borrow_mut(), frame.right + end_gap.min(LEADER_GAP));
         }
-        match &panel.field {
+        match panel.barred() {
             Some(field) => colour_bar::draw(&mut scene.borrow_mut(), field, frame),
             None => Ok(()),
         }
@@ -175,6 +204,11 @@ impl Figure {
 }
 
 impl Panel {
+    /// Returns the field, if it has a colour bar.
+    fn barred(&self) -> Option<&Field> {
+        self.field.as_ref().filter(|field| field.has_bar)
+    }
+
     /// Returns the height of a frame of this width, in px.
     fn frame_height(&self, width: f64) -> f64 {
         match self.height {
@@ -267,5 +301,33 @@ mod tests {
         };
         let (run, rise) = (place("1").expect("a number"), place("2").expect("a number"));
         assert!(run.top > triangle.bottom && rise.right < triangle.left, "{run:?} {rise:?}");
+    }
+
+    #[test]
+    fn labels_are_measured_at_the_height_of_the_frame() {
+        // The taller the frame, the more digits its numbers have.
+        for top in [0.8, 1.9, 3.3, 7.0] {
+            let axis = |to| Axis::new(Scale::Linear, -0.3, to).expect("a range");
+            let panel = Panel::new(axis(3.0).labelled("$x$"), axis(top).labelled("$y$"));
+            let figure = Figure::new(440.0, "test", vec![vec![panel.equal_units().boxed()]]);
+            let scene = figure.draw().expect("space");
+            let labels: Vec<_> = scene.shapes().iter().filter_map(|s| s.label.clone()).collect();
+            let of = |name: &str| labels.iter().find(|label| label.0 == name).map(|label| label.1);
+            let y = of("y").expect("a label");
+            let numbers = labels.iter().filter(|(name, _)| name.parse::<f64>().is_ok());
+            let left = numbers.map(|(_, place)| place.left).fold(f64::INFINITY, f64::min);
+            assert!(left >= y.right + 10.0, "{top}: numbers from {left}, {y:?}");
+        }
+    }
+
+    #[test]
+    fn remarks_make_the_figure_taller() {
+        let figure = || Figure::new(400.0, "test", vec![vec![panel()]]);
+        let plain = figure().draw().expect("space");
+        let scene = figure().remark("What the reader must know.").draw().expect("space");
+        assert!(scene.height > plain.height + 10.0);
+        let last = scene.shapes().iter().filter_map(|s| s.label.as_ref());
+        let lowest = last.map(|(_, place)| place.top).fold(0.0, f64::max);
+        assert!(lowest > plain.height - 8.0, "{lowest}");
     }
 }

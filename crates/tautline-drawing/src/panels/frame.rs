@@ -36,7 +36,7 @@ const BREAK_REACH: f64 = 10.0;
 
 /// Returns the pieces of a panel with this frame, the lowest first. All have the same scale.
 pub(crate) fn plots<'a>(panel: &Panel, scene: &'a RefCell<Scene>, frame: Extent) -> Vec<Plot<'a>> {
-    let inset = if panel.field.is_some() { 0.0 } else { INSET };
+    let inset = if panel.boxed { 0.0 } else { INSET };
     let aside = if panel.flush { 0.0 } else { inset };
     let stretches = &panel.y.stretches;
     let total: f64 = stretches.iter().map(|stretch| stretch.length()).sum();
@@ -102,7 +102,7 @@ pub(crate) fn draw_grid(
     plots: &[Plot<'_>],
     frame: Extent,
 ) -> Result<(), DrawingError> {
-    if panel.field.is_some() {
+    if panel.boxed {
         return Ok(());
     }
     for (y, tick) in y_ticks(panel, plots)? {
@@ -162,7 +162,7 @@ pub(crate) fn draw_axes(
 /// Draws the axis lines, which are open at the top and right for curves, and closed around a
 /// heat-map.
 fn draw_spines(scene: &mut Scene, panel: &Panel, plots: &[Plot<'_>], frame: Extent) {
-    if panel.field.is_some() {
+    if panel.boxed {
         scene.push(Shape::stroked(Path::rectangle(frame), Stroke::solid(INK, FRAME)));
         return;
     }
@@ -180,7 +180,7 @@ fn draw_spines(scene: &mut Scene, panel: &Panel, plots: &[Plot<'_>], frame: Exte
 
 /// Returns the length of outward ticks. Over a heat-map inward ticks would not be visible.
 fn outward_tick(panel: &Panel) -> f64 {
-    if panel.field.is_some() { TICK } else { 0.0 }
+    if panel.boxed { TICK } else { 0.0 }
 }
 
 fn x_ticks(panel: &Panel, plots: &[Plot<'_>]) -> Result<Vec<Tick>, DrawingError> {

@@ -3,6 +3,7 @@
 mod colour_bar;
 mod end_label;
 mod figure;
+mod foot;
 mod frame;
 mod key;
 mod panel;

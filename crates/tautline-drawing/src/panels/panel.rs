@@ -2,7 +2,7 @@
 
 use crate::{
     axes::Axis,
-    marks::{Curve, Field, Note, SlopeTriangle},
+    marks::{Curve, Field, Note, Region, SlopeTriangle},
 };
 
 /// A panel of a figure, as data.
@@ -14,7 +14,9 @@ pub struct Panel {
     pub(crate) title: String,
     pub(crate) height: Height,
     pub(crate) flush: bool,
+    pub(crate) boxed: bool,
     pub(crate) field: Option<Field>,
+    pub(crate) regions: Vec<Region>,
     pub(crate) curves: Vec<Curve>,
     pub(crate) triangles: Vec<SlopeTriangle>,
     pub(crate) notes: Vec<Note>,
@@ -38,7 +40,9 @@ impl Panel {
             title: String::new(),
             height: Height::Px(300.0),
             flush: false,
+            boxed: false,
             field: None,
+            regions: Vec::new(),
             curves: Vec::new(),
             triangles: Vec::new(),
             notes: Vec::new(),
@@ -73,6 +77,19 @@ impl Panel {
     /// Draws a heat-map behind everything else, with its colour bar on the right.
     pub fn over(mut self, field: Field) -> Panel {
         self.field = Some(field);
+        self.boxed()
+    }
+
+    /// Draws a closed frame whose sides are the ends of the axes, without a grid, as around a
+    /// heat-map. This is for a map of the plane.
+    pub fn boxed(mut self) -> Panel {
+        self.boxed = true;
+        self
+    }
+
+    /// Adds an area, over the heat-map and the areas added before, and under all curves.
+    pub fn region(mut self, region: Region) -> Panel {
+        self.regions.push(region);
         self
     }
 

@@ -10,12 +10,15 @@ use plotters::style::{Color as _, RGBAColor, RGBColor, ShapeStyle};
 
 use crate::{
     axes::Stretch,
-    colours::{Colour, palette::INK},
+    colours::{
+        Colour,
+        palette::{GREY, INK},
+    },
     error::DrawingError,
     geometry::{Extent, Path},
-    marks::{Curve, Field, Marker},
+    marks::{Curve, Field, Gaps, Marker, Region},
     measures::MARKER,
-    picture::{Recorder, Scene, Shape, UNITS, units},
+    picture::{Paint, Recorder, Scene, Shape, Stroke, UNITS, units},
 };
 
 /// Coordinates of plotters on a rectangle of the canvas.
@@ -108,17 +111,61 @@ impl<'a> Plot<'a> {
             shape.clip = Some(self.clip);
             self.scene.borrow_mut().push(shape);
         }
-        if field.line_every == 0 {
-            return Ok(());
-        }
-        let area = self.area(&[]);
-        for level in levels.iter().step_by(field.line_every) {
-            for ring in field.rings(*level)? {
-                let style = line(INK, 0.4, 0.6);
-                area.draw(&PathElement::new(ring, style)).map_err(refused)?;
+        if field.line_every > 0 {
+            let area = self.area(&[]);
+            for level in levels.iter().step_by(field.line_every) {
+                for ring in field.rings(*level)? {
+                    let style = line(INK, 0.4, 0.6);
+                    area.draw(&PathElement::new(ring, style)).map_err(refused)?;
+                }
             }
         }
+        match &field.gaps {
+            Some(gaps) => self.gaps(gaps),
+            None => Ok(()),
+        }
+    }
+
+    /// Paints what has no value white, and hatches it.
+    fn gaps(&self, gaps: &Gaps) -> Result<(), DrawingError> {
+        self.push(self.outline(gaps.rings()?), Some(Colour::WHITE.into()), None);
+        let mut lines = Path::default();
+        for ends in gaps.hatching() {
+            lines.append(&Path::polyline(ends.map(|end| self.place(end)), false));
+        }
+        let mut stroke = Stroke::solid(GREY, 0.7);
+        stroke.paint.opacity = 0.6;
+        self.push(lines, None, Some(stroke));
         Ok(())
+    }
+
+    /// Draws an area with its outline.
+    pub(crate) fn region(&self, region: &Region) {
+        let path = self.outline(region.rings.clone());
+        if region.halo {
+            let rim = region.outline.clone().map(|stroke| {
+                let width = stroke.width + 2.4;
+                Stroke { paint: Paint { colour: Colour::WHITE, opacity: 0.9 }, width, ..stroke }
+            });
+            self.push(path.clone(), None, rim);
+        }
+        self.push(path, region.fill, region.outline.clone());
+    }
+
+    /// Returns closed rings of data points as a path.
+    fn outline(&self, rings: Vec<Vec<(f64, f64)>>) -> Path {
+        let mut path = Path::default();
+        for ring in rings {
+            path.append(&Path::polyline(ring.into_iter().map(|p| self.place(p)), true));
+        }
+        path
+    }
+
+    fn push(&self, path: Path, fill: Option<Paint>, stroke: Option<Stroke>) {
+        if !path.segments().is_empty() {
+            let shape = Shape { path, fill, stroke, clip: Some(self.clip), label: None };
+            self.scene.borrow_mut().push(shape);
+        }
     }
 }
 
@@ -178,11 +225,11 @@ fn refused(error: impl Display) -> DrawingError {
 
 #[cfg(test)]
 mod tests {
-    use super::{Curve, Extent, Field, Plot, RefCell, Scene};
+    use super::{Colour, Curve, Extent, Field, Plot, RefCell, Region, Scene, Shape};
     use crate::{
         axes::{Axis, Scale},
         colours::palette::BLUE,
-        marks::Marker,
+        marks::{Marker, Samples},
     };
 
     #[test]
@@ -209,5 +256,39 @@ mod tests {
         let markers = scene.shapes().iter().filter(|s| s.fill.is_some_and(|f| f.colour == BLUE));
         assert_eq!(markers.count(), 1);
         assert_eq!(plot.place((0.5, 0.25)), (60.0, 85.0));
+    }
+
+    #[test]
+    fn an_area_has_its_rim_under_its_outline_and_a_gap_is_white() {
+        let scene = RefCell::new(Scene::new(120.0, 120.0, "test"));
+        let clip = Extent { left: 10.0, top: 10.0, right: 110.0, bottom: 110.0 };
+        let stretch = Axis::new(Scale::Linear, 0.0, 1.0).expect("a range").stretches[0];
+        let plot = Plot {
+            scene: &scene,
+            x: stretch,
+            y: stretch,
+            across: (10.0, 110.0),
+            up: (110.0, 10.0),
+            clip,
+        };
+        let square = vec![(0.0, 0.0), (0.5, 0.0), (0.5, 0.5), (0.0, 0.5)];
+        plot.region(&Region::new(vec![square]).filled(BLUE, 0.3).outlined(BLUE, 1.5).over_field());
+        let unit = (0.0, 1.0);
+        let half = |x: f64, _: f64| (x > 0.5).then_some(x);
+        let samples = Samples::on(unit, unit, 40, half).expect("a rectangle");
+        let field = Field::of_samples(samples, Scale::Linear, vec![0.0, 1.0]).expect("increasing");
+        plot.field(&field).expect("contours");
+        let scene = scene.borrow();
+        let [rim, area, _ground, white, lines] = &scene.shapes()[1..] else {
+            panic!("{:?}", scene.shapes())
+        };
+        let width = |shape: &Shape| shape.stroke.as_ref().map(|stroke| stroke.width);
+        assert!(rim.fill.is_none() && width(rim) > width(area));
+        let expected = Extent { left: 10.0, top: 60.0, right: 60.0, bottom: 110.0 };
+        assert_eq!(area.path.extent(), Some(expected));
+        // The gap is found to half a third of a cell, that is 0.4 px.
+        let right = white.path.extent().expect("a gap").right;
+        assert!((right - 60.0).abs() <= 0.5 && white.fill == Some(Colour::WHITE.into()), "{right}");
+        assert!(lines.path.segments().len() > 10);
     }
 }

@@ -1,0 +1,7 @@
+//! What a portrait shows, read from the finished drawing.
+
+mod extremes;
+mod metric;
+mod places;
+mod reading;
+mod refusals;
