@@ -1,12 +1,36 @@
 //! The command `tautline`.
-use tautline_problem::{Question, Failure};
-fn main() {
-    let path = std::env::args().nth(1).unwrap();
-    let file = std::fs::read_to_string(&path).unwrap();
-    let answer = Question::read(&file).map_err(Failure::from).and_then(|q| q.solve(&mut |_| ()));
-    match answer {
-        Ok(a) => println!("{:#?}", tautline_problem::Answer { curve: vec![], ..a }),
-        Err(Failure::BadInput(d)) => println!("{}", d.render(&path, &file, false)),
-        Err(e) => println!("{e}"),
+
+mod arguments;
+mod decimal;
+mod error;
+mod examples;
+mod problem;
+mod report;
+mod timed;
+mod verbs;
+mod write;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use arguments::{Arguments, Verb};
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().verb {
+        Verb::Solve(arguments) => verbs::solve::solve(&arguments),
+        Verb::Constants(arguments) => verbs::constants::constants(&arguments),
+        Verb::Audit(arguments) => verbs::audit::audit(&arguments),
+        Verb::Plot(arguments) => verbs::plot::plot(&arguments),
+        Verb::Schema(arguments) => verbs::schema::schema(&arguments),
+        Verb::Examples(arguments) => examples::examples(&arguments),
+        Verb::Completions(arguments) => verbs::completions::completions(&arguments),
+    };
+    match done {
+        Ok(code) => code,
+        Err(error) => {
+            eprintln!("{error}");
+            error.code()
+        }
     }
 }

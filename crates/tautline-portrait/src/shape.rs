@@ -2,7 +2,6 @@
 
 /// A closed set in `R^D`. An end of a problem is a union of them.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Shape {
     /// A point.
     Point(Vec<f64>),

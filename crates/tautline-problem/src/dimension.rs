@@ -8,13 +8,16 @@ pub const LARGEST_DIMENSION: usize = 12;
 pub const LARGEST_PROVED_DIMENSION: usize = 6;
 
 /// What is done in a dimension.
-pub(crate) trait InDimension {
+pub trait InDimension {
+    /// What it returns.
     type Output;
+
+    /// Does it in the dimension `D`.
     fn run<const D: usize>(self) -> Self::Output;
 }
 
 /// Does something in the dimension `d`; returns `None` if it is 0 or above [`LARGEST_DIMENSION`].
-pub(crate) fn in_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
+pub fn in_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
     Some(match d {
         1 => task.run::<1>(),
         2 => task.run::<2>(),

@@ -23,6 +23,7 @@
 //! ```
 
 mod answer;
+mod constants;
 mod diagnostic;
 mod dimension;
 mod failure;
@@ -33,17 +34,21 @@ mod gallery;
 mod meant;
 mod numbers;
 mod parse;
+mod picture;
 mod question;
+mod schema;
 mod shape;
 mod solve;
 
 pub use answer::{
     Answer, BallAnswer, Bounds, Estimated, GlobalMinimum, OtherMinimum, Search, UsedConstants,
 };
+pub use constants::{ConstantAnswer, ConstantsAnswer};
 pub use diagnostic::Diagnostic;
-pub use dimension::{LARGEST_DIMENSION, LARGEST_PROVED_DIMENSION};
+pub use dimension::{InDimension, LARGEST_DIMENSION, LARGEST_PROVED_DIMENSION, in_dimension};
 pub use failure::Failure;
 pub use float::Float;
-pub use question::{FieldOfView, Grid, Question, View};
-pub use shape::Shape;
-pub use solve::Gram;
+pub use question::{Grid, Question};
+pub use schema::{answer_schema, constants_schema, problem_schema};
+pub use schemars::Schema;
+pub use tautline_portrait::{Scene, pdf, png, svg};

@@ -2,10 +2,11 @@
 
 use std::{ops::Range, time::Duration};
 
-use tautline::Constants;
+use tautline::{Constants, Formula};
+use tautline_portrait::{Field, Shape};
 
 use crate::{
-    Diagnostic, LARGEST_DIMENSION, Shape,
+    Diagnostic, LARGEST_DIMENSION,
     file::{
         ProblemFile,
         expression::Text,
@@ -13,6 +14,7 @@ use crate::{
         request::{CertifyFile, ConstantsFile, FieldFile, RuleFile, SolveFile},
         set::{AffineFile, Corners, HalfSpaceFile, Round, SegmentFile, SetFile, Vector},
     },
+    formula::formula,
     numbers::{Numbers, counted},
     parse::parse,
     shape::Piece,
@@ -29,24 +31,12 @@ pub enum Grid {
 
 /// What a file asks to be drawn.
 #[derive(Clone, Debug, PartialEq)]
-pub struct View {
-    /// The two coordinates, from 0.
-    pub coordinates: [usize; 2],
-    /// How the metric is drawn.
-    pub field: FieldOfView,
-    /// The lower and the upper corner of the part of the plane; `None` to choose it by the curve.
-    pub window: Option<[[f64; 2]; 2]>,
-}
-
-/// How a picture shows the metric.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FieldOfView {
-    /// Filled contours of `det H`.
-    Determinant,
-    /// Ellipses `vᵀHv = const`.
-    Ellipses,
-    /// Nothing.
-    Plain,
+pub(crate) struct View {
+    /// The two coordinates, from 0; `None` to choose them by the curve.
+    pub(crate) coordinates: Option<[usize; 2]>,
+    pub(crate) field: Field,
+    /// The range of each drawn coordinate; `None` to choose it by the curve.
+    pub(crate) window: Option<[[f64; 2]; 2]>,
 }
 
 /// A problem file that was read and evaluated, but for its formula.
@@ -153,6 +143,45 @@ impl Question {
         self.dimension
     }
 
+    /// Returns the formula of the metric.
+    ///
+    /// # Errors
+    ///
+    /// [`Diagnostic`] with the place in the file, if an expression is wrong or if `D` is not the
+    /// number of coordinates.
+    pub fn formula<const D: usize>(&self) -> Result<Formula<D>, Diagnostic> {
+        if D != self.dimension {
+            let message =
+                format!("the metric has {}, not {D}", counted(self.dimension, "coordinate"));
+            return Err(Diagnostic::new(message, self.problem.metric.span()));
+        }
+        formula(&self.problem, &self.numbers())
+    }
+
+    /// Returns the corners of the box in which an audit draws samples, if the file has one.
+    #[must_use]
+    pub fn audit_region(&self) -> Option<&[Vec<f64>; 2]> {
+        self.region.as_ref()
+    }
+
+    /// Returns the number of random samples for each law of an audit, if the file has one.
+    #[must_use]
+    pub fn audit_cases(&self) -> Option<u32> {
+        self.cases
+    }
+
+    /// Returns the seed of the samples of an audit, if the file has one.
+    #[must_use]
+    pub fn audit_seed(&self) -> Option<u64> {
+        self.seed
+    }
+
+    /// Returns the constants that the file claims for the metric.
+    #[must_use]
+    pub fn claimed_constants(&self) -> Option<Constants> {
+        self.claimed
+    }
+
     /// Returns the time after which everything stops.
     #[must_use]
     pub fn time_limit(&self) -> Option<Duration> {
@@ -164,22 +193,15 @@ impl Question {
         self.grid = grid;
     }
 
-    /// Replaces the time limit.
-    pub fn set_time_limit(&mut self, limit: Duration) {
-        self.time_limit = Some(limit);
+    /// Asks for no bounds.
+    pub fn without_bounds(&mut self) {
+        self.bound = false;
     }
 
-    /// Returns what is drawn.
+    /// Returns whether the file has the two sets between which a curve runs.
     #[must_use]
-    pub fn view(&self) -> &View {
-        &self.view
-    }
-
-    /// Returns the pieces of the two sets; `None` if the file has none.
-    #[must_use]
-    pub fn ends(&self) -> Option<[Vec<&Shape>; 2]> {
-        let [from, to] = self.ends.as_ref()?;
-        Some([from, to].map(|pieces| pieces.iter().map(|piece| &piece.shape).collect()))
+    pub fn has_ends(&self) -> bool {
+        self.ends.is_some()
     }
 
     pub(crate) fn numbers(&self) -> Numbers<'_> {
@@ -235,19 +257,19 @@ fn pieces(
         }
         SetFile::Box(corners @ Corners { lower, upper }) => {
             let places = vec![lower.span(), upper.span()];
-            let [lower, upper] = self::corners(corners, numbers, dimension)?;
-            (Shape::Box { lower, upper }, places)
+            let [low, high] = self::corners(corners, numbers, dimension)?;
+            (Shape::AxisBox { low, high }, places)
         }
         SetFile::HalfSpace(HalfSpaceFile { normal, at_least, at_most }) => {
             let places = vec![normal.span()];
             let (span, normal) = (normal.span(), vector(normal)?);
             match (at_least, at_most) {
                 (Some(at_least), None) => {
-                    (Shape::HalfSpace { normal, at_least: numbers.number(at_least)? }, places)
+                    let normal = normal.iter().map(|x| -x).collect();
+                    (Shape::HalfSpace { normal, offset: -numbers.number(at_least)? }, places)
                 }
                 (None, Some(at_most)) => {
-                    let normal = normal.iter().map(|x| -x).collect();
-                    (Shape::HalfSpace { normal, at_least: -numbers.number(at_most)? }, places)
+                    (Shape::HalfSpace { normal, offset: numbers.number(at_most)? }, places)
                 }
                 (Some(_), Some(other)) => {
                     return Err(Diagnostic::new("a half-space has one side", other.span())
@@ -266,8 +288,8 @@ fn pieces(
         SetFile::Affine(AffineFile { through, directions }) => {
             let spans = directions.get_ref().iter().map(Placed::span);
             let places = std::iter::once(through.span()).chain(spans).collect();
-            let (through, directions) = (vector(through)?, list(directions.get_ref())?);
-            (Shape::Affine { through, directions }, places)
+            let (point, directions) = (vector(through)?, list(directions.get_ref())?);
+            (Shape::AffineSubspace { point, directions }, places)
         }
         SetFile::Union(sets) => {
             let sets_of = |set| pieces(set, numbers, dimension);
@@ -367,7 +389,7 @@ fn view(
 ) -> Result<View, Diagnostic> {
     let output = &problem.output;
     let coordinates = match &output.coordinates {
-        None => [0, 1.min(dimension - 1)],
+        None => None,
         Some(chosen) => {
             let [a, b] = *chosen.get_ref();
             let all = 1..=dimension;
@@ -375,13 +397,13 @@ fn view(
                 let label = format!("expected two of the coordinates 1 to {dimension}");
                 return Err(Diagnostic::new("no such plane", chosen.span()).label(label));
             }
-            [a - 1, b - 1]
+            Some([a - 1, b - 1])
         }
     };
     let field = match output.field {
-        FieldFile::Determinant => FieldOfView::Determinant,
-        FieldFile::Ellipses => FieldOfView::Ellipses,
-        FieldFile::Plain => FieldOfView::Plain,
+        FieldFile::Determinant => Field::Determinant,
+        FieldFile::Ellipses => Field::Ellipses,
+        FieldFile::Plain => Field::Plain,
     };
     let window = match &output.window {
         None => None,
@@ -391,7 +413,7 @@ fn view(
                 return Err(Diagnostic::new("an empty window", window.upper.span())
                     .label("expected larger coordinates than those of lower"));
             }
-            Some([[lower[0], lower[1]], [upper[0], upper[1]]])
+            Some([[lower[0], upper[0]], [lower[1], upper[1]]])
         }
     };
     Ok(View { coordinates, field, window })

@@ -1,4 +1,4 @@
-//! `Shape`: a closed set as numbers, in any dimension.
+//! The closed sets that shapes stand for, in any dimension.
 
 use std::{ops::Range, sync::Arc};
 
@@ -6,59 +6,9 @@ use tautline::{
     AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, SVector, Segment,
     SetError, Sphere, Union,
 };
+use tautline_portrait::Shape;
 
 use crate::Diagnostic;
-
-/// A closed set of `R^D`, given by its numbers in `ℓ`.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
-    /// A point.
-    Point(Vec<f64>),
-    /// Finitely many points.
-    Points(Vec<Vec<f64>>),
-    /// The ball `|x − centre| ≤ radius`.
-    Ball {
-        /// The centre.
-        centre: Vec<f64>,
-        /// The radius.
-        radius: f64,
-    },
-    /// The sphere `|x − centre| = radius`.
-    Sphere {
-        /// The centre.
-        centre: Vec<f64>,
-        /// The radius.
-        radius: f64,
-    },
-    /// The box between two corners.
-    Box {
-        /// The lower corner.
-        lower: Vec<f64>,
-        /// The upper corner.
-        upper: Vec<f64>,
-    },
-    /// The half-space `normal·x ≥ at_least`.
-    HalfSpace {
-        /// A vector that points into the set.
-        normal: Vec<f64>,
-        /// The least value of `normal·x`.
-        at_least: f64,
-    },
-    /// The segment between two points.
-    Segment {
-        /// One end.
-        from: Vec<f64>,
-        /// The other end.
-        to: Vec<f64>,
-    },
-    /// An affine subspace.
-    Affine {
-        /// A point of the subspace.
-        through: Vec<f64>,
-        /// Its directions.
-        directions: Vec<Vec<f64>>,
-    },
-}
 
 /// A shape of an end, and where it stands in the file.
 #[derive(Clone, Debug)]
@@ -83,29 +33,25 @@ impl Piece {
     }
 
     pub(crate) fn set<const D: usize>(&self) -> Result<Arc<dyn ClosedSet<D>>, Diagnostic> {
-        self.shape.set().map_err(|error| Diagnostic::new(error.to_string(), self.place(&error)))
+        set(&self.shape).map_err(|error| Diagnostic::new(error.to_string(), self.place(&error)))
     }
 }
 
-impl Shape {
-    /// Returns the set. The vectors must have `D` coordinates; missing ones count as 0.
-    fn set<const D: usize>(&self) -> Result<Arc<dyn ClosedSet<D>>, SetError> {
-        let at = vector::<D>;
-        Ok(match self {
-            Shape::Point(x) => Arc::new(Point::new(at(x))?),
-            Shape::Points(points) => Arc::new(FiniteSet::new(points.iter().map(|x| at(x)))?),
-            Shape::Ball { centre, radius } => Arc::new(Ball::new(at(centre), *radius)?),
-            Shape::Sphere { centre, radius } => Arc::new(Sphere::new(at(centre), *radius)?),
-            Shape::Box { lower, upper } => Arc::new(AxisBox::from_corners(at(lower), at(upper))?),
-            Shape::HalfSpace { normal, at_least } => {
-                Arc::new(HalfSpace::at_least(at(normal), *at_least)?)
-            }
-            Shape::Segment { from, to } => Arc::new(Segment::new(at(from), at(to))?),
-            Shape::Affine { through, directions } => {
-                Arc::new(AffineSubspace::new(at(through), directions.iter().map(|x| at(x)))?)
-            }
-        })
-    }
+/// Returns the set. The vectors must have `D` coordinates; missing ones count as 0.
+fn set<const D: usize>(shape: &Shape) -> Result<Arc<dyn ClosedSet<D>>, SetError> {
+    let at = vector::<D>;
+    Ok(match shape {
+        Shape::Point(x) => Arc::new(Point::new(at(x))?),
+        Shape::Points(points) => Arc::new(FiniteSet::new(points.iter().map(|x| at(x)))?),
+        Shape::Ball { centre, radius } => Arc::new(Ball::new(at(centre), *radius)?),
+        Shape::Sphere { centre, radius } => Arc::new(Sphere::new(at(centre), *radius)?),
+        Shape::AxisBox { low, high } => Arc::new(AxisBox::from_corners(at(low), at(high))?),
+        Shape::HalfSpace { normal, offset } => Arc::new(HalfSpace::new(at(normal), *offset)?),
+        Shape::Segment { from, to } => Arc::new(Segment::new(at(from), at(to))?),
+        Shape::AffineSubspace { point, directions } => {
+            Arc::new(AffineSubspace::new(at(point), directions.iter().map(|x| at(x)))?)
+        }
+    })
 }
 
 /// Returns the first `D` coordinates.

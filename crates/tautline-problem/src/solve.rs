@@ -1,22 +1,22 @@
 //! Solves the problem of a file.
 
-use std::sync::Arc;
-
 use tautline::{
-    Constants, Curvature, Ends, Formula, Integral, Interpolation, LARGEST_N, LeftEndpoint, Metric,
-    Options, PointSequence, Problem, Rule, RuleOfThePaper, SVector, SolveError, Starts, Stop,
-    TautLine, Trapezoidal, TrueTrapezoid,
+    Constants, Curvature, Ends, Formula, Integral, Interpolation, LARGEST_N, LeftEndpoint, Options,
+    PointSequence, Problem, Rule, RuleOfThePaper, SolveError, Starts, Stop, TautLine, Trapezoidal,
+    TrueTrapezoid,
     bounds::{Enclosure, FromAbove, FromBelow},
     certify::Accuracy,
 };
 
+use tautline_portrait::Shape;
+
 use crate::{
     Answer, BallAnswer, Bounds, Diagnostic, Estimated, Failure, GlobalMinimum, Grid, OtherMinimum,
     Question, Search, UsedConstants,
+    constants::too_many_coordinates,
     dimension::{InDimension, LARGEST_PROVED_DIMENSION, in_dimension},
     file::request::RuleFile,
-    formula::formula,
-    shape::{union, vector},
+    shape::{Piece, union, vector},
 };
 
 impl Question {
@@ -43,7 +43,7 @@ impl InDimension for Solve<'_> {
 
     fn run<const D: usize>(self) -> Self::Output {
         let Self { question, solved } = self;
-        let formula = formula::<D>(&question.problem, &question.numbers())?;
+        let formula = question.formula::<D>()?;
         let problem = Problem::new(formula, question.pair::<D>()?);
         let options = question.options::<D>()?;
         match question.rule {
@@ -76,7 +76,7 @@ fn bounds<R: RuleOfThePaper, const D: usize>(
     }
     // The compiler decides.
     if const { D > LARGEST_PROVED_DIMENSION } {
-        return Err(too_many_coordinates());
+        return Err(too_many_coordinates().to_string());
     }
     let accuracy = Accuracy { tolerance: question.accuracy, budget: question.boxes };
     let proof = line.prove(accuracy).map_err(|error| error.to_string())?;
@@ -84,14 +84,6 @@ fn bounds<R: RuleOfThePaper, const D: usize>(
         .within
         .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
     Ok(in_words(proof.enclosure, used(proof.constants, true, within)))
-}
-
-/// Says why nothing is proved in many dimensions.
-fn too_many_coordinates() -> String {
-    format!(
-        "constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions; claim \
-         c1, c2 and l_h in [certify], constants"
-    )
 }
 
 pub(crate) fn used(
@@ -147,9 +139,9 @@ impl Question {
             return Err(Diagnostic::new("[from] and [to] are missing", metric)
                 .help("a problem has a metric and two sets between which a curve runs"));
         };
-        let first = |pieces: &[crate::shape::Piece]| match pieces {
+        let first = |pieces: &[Piece]| match pieces {
             [piece] => match &piece.shape {
-                crate::Shape::Point(x) => Some(vector::<D>(x)),
+                Shape::Point(x) => Some(vector::<D>(x)),
                 _ => None,
             },
             _ => None,
@@ -261,34 +253,7 @@ impl Question {
         }
         Ok(answer)
     }
-
-    /// Returns the function `x ↦ H(x)`, column by column. It returns `None` where `H` is not
-    /// finite, and for a point of another dimension.
-    ///
-    /// # Errors
-    ///
-    /// [`Diagnostic`] with the place in the file, if the formula is wrong.
-    pub fn gram(&self) -> Result<Gram, Diagnostic> {
-        struct Make<'q>(&'q Question);
-        impl InDimension for Make<'_> {
-            type Output = Result<Gram, Diagnostic>;
-
-            fn run<const D: usize>(self) -> Self::Output {
-                let formula = formula::<D>(&self.0.problem, &self.0.numbers())?;
-                Ok(Arc::new(move |x| {
-                    let x: [f64; D] = x.try_into().ok()?;
-                    let h = formula.gram(&SVector::from(x));
-                    h.iter().all(|entry| entry.is_finite()).then(|| h.as_slice().to_vec())
-                }))
-            }
-        }
-        let none: Gram = Arc::new(|_| None);
-        in_dimension(self.dimension, Make(self)).unwrap_or(Ok(none))
-    }
 }
-
-/// A function from points to matrices, column by column.
-pub type Gram = Arc<dyn Fn(&[f64]) -> Option<Vec<f64>> + Send + Sync>;
 
 /// The grid from which a tolerance is judged. It needs coarser grids for the extrapolation.
 const FIRST_GRID: usize = 128;

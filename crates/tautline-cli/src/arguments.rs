@@ -1,0 +1,165 @@
+//! The verbs of the command, and their options.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+/// Shortest curves between two sets, under a metric that you type, with bounds on the distance.
+///
+/// Exit codes: 0 done, 1 not converged or not proved, 2 bad input.
+#[derive(Debug, Parser)]
+#[command(
+    name = "tautline",
+    version,
+    after_help = "Begin with: tautline examples valleys --to . && tautline solve valleys.toml"
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    Solve(Solve),
+    Constants(Constants),
+    Audit(Audit),
+    Plot(Plot),
+    Schema(Schema),
+    Examples(Examples),
+    Completions(Completions),
+}
+
+/// Finds a shortest curve, and bounds the distance from both sides.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline examples valleys --to .
+  $ tautline solve valleys.toml --plot valleys.svg
+prints the bounds, the length, how the search ended and the constants it used, and draws the curve.")]
+pub(crate) struct Solve {
+    /// The problem file; - reads standard input.
+    pub(crate) file: PathBuf,
+    /// Print one JSON document; `tautline schema answer` describes it.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Draw the problem and its curve: a file that ends in .svg, .png or .pdf. May be repeated.
+    #[arg(long, value_name = "PICTURE")]
+    pub(crate) plot: Vec<PathBuf>,
+    /// The number of chords, in place of that of the file.
+    #[arg(short, long = "chords", value_name = "N", conflicts_with = "tolerance")]
+    pub(crate) n: Option<usize>,
+    /// The relative error of the length, in place of a number of chords.
+    #[arg(long, value_name = "ERROR")]
+    pub(crate) tolerance: Option<f64>,
+    /// Stop after this many seconds, with what is known by then.
+    #[arg(long, value_name = "SECONDS")]
+    pub(crate) time_limit: Option<f64>,
+    /// Prove no bounds.
+    #[arg(long)]
+    pub(crate) no_bounds: bool,
+}
+
+/// Proves the constants c1, c2, L_H and M_H of the metric from its formula, or says why not.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline examples valleys --to .
+  $ tautline constants valleys.toml
+A metric that is neither periodic nor constant far away has constants in a region only: name it in
+the file with [certify] and within = { ball = { centre = [0, 0], radius = 1 } }.")]
+pub(crate) struct Constants {
+    /// The problem file, of which only the metric counts; - reads standard input.
+    pub(crate) file: PathBuf,
+    /// Print one JSON document; `tautline schema constants` describes it.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Stop after this many seconds.
+    #[arg(long, value_name = "SECONDS")]
+    pub(crate) time_limit: Option<f64>,
+}
+
+/// Tests the metric and its constants against every law and every statement of the paper.
+///
+/// The audit is a program of its own, tautline-audit, since it takes some minutes to build.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ cargo build --package tautline-audit
+  $ tautline audit valleys.toml --markdown")]
+pub(crate) struct Audit {
+    /// Arguments of tautline-audit; see `tautline-audit --help`.
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    pub(crate) arguments: Vec<std::ffi::OsString>,
+}
+
+/// Draws the metric and the sets, and the curve if the file has two sets.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline examples valleys --to .
+  $ tautline plot valleys.toml valleys.pdf
+[output] in the file chooses the coordinates, the window, and contours of det H or ellipses.")]
+pub(crate) struct Plot {
+    /// The problem file; - reads standard input.
+    pub(crate) file: PathBuf,
+    /// The pictures: files that end in .svg, .png or .pdf.
+    #[arg(required = true)]
+    pub(crate) pictures: Vec<PathBuf>,
+    /// Draw the metric and the sets alone.
+    #[arg(long)]
+    pub(crate) no_curve: bool,
+}
+
+/// Prints the JSON schema of problem files or of answers.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline schema problem > problem.schema.json
+Editors with TOML support complete and check a file that begins with
+  #:schema ./problem.schema.json")]
+pub(crate) struct Schema {
+    /// What is described.
+    #[arg(default_value = "problem")]
+    pub(crate) of: Described,
+}
+
+/// What a schema describes.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Described {
+    /// A problem file.
+    Problem,
+    /// What `solve --json` prints.
+    Answer,
+    /// What `constants --json` prints.
+    Constants,
+}
+
+/// Writes a commented problem file for a question that you may have.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline examples
+  $ tautline examples two_channels --to .
+  $ tautline solve two_channels.toml
+Without names it lists all examples; without --to it prints the file.")]
+pub(crate) struct Examples {
+    /// The names of examples.
+    pub(crate) names: Vec<String>,
+    /// Write all examples.
+    #[arg(long, conflicts_with = "names", requires = "to")]
+    pub(crate) all: bool,
+    /// The folder in which NAME.toml is written. An existing file is not replaced.
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) to: Option<PathBuf>,
+}
+
+/// Prints a script that completes the verbs and options in a shell.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline completions bash > ~/.local/share/bash-completion/completions/tautline")]
+pub(crate) struct Completions {
+    /// The shell.
+    pub(crate) shell: Shell,
+}

@@ -1,0 +1,8 @@
+//! The verbs, one a file.
+
+pub(crate) mod audit;
+pub(crate) mod completions;
+pub(crate) mod constants;
+pub(crate) mod plot;
+pub(crate) mod schema;
+pub(crate) mod solve;

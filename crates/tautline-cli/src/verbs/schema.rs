@@ -1,0 +1,23 @@
+//! `tautline schema`.
+
+use std::process::ExitCode;
+
+use tautline_problem::{answer_schema, constants_schema, problem_schema};
+
+use crate::{
+    arguments::{Described, Schema},
+    error::CommandError,
+    write::print,
+};
+
+/// Prints a JSON schema.
+pub(crate) fn schema(arguments: &Schema) -> Result<ExitCode, CommandError> {
+    let schema = match arguments.of {
+        Described::Problem => problem_schema(),
+        Described::Answer => answer_schema(),
+        Described::Constants => constants_schema(),
+    };
+    let text = serde_json::to_string_pretty(&schema);
+    print(&format!("{}\n", text.map_err(|error| CommandError::NotDone(error.to_string()))?))?;
+    Ok(ExitCode::SUCCESS)
+}

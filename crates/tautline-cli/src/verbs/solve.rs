@@ -1,0 +1,67 @@
+//! `tautline solve`.
+
+use std::process::ExitCode;
+
+use tautline_problem::{Answer, Failure, Grid};
+
+use crate::{
+    arguments::Solve,
+    error::CommandError,
+    problem::ProblemText,
+    report,
+    timed::{seconds, timed},
+    write::{check_pictures, print, write_picture},
+};
+
+/// Solves the problem of a file, prints the answer, and draws it.
+pub(crate) fn solve(arguments: &Solve) -> Result<ExitCode, CommandError> {
+    check_pictures(&arguments.plot)?;
+    let limit = seconds(arguments.time_limit)?;
+    let mut problem = ProblemText::read(&arguments.file)?;
+    match (arguments.n, arguments.tolerance) {
+        (Some(0), _) => return Err(CommandError::BadArgument("-n 0: no chord".to_owned())),
+        (Some(n), _) => problem.question.set_grid(Grid::Chords(n)),
+        (None, Some(tolerance)) if tolerance > 0.0 && tolerance < 1.0 => {
+            problem.question.set_grid(Grid::Tolerance(tolerance));
+        }
+        (None, Some(tolerance)) => {
+            let message = format!("a tolerance of {tolerance} is not between 0 and 1");
+            return Err(CommandError::BadArgument(message));
+        }
+        (None, None) => {}
+    }
+    if arguments.no_bounds {
+        problem.question.without_bounds();
+    }
+    let limit = limit.or(problem.question.time_limit());
+    let answer = solved(&problem, limit)?;
+    for path in &arguments.plot {
+        let picture = problem.question.picture(Some(&answer));
+        write_picture(path, &picture.map_err(|failure| problem.explain(failure))?)?;
+    }
+    if arguments.json {
+        let json = serde_json::to_string_pretty(&answer);
+        let json = json.map_err(|error| CommandError::NotDone(error.to_string()))?;
+        print(&format!("{json}\n"))?;
+    } else {
+        print(&report::answer(&answer))?;
+    }
+    let is_done = answer.search.converged && answer.no_bounds.is_none();
+    Ok(if is_done { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+/// Returns the answer, or the part that is known when time runs out.
+pub(crate) fn solved(
+    problem: &ProblemText,
+    limit: Option<std::time::Duration>,
+) -> Result<Answer, CommandError> {
+    let question = problem.question.clone();
+    let reported = timed(limit, "solving", move |report| {
+        question.solve(&mut |answer: &Answer| {
+            // Nobody listens any more once time has run out.
+            let _ = report.send(Ok(answer.clone()));
+        })
+    })?;
+    let too_late = || Failure::NotComputed("no curve was found within the time limit".to_owned());
+    reported.unwrap_or_else(|| Err(too_late())).map_err(|failure| problem.explain(failure))
+}

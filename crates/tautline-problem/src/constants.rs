@@ -1,0 +1,177 @@
+//! The constants of the metric of a file, proved from its formula.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use tautline::{
+    AxisBox, Ball, CertifyError, Domain, Formula, Quantity,
+    certify::{Accuracy, Cell, certify},
+};
+use tautline_portrait::Shape;
+
+use crate::{
+    Diagnostic, Failure, Float, LARGEST_PROVED_DIMENSION, Question,
+    dimension::{InDimension, in_dimension},
+    shape::vector,
+};
+
+/// The constants of a metric, and where they hold.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "Constants of a metric")]
+pub struct ConstantsAnswer {
+    /// Where they hold: all of space, or the region of the file.
+    pub region: String,
+    /// The constants c1, c2, L_H and M_H.
+    pub constants: Vec<ConstantAnswer>,
+}
+
+/// One constant.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ConstantAnswer {
+    /// Its name.
+    pub name: String,
+    /// What it bounds.
+    pub bounds: &'static str,
+    /// Whether the two bounds are within the wanted accuracy.
+    pub proved: bool,
+    /// A proved lower bound on the best constant; absent if there is none.
+    pub lower: Option<Float>,
+    /// A proved upper bound on the best constant; absent if there is none.
+    pub upper: Option<Float>,
+    /// A point where it is nearly attained.
+    pub at: Option<Vec<f64>>,
+    /// Why it is not proved.
+    pub reason: Option<String>,
+}
+
+impl ConstantsAnswer {
+    /// Returns whether all constants are proved.
+    #[must_use]
+    pub fn are_proved(&self) -> bool {
+        self.constants.iter().all(|constant| constant.proved)
+    }
+}
+
+impl Question {
+    /// Proves the constants of the metric: in the region of the file, or on all of space if the
+    /// formula shows that a bounded region represents it.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::BadInput`] if the formula is wrong; [`Failure::NotComputed`] if no region is
+    /// known, or if there are too many dimensions.
+    pub fn constants(&self) -> Result<ConstantsAnswer, Failure> {
+        in_dimension(self.dimension, Prove(self)).unwrap_or(Err(too_many_coordinates()))
+    }
+}
+
+/// Says why nothing is proved in many dimensions.
+pub(crate) fn too_many_coordinates() -> Failure {
+    Failure::NotComputed(format!(
+        "constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions; claim \
+         c1, c2 and l_h in [certify], constants"
+    ))
+}
+
+struct Prove<'q>(&'q Question);
+
+impl InDimension for Prove<'_> {
+    type Output = Result<ConstantsAnswer, Failure>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let formula = self.0.formula::<D>()?;
+        // The compiler decides.
+        if const { D > LARGEST_PROVED_DIMENSION } {
+            return Err(too_many_coordinates());
+        }
+        let (domain, region) = self.0.domain(&formula)?;
+        let accuracy = Accuracy { tolerance: self.0.accuracy, budget: self.0.boxes };
+        let of = |quantity| answer(quantity, certify(&formula, quantity, &domain, accuracy));
+        Ok(ConstantsAnswer { region, constants: Quantity::ALL.map(of).into() })
+    }
+}
+
+impl Question {
+    /// Returns where constants are proved, and the same in words.
+    fn domain<const D: usize>(&self, formula: &Formula<D>) -> Result<(Domain<D>, String), Failure> {
+        let Some(within) = &self.within else {
+            let space = Domain::space(formula);
+            let space =
+                if space.is_all_of_space() { Ok(space) } else { Domain::settled_space(formula) };
+            return match space {
+                Ok(space) => Ok((space, "all of space".to_owned())),
+                Err(error) => Err(Failure::NotComputed(format!(
+                    "no constants on all of space: {error}. Constants in a region need [certify] \
+                     with within = {{ ball = … }} or {{ box = … }}"
+                ))),
+            };
+        };
+        let place = within.places.first().cloned().unwrap_or_default();
+        let refuse = |message: String| Failure::BadInput(Diagnostic::new(message, place.clone()));
+        let domain = match &within.shape {
+            Shape::Ball { centre, radius } => {
+                let ball = Ball::new(vector::<D>(centre), *radius);
+                ball.map_err(|error| refuse(error.to_string()))?;
+                Domain::ball(vector::<D>(centre), *radius)
+            }
+            Shape::AxisBox { low, high } => {
+                let sides = AxisBox::from_corners(vector::<D>(low), vector::<D>(high));
+                sides.map_err(|error| refuse(error.to_string()))?;
+                let corners = [low, high].map(|corner| vector::<D>(corner));
+                Cell::new(corners[0], corners[1]).map(Domain::cell)
+            }
+            // The file is read with these two only.
+            _ => Err(CertifyError::NotAllOfSpace),
+        };
+        let region = match &within.shape {
+            Shape::Ball { centre, radius } => {
+                format!("the ball of radius {radius} about {centre:?}")
+            }
+            Shape::AxisBox { low, high } => format!("the box from {low:?} to {high:?}"),
+            _ => String::new(),
+        };
+        domain.map(|domain| (domain, region)).map_err(|error| refuse(error.to_string()))
+    }
+}
+
+fn answer<const D: usize>(
+    quantity: Quantity,
+    proved: Result<tautline::CertifiedConstant<D>, CertifyError>,
+) -> ConstantAnswer {
+    let finite = |bound: f64| bound.is_finite().then(|| Float::from(bound));
+    let name = quantity.to_string();
+    let bounds = match quantity {
+        Quantity::C1 => "c1 |v|² ≤ vᵀH(x)v",
+        Quantity::C2 => "vᵀH(x)v ≤ c2 |v|²",
+        Quantity::LH => "‖DH(x)[v]‖ ≤ L_H |v|",
+        Quantity::MH => "‖D²H(x)[v, w]‖ ≤ M_H |v| |w|",
+    };
+    let none = ConstantAnswer {
+        name,
+        bounds,
+        proved: false,
+        lower: None,
+        upper: None,
+        at: None,
+        reason: None,
+    };
+    match proved {
+        Ok(constant) => ConstantAnswer {
+            proved: true,
+            lower: finite(constant.lower),
+            upper: finite(constant.upper),
+            at: Some(constant.at.as_slice().to_vec()),
+            ..none
+        },
+        Err(error) => {
+            let (lower, upper, at) = match &error {
+                CertifyError::BudgetSpent { lower, upper, .. } => {
+                    (finite(*lower), finite(*upper), None)
+                }
+                CertifyError::NotPositiveDefinite { point, .. }
+                | CertifyError::Undefined { point } => (None, None, Some(point.clone())),
+                _ => (None, None, None),
+            };
+            ConstantAnswer { lower, upper, at, reason: Some(error.to_string()), ..none }
+        }
+    }
+}

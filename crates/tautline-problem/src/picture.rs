@@ -1,0 +1,57 @@
+//! The picture of a problem and its answer.
+
+use tautline::{Formula, Metric, SVector};
+use tautline_portrait::{Portrait, PortraitError, Scene, Shape};
+
+use crate::{
+    Answer, Diagnostic, Failure, Question,
+    dimension::{InDimension, in_dimension},
+};
+
+impl Question {
+    /// Returns the picture of the metric, the sets and the curves, if there are any.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::BadInput`] if the formula is wrong, [`Failure::NotComputed`] if there is nothing
+    /// to draw.
+    pub fn picture(&self, answer: Option<&Answer>) -> Result<Scene, Failure> {
+        let gram = self.gram()?;
+        let ends = self.ends.as_ref().map(|ends| {
+            ends.each_ref().map(|end| end.iter().map(|piece| piece.shape.clone()).collect())
+        });
+        let ends: [Vec<Shape>; 2] = ends.unwrap_or_default();
+        let others = answer.into_iter().flat_map(|answer| &answer.other_minima);
+        let others: Vec<Vec<Vec<f64>>> = others.map(|other| other.curve.clone()).collect();
+        let portrait = Portrait {
+            ends: [&ends[0], &ends[1]],
+            curve: answer.map_or(&[], |answer| &answer.curve),
+            others: &others,
+            coordinates: self.view.coordinates,
+            field: self.view.field,
+            window: self.view.window,
+            ..Portrait::new(self.dimension, &*gram)
+        };
+        portrait.draw().map_err(|error: PortraitError| Failure::NotComputed(error.to_string()))
+    }
+
+    /// Returns the function `x ↦ H(x)`, column by column.
+    fn gram(&self) -> Result<Gram, Diagnostic> {
+        struct Make<'q>(&'q Question);
+        impl InDimension for Make<'_> {
+            type Output = Result<Gram, Diagnostic>;
+
+            fn run<const D: usize>(self) -> Self::Output {
+                let formula: Formula<D> = self.0.formula()?;
+                Ok(Box::new(move |x| {
+                    let x: [f64; D] = x.try_into().ok()?;
+                    Some(formula.gram(&SVector::from(x)).as_slice().to_vec())
+                }))
+            }
+        }
+        in_dimension(self.dimension, Make(self)).unwrap_or_else(|| Ok(Box::new(|_| None)))
+    }
+}
+
+/// A function from points to matrices, column by column.
+type Gram = Box<dyn Fn(&[f64]) -> Option<Vec<f64>>>;
