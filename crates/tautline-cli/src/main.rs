@@ -3,7 +3,6 @@
 mod arguments;
 mod decimal;
 mod error;
-mod examples;
 mod problem;
 mod report;
 mod timed;
@@ -23,7 +22,7 @@ fn main() -> ExitCode {
         Verb::Audit(arguments) => verbs::audit::audit(&arguments),
         Verb::Plot(arguments) => verbs::plot::plot(&arguments),
         Verb::Schema(arguments) => verbs::schema::schema(&arguments),
-        Verb::Examples(arguments) => examples::examples(&arguments),
+        Verb::Examples(arguments) => verbs::examples::examples(&arguments),
         Verb::Completions(arguments) => verbs::completions::completions(&arguments),
     };
     match done {

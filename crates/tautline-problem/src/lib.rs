@@ -26,6 +26,7 @@ mod answer;
 mod constants;
 mod diagnostic;
 mod dimension;
+mod examples;
 mod failure;
 mod file;
 mod float;
@@ -46,6 +47,7 @@ pub use answer::{
 pub use constants::{ConstantAnswer, ConstantsAnswer};
 pub use diagnostic::Diagnostic;
 pub use dimension::{InDimension, LARGEST_DIMENSION, LARGEST_PROVED_DIMENSION, in_dimension};
+pub use examples::{EXAMPLES, Example};
 pub use failure::Failure;
 pub use float::Float;
 pub use question::{Grid, Question};

@@ -3,6 +3,7 @@
 pub(crate) mod audit;
 pub(crate) mod completions;
 pub(crate) mod constants;
+pub(crate) mod examples;
 pub(crate) mod plot;
 pub(crate) mod schema;
 pub(crate) mod solve;

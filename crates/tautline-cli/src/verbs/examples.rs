@@ -2,39 +2,20 @@
 
 use std::{fmt::Write, process::ExitCode};
 
+use tautline_problem::{EXAMPLES, Example};
+
 use crate::{
     arguments::Examples,
     error::CommandError,
     write::{print, write},
 };
 
-/// A problem file.
-struct Example {
-    name: &'static str,
-    text: &'static str,
-}
-
-impl Example {
-    /// Returns the question, which is the first line of the file.
-    fn question(&self) -> &'static str {
-        self.text.lines().next().unwrap_or_default().trim_start_matches(['#', ' '])
-    }
-}
-
-/// Lists the examples, which are files of the folder `problems`.
-macro_rules! examples {
-    ($($name:literal)*) => {
-        [$(Example { name: $name, text: include_str!(concat!("../problems/", $name, ".toml")) }),*]
-    };
-}
-
-const EXAMPLES: [Example; 3] = examples! { "valleys" "two_channels" "robot_arm" };
-
 /// Lists, prints or writes examples.
 pub(crate) fn examples(arguments: &Examples) -> Result<ExitCode, CommandError> {
     let named = |name: &String| {
-        EXAMPLES.iter().find(|example| example.name == name).ok_or_else(|| {
-            let names = EXAMPLES.map(|example| example.name).join(", ");
+        Example::named(name).ok_or_else(|| {
+            let names: Vec<&str> = EXAMPLES.iter().map(|example| example.name).collect();
+            let names = names.join(", ");
             CommandError::BadArgument(format!("there is no example {name}; there are {names}"))
         })
     };
@@ -45,7 +26,7 @@ pub(crate) fn examples(arguments: &Examples) -> Result<ExitCode, CommandError> {
     };
     if chosen.is_empty() {
         let mut list = String::new();
-        for example in &EXAMPLES {
+        for example in EXAMPLES {
             // Writing to a string does not fail.
             let _ = writeln!(list, "{:<20}{}", example.name, example.question());
         }
