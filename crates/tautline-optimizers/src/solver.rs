@@ -6,14 +6,14 @@
 //! fine ones, and a [candidate](Candidate) for each local minimiser that is followed from grid to
 //! grid.
 
-use tautline_discretizations::LARGEST_N;
+use tautline_discretizations::{LARGEST_N, PointSequence};
 use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
     Minimum, Options, Other, SolveError, Starts, Workspace,
     newton::discrete_energy::DiscreteEnergy,
     search::{
-        candidate::{Candidate, lowest_first},
+        candidate::{Candidate, are_apart, lowest_first},
         grids::{SMALL, grids},
         local_search::{Found, LocalSearch},
     },
@@ -35,7 +35,8 @@ pub(crate) fn solve<const D: usize>(
         return Ok(Minimum::at_common_point(x, n));
     }
 
-    let mut search = Search { workspace, energy, options, n, iterations: 0, refused: None };
+    let mut search =
+        Search { workspace, energy, options, n, iterations: 0, ties: Vec::new(), refused: None };
     let mut candidates = Vec::new();
     let (mut local_minima, mut others) = (None, Vec::new());
     for grid in search.grids() {
@@ -46,8 +47,8 @@ pub(crate) fn solve<const D: usize>(
     }
     let (lowest, rest) = search.lowest_with_a_metric(candidates)?;
     others.extend(rest.into_iter().filter_map(Candidate::into_other));
-    others.retain(|other| energy.check_between(&other.sequence).is_ok());
-    others.sort_by(|a, b| a.energy.total_cmp(&b.energy));
+    others.append(&mut search.ties);
+    let others = different(others, &lowest.found.sequence, energy);
     Ok(lowest.into_minimum(search.iterations, local_minima.unwrap_or_default(), others))
 }
 
@@ -72,6 +73,8 @@ struct Search<'a, const D: usize> {
     n: usize,
     /// The number of Newton steps of all searches so far.
     iterations: usize,
+    /// Local minimisers with the energy of another one.
+    ties: Vec<Other<D>>,
     /// The reason why the first failed search failed. A lack of memory takes precedence.
     refused: Option<SolveError>,
 }
@@ -130,7 +133,7 @@ impl<'a, const D: usize> Search<'a, D> {
     {
         let coarser = std::mem::take(candidates).into_iter();
         *candidates = coarser.filter_map(|candidate| self.follow(candidate, grid)).collect();
-        lowest_first(candidates);
+        self.keep_ties(lowest_first(candidates));
     }
 
     /// Follows a local minimiser to a finer grid. On a fine grid it is followed without damping, if
@@ -192,7 +195,12 @@ impl<'a, const D: usize> Search<'a, D> {
                 candidates.extend(found.map(|found| Candidate::new(ends, found)));
             }
         }
-        lowest_first(candidates);
+        self.keep_ties(lowest_first(candidates));
+    }
+
+    /// Keeps local minimisers that have the energy of another one, but run along another curve.
+    fn keep_ties(&mut self, ties: Vec<Candidate<'_, D>>) {
+        self.ties.extend(ties.into_iter().filter_map(Candidate::into_other));
     }
 
     fn between<'e>(&self, ends: Pieces<'e, D>) -> LocalSearch<'e, D>
@@ -242,6 +250,33 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 }
 
+/// The largest number of local minimisers that are returned besides the result.
+const OTHERS: usize = 7;
+
+/// Returns those of the other local minimisers that run along different curves, where the metric is
+/// defined, lowest first.
+fn different<const D: usize>(
+    mut others: Vec<Other<D>>,
+    lowest: &PointSequence<D>,
+    energy: &DiscreteEnergy<'_, D>,
+) -> Vec<Other<D>> {
+    others.sort_by(|a, b| a.energy.total_cmp(&b.energy));
+    let mut kept: Vec<Other<D>> = Vec::new();
+    for other in others {
+        let is_new = |known: &PointSequence<D>| are_apart(&other.sequence, known);
+        if is_new(lowest)
+            && kept.iter().all(|known| is_new(&known.sequence))
+            && energy.check_between(&other.sequence).is_ok()
+        {
+            kept.push(other);
+        }
+        if kept.len() == OTHERS {
+            break;
+        }
+    }
+    kept
+}
+
 /// Returns the energies of the candidates that converged.
 fn converged_energies<const D: usize>(candidates: &[Candidate<'_, D>]) -> Vec<f64> {
     candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect()
@@ -270,8 +305,15 @@ mod tests {
         let (workspace, options) = (&mut Workspace::default(), &Options::default());
         let batches = Prepared::new(&ridges);
         let energy = &DiscreteEnergy::new(Trapezoidal, &batches);
-        let mut search =
-            Search { workspace, energy, options, n: 129, iterations: 0, refused: None };
+        let mut search = Search {
+            workspace,
+            energy,
+            options,
+            n: 129,
+            iterations: 0,
+            ties: Vec::new(),
+            refused: None,
+        };
         let local = search.between(ends);
         let coarse = || {
             let line = PointSequence::straight(line[0], line[1], 9).expect("finite");

@@ -1,7 +1,7 @@
 //! `Candidate`: a local minimiser that is followed from grid to grid.
 
 use nalgebra::SVector;
-use tautline_discretizations::{PointSequence, SequenceError};
+use tautline_discretizations::{Interpolation, PointSequence, SequenceError};
 use tautline_sets::ClosedSet;
 
 use crate::{
@@ -161,19 +161,47 @@ fn by_key(keys: &[(bool, f64)]) -> Vec<usize> {
 /// Sorts by energy, and merges candidates whose energies agree to `10⁻⁹`. Of two such candidates,
 /// the one with more grids to extrapolate from stays, or else the lower one. Searches that did not
 /// converge come last, since their energy is not the energy of a minimiser.
-pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>>) {
+///
+/// Returns the candidates that were merged although they are other curves, such as mirror images.
+pub(crate) fn lowest_first<'a, const D: usize>(
+    candidates: &mut Vec<Candidate<'a, D>>,
+) -> Vec<Candidate<'a, D>> {
     let keys: Vec<_> = candidates.iter().map(|c| (c.failed(), c.found.energy)).collect();
     let order = by_key(&keys);
     let mut unsorted: Vec<_> = candidates.drain(..).map(Some).collect();
-    candidates.extend(order.into_iter().filter_map(|place| unsorted[place].take()));
-    candidates.dedup_by(|b, a| {
-        let same = a.failed() == b.failed()
-            && (b.found.energy - a.found.energy).abs() <= DIFFERENT * a.found.energy.abs();
-        if same && b.coarser.len() > a.coarser.len() {
-            std::mem::swap(a, b);
+    let mut ties = Vec::new();
+    for mut candidate in order.into_iter().filter_map(|place| unsorted[place].take()) {
+        let kept = candidates.last_mut().filter(|kept| {
+            kept.failed() == candidate.failed()
+                && (candidate.found.energy - kept.found.energy).abs()
+                    <= DIFFERENT * kept.found.energy.abs()
+        });
+        let Some(kept) = kept else {
+            candidates.push(candidate);
+            continue;
+        };
+        if candidate.coarser.len() > kept.coarser.len() {
+            std::mem::swap(kept, &mut candidate);
         }
-        same
-    });
+        if are_apart(&candidate.found.sequence, &kept.found.sequence) {
+            ties.push(candidate);
+        }
+    }
+    ties
+}
+
+/// Two curves are different if, at some time, they are apart by this fraction of the extent of one
+/// of them.
+const APART: f64 = 0.02;
+
+/// Returns whether two sequences, on whatever grids, run along different curves.
+pub(crate) fn are_apart<const D: usize>(a: &PointSequence<D>, b: &PointSequence<D>) -> bool {
+    let first = a.first();
+    let extent = a.points().iter().map(|x| (x - first).amax()).fold(0.0, f64::max);
+    let n = a.n().get() as f64;
+    let other = Interpolation::new(b);
+    let off = |(i, x): (usize, &SVector<f64, D>)| (other.at(i as f64 / n) - x).amax();
+    a.points().iter().enumerate().map(off).any(|off| off > APART * extent)
 }
 
 #[cfg(test)]

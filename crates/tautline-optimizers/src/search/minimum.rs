@@ -44,12 +44,13 @@ pub struct Minimum<const D: usize> {
     /// Energies that agree to a relative `10⁻⁹`, such as those of mirror images, count once. The
     /// list is empty if no search converged on that grid.
     pub local_minima: Vec<f64>,
-    /// The other local minimisers that were followed, lowest first, up to seven. On grids of more
-    /// than 512 chords only the result is followed, and these stay on a coarser grid.
+    /// The other local minimisers that were met, lowest first, up to seven, each along another curve.
+    /// They stay on a coarser grid if they have the energy of one that is followed, as mirror
+    /// images do, and beyond 512 chords, where only the result is followed.
     pub others: Vec<Other<D>>,
 }
 
-/// A local minimiser with more energy than the result.
+/// A local minimiser besides the result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Other<const D: usize> {
     /// The point sequence, perhaps on a coarser grid than that of the result.

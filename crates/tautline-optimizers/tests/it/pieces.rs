@@ -103,6 +103,24 @@ fn the_ball_of_a_nested_union_is_the_nearest_in_the_metric() {
     }
 }
 
+/// The hill is symmetric about the axis, so there are two minimisers of the same energy.
+#[test]
+fn a_mirror_image_is_another_minimiser() {
+    let ends = between(point([-2.0, 0.0]), point([2.0, 0.0]));
+    for n in [16, 100, 2000] {
+        let minimum = solve(&bump(), &ends, n);
+        let [mirror] = minimum.others.as_slice() else { panic!("{n}: {}", minimum.others.len()) };
+        let coarse = mirror.sequence.n().get();
+        assert!(coarse <= n);
+        for (i, x) in mirror.sequence.points().iter().enumerate() {
+            let y = minimum.sequence.points()[(i * n).div_ceil(coarse)];
+            // The grids differ, and the points of the coarser one are off by its error.
+            assert!((x[1] + y[1]).abs() < 0.1, "{n}, {i}: {x} {y}");
+        }
+        assert!(mirror.sequence.points().iter().any(|x| x[1].abs() > 0.5));
+    }
+}
+
 /// Returns the squared distance between `p` and the unit circle, by a scan and a ternary search.
 fn circle_distance(h: &SMatrix<f64, 2, 2>, p: &SVector<f64, 2>) -> f64 {
     let square = |t: f64| {
