@@ -42,12 +42,19 @@ pub(crate) fn answer(answer: &Answer) -> String {
     if let Some(bounds) = &answer.bounds {
         line("constants", constants(&bounds.constants));
     }
-    if !answer.other_minima.is_empty() {
-        let lengths = answer
-            .other_minima
-            .iter()
-            .map(|OtherMinimum { length, .. }| format!("{:.6}", length.value));
-        line("other minima", lengths.collect::<Vec<_>>().join(", "));
+    let (ties, longer): (Vec<_>, Vec<_>) = answer
+        .other_minima
+        .iter()
+        .map(|OtherMinimum { length, .. }| length.value)
+        .partition(|length| *length < answer.length.value * (1.0 + TIE));
+    match ties.len() {
+        0 => {}
+        1 => line("tie", "another curve is as short".to_owned()),
+        ties => line("tie", format!("{ties} other curves are as short")),
+    }
+    if !longer.is_empty() {
+        let longer: Vec<String> = longer.iter().map(|length| format!("{length:.6}")).collect();
+        line("other minima", longer.join(", "));
     }
     text
 }
@@ -57,15 +64,19 @@ fn interval(bounds: &Bounds) -> String {
     format!("between {lower} and {upper}")
 }
 
+/// Curves that are longer by less than this fraction count as equally short: on a coarser grid they
+/// are longer.
+const TIE: f64 = 1e-3;
+
 /// Returns what the bounds rest on.
 fn note(bounds: &Bounds) -> Option<&'static str> {
     match bounds.global_minimum {
         GlobalMinimum::Proved => None,
         GlobalMinimum::Assumed => {
-            Some("the lower bound assumes that no other points have less discrete energy")
+            Some("the lower bound assumes that the minimum found is the global one")
         }
         GlobalMinimum::Refuted => {
-            Some("other points have less discrete energy: a shorter curve may exist")
+            Some("the minimum found is not the global one: a shorter curve may exist")
         }
     }
 }

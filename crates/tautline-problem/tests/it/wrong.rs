@@ -1,0 +1,135 @@
+//! What is said of wrong files, and where.
+
+use tautline_problem::{Diagnostic, Failure, Question};
+
+const GOOD: &str = "\
+[parameters]
+a = 2
+[let]
+f = \"a - cos(x1)\"
+[metric]
+matrix = [[\"f\", 0], [0, \"f\"]]
+[from]
+ball = { centre = [0, 0], radius = 0.5 }
+[to]
+half_space = { normal = [1, 0], at_least = 3 }
+";
+
+/// Returns what is wrong with a file.
+#[track_caller]
+fn refused(file: &str) -> Diagnostic {
+    let solved = Question::read(file).map_err(Failure::from).and_then(|q| q.solve(&mut |_| ()));
+    match solved {
+        Err(Failure::BadInput(diagnostic)) => diagnostic,
+        other => panic!("{file}\n{other:?}"),
+    }
+}
+
+#[test]
+fn each_mistake_is_underlined() {
+    assert!(Question::read(GOOD).is_ok_and(|question| question.solve(&mut |_| ()).is_ok()));
+    // What is replaced by what, the underlined text, and a part of what is said.
+    for (from, to, underlined, says) in [
+        ("cos(x1)", "cos(x1", "", "found the end in an expression: expected an operator or )"),
+        ("cos(x1)", "cosh(x1) +", "", "found the end"),
+        ("cos(x1)", "cos(x3)", "x3", "there is no x3 in dimension 2"),
+        ("cos(x1)", "cso(x1)", "cso", "unknown function cso"),
+        ("a - cos", "b - cos", "b", "unknown name b"),
+        ("cos(x1)", "x1^0.5", "0.5", "an exponent must be an integer"),
+        ("f = \"a", "pi = \"a", "pi", "pi is already defined"),
+        ("f = \"a", "a = \"a", "a", "a is already defined"),
+        ("f = \"a", "f = \"f", "f", "unknown name f"),
+        ("a = 2", "a = \"2*b\"", "b", "unknown name b"),
+        ("a = 2", "a = \"1/0\"", "\"1/0\"", "1/0 is inf: expected a finite number"),
+        ("a = 2", "a = nan", "nan", "finite"),
+        ("a = 2", "x1 = 2", "x1", "x1 is already defined"),
+        ("\"f\", 0]", "\"f\"]", "[\"f\"]", "1 entry here: expected 2 entries"),
+        ("[0, \"f\"]]", "]", "[[\"f\", 0], ]", "1 row here: expected 2 rows"),
+        ("matrix", "upper", "[0, \"f\"]", "2 entries here: expected 1 entry"),
+        ("matrix = [[\"f\", 0], [0, \"f\"]]", "diag = [\"f\"]", "[\"f\"]", "1 entry here"),
+        ("matrix = [[\"f\", 0], [0, \"f\"]]", "pullback = [\"f\"]", "[\"f\"]", "1 function here"),
+        ("matrix = [[\"f\", 0], [0, \"f\"]]", "sum = []", "[]", "a sum of no metrics"),
+        ("matrix", "matrx", "matrx", "there is no matrx here"),
+        ("[0, \"f\"]]", "[0, \"f\"]]\nphi = 1", "", "several keys say what this is"),
+        ("radius = 0.5", "radius = -0.5", "-0.5", "radius -0.5 must be ≥ 0"),
+        (", radius = 0.5", "", "{ centre = [0, 0] }", "radius is missing"),
+        ("[0, 0], radius", "[0], radius", "[0]", ""),
+        ("normal = [1, 0]", "normal = [0, 0]", "[0, 0]", "normal of a half-space must not be 0"),
+        (", at_least = 3", "", "[1, 0]", "a half-space needs at_least or at_most"),
+        ("at_least = 3", "at_least = 3, at_most = 4", "4", "a half-space has one side"),
+        ("[to]\nhalf_space = { normal = [1, 0], at_least = 3 }", "", "", "[to] is missing"),
+        ("[to]", "[solve]\nn = 0\n[to]", "0", "no chord"),
+        ("[to]", "[solve]\nn = 9\ntolerance = 0.1\n[to]", "0.1", "a tolerance besides n"),
+        ("[to]", "[solve]\ntolerance = 2\n[to]", "2", "2 is out of range"),
+        ("[to]", "[solve]\nstarts = [[[0, 0]]]\n[to]", "[[0, 0]]", "a start of 1 point"),
+        ("[to]", "[output]\ncoordinates = [1, 3]\n[to]", "[1, 3]", "no such plane"),
+        ("[to]", "[certify]\nwithin = { point = [0, 0] }\n[to]", "", "in a ball or in a box"),
+        ("[parameters]", "dimension = 13\n[parameters]", "13", "dimension 13"),
+        ("[parameters]", "dimension = 3\n[parameters]", "[0, 0]", "2 coordinates in dimension 3"),
+        ("[0, \"f\"]", "[1, \"f\"]", "", "symmetric"),
+        ("\"a - cos", "\"-a - cos", "", "not positive definite"),
+    ] {
+        assert!(GOOD.contains(from), "{from}");
+        let file = GOOD.replacen(from, to, 1);
+        let diagnostic = refused(&file);
+        assert!(diagnostic.to_string().contains(says), "{to}: {diagnostic}");
+        let at = diagnostic.at.clone();
+        assert!(underlined.is_empty() || file[at] == *underlined, "{to}: {diagnostic:?}");
+        assert!(diagnostic.render("problem.toml", &file, false).contains("problem.toml"));
+    }
+}
+
+/// The end of an expression is the place of what is missing.
+#[test]
+fn the_message_shows_the_line() {
+    let file = GOOD.replacen("cos(x1)", "cso(x1)", 1);
+    let expected = "\
+error: unknown function cso
+ --> problem.toml:4:10
+  |
+4 | f = \"a - cso(x1)\"
+  |          ^^^
+  |
+  = help: did you mean cos?";
+    assert_eq!(refused(&file).render("problem.toml", &file, false), expected);
+}
+
+#[test]
+fn what_was_meant_is_said() {
+    for (from, to, help) in [
+        ("centre", "center", "did you mean centre?"),
+        ("half_space", "halfspace", "did you mean half_space?"),
+        ("[from]", "[form]", "did you mean from?"),
+        ("a - cos", "abs(x2) - cos", "sqrt(u^2 + e^2)"),
+        ("cos(x1)", "cos(x)", "x1, x2 and so on"),
+        ("cos(x1)", "x1^0.5", "sqrt(u)"),
+        ("a - cos", "beta - cos", "[parameters]"),
+        ("[to]", "[solve]\nrule = \"left\"\n[to]", "left_endpoint"),
+    ] {
+        let diagnostic = refused(&GOOD.replacen(from, to, 1));
+        let said = format!("{diagnostic} {}", diagnostic.help.clone().unwrap_or_default());
+        assert!(said.contains(help), "{to}: {diagnostic:?}");
+    }
+}
+
+#[test]
+fn blocks_of_a_product_share_the_coordinates() {
+    let with = |blocks: &str| {
+        format!(
+            "dimension = 3\n[metric]\nproduct = [{blocks}]\n[from]\npoint = [0, 0, 0]\n[to]\npoint = [1, 1, 1]"
+        )
+    };
+    let block =
+        |coordinates: &str| format!("{{ coordinates = {coordinates}, metric = {{ phi = 2 }} }}");
+    let good = with(&[block("[3, 1]"), block("[2]")].join(","));
+    assert!(Question::read(&good).is_ok_and(|question| question.formula::<3>().is_ok()));
+    for (blocks, says) in [
+        (vec!["[1]", "[2]"], "coordinate 3 belongs to no block"),
+        (vec!["[1, 2]", "[2, 3]"], "coordinate 2 belongs to two blocks"),
+        (vec!["[1, 4]", "[2, 3]"], "there is no coordinate 4 here"),
+        (vec!["[1, 2, 3]", "[]"], "a block without coordinates"),
+    ] {
+        let file = with(&blocks.iter().map(|own| block(own)).collect::<Vec<_>>().join(","));
+        assert_eq!(refused(&file).message, says);
+    }
+}
