@@ -2,6 +2,7 @@
 //! crate.
 
 mod bench;
+mod guide;
 mod nightly;
 mod peers;
 mod run;
@@ -26,6 +27,8 @@ usage: cargo xtask <task>
                                                 paper/tables/speed.csv, scale.csv, programs.csv
   peers   [--problem ID | --n N | --distance] … other programs on the same problems, timed; needs
                                                 Python 3 and downloads what docs/comparison.md lists
+  guide   [--check]                             the guide, to target/guide; --check opens every page
+                                                in Chromium and lists what is wrong
   ci                                            what continuous integration runs
 
   --check   recompute, and compare with what is committed
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
         ["nightly", rest @ ..] => nightly::nightly(&root(), rest),
         ["bench", rest @ ..] => bench::bench(&root(), rest),
         ["peers", rest @ ..] => peers::peers(&root(), rest),
+        ["guide", rest @ ..] => guide::guide(&root(), rest),
         ["ci"] => ci(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");

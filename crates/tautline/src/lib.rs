@@ -54,11 +54,12 @@
 //!
 //! No energy has a factor `½`, so that `E ≥ L²` and `min E = d²`. Time runs over `[0, 1]`. The
 //! paper's *trapezoidal* rule evaluates the metric at the middle of each chord; elsewhere it is
-//! called the midpoint rule.
+//! called the midpoint rule. [`Convention`] converts the numbers of other programs.
 
 mod batch;
 mod certificate;
 mod competitors;
+mod conventions;
 mod problem;
 mod proof;
 mod taut_line;
@@ -66,6 +67,7 @@ mod taut_line;
 pub use batch::solve_all;
 pub use certificate::{RuleOfThePaper, SuggestedN};
 pub use competitors::Competitors;
+pub use conventions::Convention;
 pub use problem::Problem;
 pub use proof::{Proof, ProofError};
 pub use taut_line::TautLine;
@@ -104,3 +106,27 @@ pub use nalgebra::{SMatrix, SVector};
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;
+
+/// Runs the Rust in the pages of the guide as tests.
+// The names of files after the language of a block are for the tests of the guide.
+#[cfg(doctest)]
+#[allow(rustdoc::invalid_codeblock_attributes)]
+mod guide {
+    #[doc = include_str!("../../../guide/pages/conventions.md")]
+    struct Conventions;
+
+    #[doc = include_str!("../../../guide/pages/from-fast-marching.md")]
+    struct FromFastMarching;
+
+    #[doc = include_str!("../../../guide/pages/from-geomstats.md")]
+    struct FromGeomstats;
+
+    #[doc = include_str!("../../../guide/pages/from-manifolds-jl.md")]
+    struct FromManifoldsJl;
+
+    #[doc = include_str!("../../../guide/pages/how-wrong.md")]
+    struct HowWrong;
+
+    #[doc = include_str!("../../../guide/pages/which-n.md")]
+    struct WhichN;
+}

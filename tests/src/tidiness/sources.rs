@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::{crates, files, read, root};
 
 pub(super) fn all_sources() -> Vec<PathBuf> {
-    let folders = ["benches", "crates", "paper", "peers", "tests", "xtask"];
+    let folders = ["benches", "crates", "guide", "paper", "peers", "tests", "xtask"];
     folders.iter().flat_map(|folder| files(&root().join(folder), "rs")).collect()
 }
 
