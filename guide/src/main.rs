@@ -5,6 +5,7 @@ mod book;
 mod browser;
 mod captions;
 mod formulas;
+mod interactive;
 mod page;
 
 use std::{
@@ -47,7 +48,12 @@ fn build(output: &Path) -> Result<()> {
         fs::remove_dir_all(&fresh)?;
     }
     book::build(Path::new(env!("CARGO_MANIFEST_DIR")), &fresh)?;
-    // The page that computes goes here: `interactive::build(&fresh)?`.
+    let built = interactive::build(&fresh)?;
+    if built == interactive::Built::NoTarget {
+        // Links to the page lead to the reason why it is missing.
+        fs::write(fresh.join(interactive::FILE), without_page(&built))?;
+        println!("{built}");
+    }
     if output.exists() {
         if !output.join("index.html").is_file() {
             let why = "is no guide, and is not replaced";
@@ -58,6 +64,15 @@ fn build(output: &Path) -> Result<()> {
     fs::rename(&fresh, output)?;
     println!("{}", output.join("index.html").display());
     Ok(())
+}
+
+/// Returns what stands in place of the page that computes, in a guide without it.
+fn without_page(built: &interactive::Built) -> String {
+    format!(
+        "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Tautline</title>\n\
+         <p>This guide was built without the page that computes: {built}.</p>\n\
+         <p><a href=\"index.html\">The guide</a></p>\n</html>\n"
+    )
 }
 
 #[cfg(feature = "browser")]

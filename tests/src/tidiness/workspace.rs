@@ -4,7 +4,7 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 16] = [
+const BELOW: [(&str, &str); 17] = [
     ("drawing", ""),
     ("chance", ""),
     ("scalar", "chance"),
@@ -17,6 +17,7 @@ const BELOW: [(&str, &str); 16] = [
     ("optimizers", "chance discretizations formula metrics sets"),
     ("tautline", "bounds certify discretizations formula metrics optimizers scalar sets"),
     ("portrait", "chance drawing tautline"),
+    ("page", "drawing tautline"),
     ("statements", "tautline"),
     ("kit", "tautline chance statements"),
     ("suite", "tautline chance statements"),

@@ -1,0 +1,72 @@
+//! `Question`: a metric on the plane, two points, and the number of chords between them.
+
+use tautline::{Ends, Formula, Problem, TautLine, Trapezoidal};
+
+use crate::Complaint;
+
+/// The most chords that a page may ask for: a picture shows no more.
+const MOST_CHORDS: u32 = 4096;
+
+/// A metric on the plane, two points, and the number of chords of the curve between them.
+#[derive(Clone, Debug)]
+pub struct Question {
+    problem: Problem<Formula<2>, 2>,
+    chords: usize,
+}
+
+impl Question {
+    /// Reads the formula, and poses the problem.
+    ///
+    /// # Errors
+    ///
+    /// [`Complaint`] if the formula is broken, with its place; if a coordinate is not finite; if
+    /// the number of chords is 0 or exceeds 4096.
+    pub fn new(
+        formula: &str,
+        from: [f64; 2],
+        to: [f64; 2],
+        chords: u32,
+    ) -> Result<Self, Complaint> {
+        if !(1..=MOST_CHORDS).contains(&chords) {
+            let most = format!("{chords} chords: a page draws between 1 and {MOST_CHORDS}");
+            return Err(Complaint::about(&most));
+        }
+        let metric = read(formula)?;
+        let ends = Ends::points(from, to).map_err(|error| Complaint::about(&error))?;
+        Ok(Self { problem: Problem::new(metric, ends), chords: chords as usize })
+    }
+
+    /// Solves the problem, by the trapezoidal rule.
+    ///
+    /// # Errors
+    ///
+    /// [`Complaint`] if the solver finds no curve, for instance because the metric is not positive
+    /// definite.
+    pub fn line(&self) -> Result<TautLine<Formula<2>, Trapezoidal, 2>, Complaint> {
+        let line = self.problem.solve(Trapezoidal, self.chords);
+        line.map_err(|error| Complaint::about(&error))
+    }
+}
+
+/// Reads a metric on the plane.
+pub(crate) fn read(formula: &str) -> Result<Formula<2>, Complaint> {
+    Formula::parse(formula, &[]).map_err(|error| Complaint::about_text(formula, &error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Question;
+
+    #[test]
+    fn a_question_without_an_answer_is_refused_in_words() {
+        let refused = |formula: &str, x: f64, chords| {
+            let asked = Question::new(formula, [x, 0.0], [1.0, 0.0], chords);
+            asked.and_then(|it| it.line()).expect_err("refused").message
+        };
+        assert!(refused("1 I", 0.0, 0).contains("0 chords"));
+        assert!(refused("1 I", 0.0, u32::MAX).contains("4294967295 chords"));
+        assert!(refused("1 I", f64::NAN, 8).contains("NaN"));
+        assert!(refused("(x1 - 0.25) I", 0.0, 8).contains("not positive definite"));
+        assert!(refused("ln(x1) I", -1.0, 8).contains("finite"));
+    }
+}
