@@ -233,3 +233,38 @@ fn every_verb_has_an_example_in_its_help() {
         assert!(schema["$schema"].is_string(), "{of}");
     }
 }
+
+/// The problem, the commands, the answer and the picture of the first page are those of today.
+/// `TAUTLINE_BLESS=1` copies the picture there.
+#[test]
+fn the_readme_shows_the_file_its_answer_and_its_picture() {
+    let folder = folder("readme");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let readme = fs::read_to_string(root.join("README.md")).expect("README.md");
+    let block = |language: &str| {
+        let rest = readme.split_once(&format!("```{language}\n")).expect(language).1;
+        rest.split_once("```").expect("an end").0
+    };
+    assert!(EXAMPLES[0].text.ends_with(block("toml")), "{}", block("toml"));
+    let mut lines = block("console").lines();
+    for verb in ["examples valleys --to .", "solve valleys.toml --plot valleys.svg"] {
+        assert_eq!(lines.next(), Some(format!("$ cargo tautline {verb}").as_str()));
+        let output = tautline(&folder, &verb.split(' ').collect::<Vec<_>>());
+        assert!(output.status.success());
+        if verb.starts_with("solve") {
+            assert_eq!(
+                text(&output.stdout),
+                lines.clone().map(|line| format!("{line}\n")).collect::<String>()
+            );
+        }
+    }
+    let (shown, drawn) = (root.join("docs/valleys.svg"), folder.join("valleys.svg"));
+    assert!(readme.contains("](docs/valleys.svg)"));
+    if std::env::var_os("TAUTLINE_BLESS").is_some() {
+        fs::copy(&drawn, &shown).expect("copied");
+    }
+    assert_eq!(
+        fs::read_to_string(shown).expect("a picture"),
+        fs::read_to_string(drawn).expect("drawn")
+    );
+}
