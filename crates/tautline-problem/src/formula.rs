@@ -44,7 +44,7 @@ pub(crate) fn formula<const D: usize>(
         .collect();
     let whole = problem.metric.span();
     let coordinates: Vec<usize> = (1..=D).collect();
-    let metric = texts.written(problem.metric.get_ref(), &whole, &coordinates)?;
+    let metric = texts.written(problem.metric.get_ref(), &coordinates)?;
     let formula = Formula::compose(&numbers.by_name(), &definitions, &metric);
     formula.map_err(|WrittenError { id, error }| {
         let span = texts.places.get(id).cloned().unwrap_or(whole);
@@ -67,12 +67,10 @@ impl<'f> Texts<'f> {
         texts.iter().map(|text| self.part(text)).collect()
     }
 
-    /// Returns the metric of the block of these coordinates, numbered from 1. `whole` are the bytes
-    /// of what stands around it.
+    /// Returns the metric of the block of these coordinates, numbered from 1.
     fn written<'t>(
         &mut self,
         metric: &'t MetricFile,
-        whole: &Range<usize>,
         coordinates: &[usize],
     ) -> Result<Written<'t>, Diagnostic> {
         let dimension = coordinates.len();
@@ -92,8 +90,7 @@ impl<'f> Texts<'f> {
             }
             MetricFile::Pullback(texts) => {
                 let found = texts.get_ref().len();
-                let what = "function or more";
-                expect_count(found, what, dimension, found >= dimension, texts.span())?;
+                expect_count(found, "function", dimension, found >= dimension, texts.span())?;
                 Written::Form(Form::Pullback, self.parts(texts.get_ref()))
             }
             MetricFile::Phi(text) => one(Form::Phi, self.part(text)),
@@ -104,13 +101,12 @@ impl<'f> Texts<'f> {
                 return Err(Diagnostic::new("a sum of no metrics", metrics.span()));
             }
             MetricFile::Sum(metrics) => {
-                let place = metrics.span();
-                let written = |metric| self.written(metric, &place, coordinates);
+                let written = |metric| self.written(metric, coordinates);
                 Written::Sum(metrics.get_ref().iter().map(written).collect::<Result<_, _>>()?)
             }
             MetricFile::Scaled(ScaledFile { by, metric }) => {
                 let by = self.part(by);
-                Written::Scaled(by, Box::new(self.written(metric, whole, coordinates)?))
+                Written::Scaled(by, Box::new(self.written(metric, coordinates)?))
             }
             MetricFile::Product(blocks) => {
                 self.product(blocks.get_ref(), blocks.span(), coordinates)?
@@ -152,7 +148,7 @@ impl<'f> Texts<'f> {
             if own.get_ref().is_empty() {
                 return Err(Diagnostic::new("a block without coordinates", own.span()));
             }
-            let block = self.written(metric, &place, own.get_ref())?;
+            let block = self.written(metric, own.get_ref())?;
             written.push((own.get_ref().iter().map(|i| i - 1).collect(), block));
         }
         match coordinates.iter().find(|coordinate| !taken.contains(coordinate)) {
@@ -190,17 +186,7 @@ fn expect_count(
     if is_right {
         return Ok(());
     }
-    let counted = |count: usize| match what {
-        "entry" if count != 1 => format!("{count} entries"),
-        "function or more" => format!("{} or more", counted(count, "function")),
-        _ => counted(count, what),
-    };
-    let short =
-        if what == "entry" && found != 1 { "entries" } else { what.trim_end_matches(" or more") };
-    let found = match short {
-        "entries" => format!("{found} entries"),
-        noun => self::counted(found, noun),
-    };
-    Err(Diagnostic::new(format!("{found} here"), at)
-        .label(format!("expected {}", counted(expected))))
+    let or_more = if what == "function" { " or more" } else { "" };
+    Err(Diagnostic::new(format!("{} here", counted(found, what)), at)
+        .label(format!("expected {}{or_more}", counted(expected, what))))
 }
