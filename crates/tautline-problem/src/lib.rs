@@ -23,6 +23,7 @@
 //! ```
 
 mod answer;
+mod audited;
 mod constants;
 mod diagnostic;
 mod dimension;

@@ -104,7 +104,10 @@ impl Question {
             certify.tolerance.as_ref().map_or(Ok(1e-3), |text| numbers.between(text, 0.0, 1.0))?;
         let audit = &problem.audit;
         let region =
-            audit.region.as_ref().map(|it| corners(it, &numbers, dimension)).transpose()?;
+            audit.region.as_ref().map(|it| sampled(it, &numbers, dimension)).transpose()?;
+        if let Some(none) = audit.cases.as_ref().filter(|cases| *cases.get_ref() == 0) {
+            return Err(Diagnostic::new("no samples", none.span()).label("expected 1 or more"));
+        }
         let bound = certify.bound.unwrap_or(true);
         let cases = audit.cases.as_ref().map(|cases| *cases.get_ref());
         let seed = audit.seed;
@@ -310,6 +313,20 @@ fn corners(
     dimension: usize,
 ) -> Result<[Vec<f64>; 2], Diagnostic> {
     Ok([numbers.vector(lower, dimension)?, numbers.vector(upper, dimension)?])
+}
+
+/// Returns the corners of the box in which samples are drawn.
+fn sampled(
+    region: &Corners,
+    numbers: &Numbers<'_>,
+    dimension: usize,
+) -> Result<[Vec<f64>; 2], Diagnostic> {
+    let [lower, upper] = corners(region, numbers, dimension)?;
+    if lower.iter().zip(&upper).all(|(low, high)| high - low > 0.0 && (high - low).is_finite()) {
+        return Ok([lower, upper]);
+    }
+    Err(Diagnostic::new("an empty region", region.upper.span())
+        .label("expected larger coordinates than those of lower"))
 }
 
 /// The numbers of the section `[solve]`.

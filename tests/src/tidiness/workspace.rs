@@ -4,7 +4,7 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 17] = [
+const BELOW: [(&str, &str); 20] = [
     ("drawing", ""),
     ("chance", ""),
     ("scalar", "chance"),
@@ -18,10 +18,13 @@ const BELOW: [(&str, &str); 17] = [
     ("tautline", "bounds certify discretizations formula metrics optimizers scalar sets"),
     ("portrait", "chance drawing tautline"),
     ("page", "drawing tautline"),
+    ("problem", "chance portrait tautline"),
+    ("cli", "chance problem"),
     ("statements", "tautline"),
     ("kit", "tautline chance statements"),
     ("suite", "tautline chance statements"),
     ("adversary", "tautline statements"),
+    ("audit", "tautline problem statements kit"),
 ];
 
 fn libraries() -> Vec<Manifest> {

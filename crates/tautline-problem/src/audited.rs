@@ -1,0 +1,120 @@
+//! What an audit asks of a file: the part of space that it is about, and proofs in a ball.
+
+use tautline_portrait::Shape;
+
+use crate::{Question, shape::Piece};
+
+impl Question {
+    /// Returns the lower and the upper corner of a box around the bounded pieces of both sets and a
+    /// near point of each unbounded one; `None` if the file has no sets.
+    #[must_use]
+    pub fn extents(&self) -> Option<[Vec<f64>; 2]> {
+        let pieces = || self.ends.iter().flatten().flatten();
+        let bounded: Vec<Vec<f64>> = pieces().flat_map(|piece| corners(&piece.shape)).collect();
+        let [low, high] = hull(&bounded)?;
+        let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).collect();
+        let far = pieces().filter_map(|piece| near(&piece.shape, &middle));
+        hull(&bounded.iter().cloned().chain(far).collect::<Vec<_>>())
+    }
+
+    /// Returns the centre and the radius of the ball in which the constants of the file hold, or of
+    /// the largest ball in the box; `None` if the file has no such region.
+    #[must_use]
+    pub fn ball_of_constants(&self) -> Option<(Vec<f64>, f64)> {
+        match &self.within.as_ref()?.shape {
+            Shape::Ball { centre, radius } => Some((centre.clone(), *radius)),
+            Shape::AxisBox { low, high } => {
+                let centre = low.iter().zip(high).map(|(a, b)| 0.5 * (a + b)).collect();
+                let halves = low.iter().zip(high).map(|(a, b)| 0.5 * (b - a));
+                Some((centre, halves.fold(f64::INFINITY, f64::min)))
+            }
+            _ => None,
+        }
+    }
+
+    /// Has constants proved in this ball. The centre must have as many coordinates as the metric;
+    /// missing ones count as 0.
+    pub fn prove_within_ball(&mut self, centre: Vec<f64>, radius: f64) {
+        let places = vec![self.problem.metric.span()];
+        self.within = Some(Piece { shape: Shape::Ball { centre, radius }, places });
+    }
+
+    /// Sets the largest number of boxes for one constant, if the file has none.
+    pub fn set_default_boxes(&mut self, boxes: usize) {
+        if self.problem.certify.boxes.is_none() {
+            self.boxes = boxes;
+        }
+    }
+}
+
+/// Returns points whose hull contains a bounded shape; none for an unbounded one.
+fn corners(shape: &Shape) -> Vec<Vec<f64>> {
+    match shape {
+        Shape::Point(x) => vec![x.clone()],
+        Shape::Points(points) => points.clone(),
+        Shape::Ball { centre, radius } | Shape::Sphere { centre, radius } => {
+            [-radius, *radius].map(|by| centre.iter().map(|x| x + by).collect()).into()
+        }
+        Shape::AxisBox { low, high } => vec![low.clone(), high.clone()],
+        Shape::Segment { from, to } => vec![from.clone(), to.clone()],
+        Shape::HalfSpace { .. } | Shape::AffineSubspace { .. } => Vec::new(),
+    }
+}
+
+/// Returns a point of an unbounded shape, the nearest of a half-space.
+fn near(shape: &Shape, x: &[f64]) -> Option<Vec<f64>> {
+    match shape {
+        Shape::HalfSpace { normal, offset } => {
+            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let step = (dot(normal, x) - offset).max(0.0) / dot(normal, normal);
+            Some(x.iter().zip(normal).map(|(x, n)| x - step * n).collect())
+        }
+        Shape::AffineSubspace { point, .. } => Some(point.clone()),
+        _ => None,
+    }
+}
+
+/// Returns the corners of the smallest box around points.
+fn hull(points: &[Vec<f64>]) -> Option<[Vec<f64>; 2]> {
+    let first = points.first()?;
+    let fold = |pick: fn(f64, f64) -> f64| {
+        let coordinate = |i: usize| points.iter().map(|x| x[i]).fold(first[i], pick);
+        (0..first.len()).map(coordinate).collect()
+    };
+    Some([fold(f64::min), fold(f64::max)])
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Question;
+
+    #[test]
+    fn the_extents_reach_from_a_ball_to_the_nearest_point_of_a_half_space() {
+        let file = "[metric]\nphi = 1\n[from]\nball = { centre = [1, 2], radius = 1 }\n\
+                    [to]\nhalf_space = { normal = [0, 2], at_least = 10 }\n";
+        let question = Question::read(file).expect("a problem");
+        assert_eq!(question.extents(), Some([vec![0.0, 1.0], vec![2.0, 5.0]]));
+    }
+
+    #[test]
+    fn the_largest_ball_in_a_box_is_as_wide_as_its_shortest_edge() {
+        let file = "dimension = 2\n[metric]\nphi = 1\n[certify]\n\
+                    within = { box = { lower = [0, 0], upper = [4, 2] } }\n";
+        let mut question = Question::read(file).expect("a problem");
+        assert_eq!(question.ball_of_constants(), Some((vec![2.0, 1.0], 1.0)));
+        question.prove_within_ball(vec![3.0, 4.0], 0.5);
+        assert_eq!(question.ball_of_constants(), Some((vec![3.0, 4.0], 0.5)));
+    }
+
+    #[test]
+    fn an_audit_of_nothing_is_refused() {
+        let file = "dimension = 1\n[metric]\nphi = 1\n[audit]\n";
+        for (audit, message) in [
+            ("cases = 0", "no samples"),
+            ("region = { lower = [1], upper = [1] }", "an empty region"),
+        ] {
+            let error = Question::read(&format!("{file}{audit}\n")).expect_err("refused");
+            assert_eq!(error.message, message);
+        }
+    }
+}
