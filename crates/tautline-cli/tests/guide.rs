@@ -1,7 +1,8 @@
-//! Runs every block of code in the guide as a test, named by its page and line.
+//! Runs every block of code in the guide as a test, named by its page and line, and compares every
+//! picture with the one that its page makes.
 //!
-//! `cargo test -p tautline-cli --test guide -- --list` lists the blocks. With `TAUTLINE_BLESS=1` answers
-//! that differ are written into the pages.
+//! `cargo test -p tautline-cli --test guide -- --list` lists the tests. With `TAUTLINE_BLESS=1` answers
+//! that differ are written into the pages, and pictures are copied into the guide.
 
 #[path = "guide/bless.rs"]
 mod bless;
@@ -11,6 +12,8 @@ mod block;
 mod command;
 #[path = "guide/page.rs"]
 mod page;
+#[path = "guide/picture.rs"]
+mod picture;
 #[path = "guide/self_tests.rs"]
 mod self_tests;
 
@@ -21,7 +24,7 @@ use std::{
 };
 
 use libtest_mimic::{Arguments, Failed, Trial};
-use page::Page;
+use page::{Outcomes, Page};
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
@@ -34,12 +37,15 @@ fn main() -> ExitCode {
     libtest_mimic::run(&arguments, tests).exit_code()
 }
 
+/// Selects the outcome of one test.
+type Select = dyn Fn(&Outcomes) -> &Result<(), String> + Send;
+
 /// Returns the root of the workspace.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// Returns a test for each block of each page below `folder`. The command `tautline` is the program
+/// Returns a test for each block and each picture of each page below `folder`. The command `tautline` is the program
 /// that `tautline` names.
 fn trials(folder: &Path, tautline: fn() -> Result<PathBuf, String>) -> Result<Vec<Trial>, String> {
     let bless = std::env::var_os("TAUTLINE_BLESS").is_some();
@@ -52,14 +58,21 @@ fn trials(folder: &Path, tautline: fn() -> Result<PathBuf, String>) -> Result<Ve
     for page in pages {
         let page = Arc::new(page);
         // The first test of a page runs all its blocks, in order: they share a folder.
-        let outcomes: Arc<OnceLock<Vec<Result<(), String>>>> = Arc::default();
-        for (index, block) in page.blocks.iter().enumerate() {
+        let outcomes: Arc<OnceLock<Outcomes>> = Arc::default();
+        let mut test = |name: String, select: Box<Select>| {
             let (page, outcomes) = (Arc::clone(&page), Arc::clone(&outcomes));
-            let name = format!("{}:{}", page.name, block.line);
             trials.push(Trial::test(name, move || {
                 let outcomes = outcomes.get_or_init(|| page.run(tautline, bless));
-                outcomes[index].clone().map_err(Failed::from)
+                select(outcomes).clone().map_err(Failed::from)
             }));
+        };
+        for (index, block) in page.blocks.iter().enumerate() {
+            let name = format!("{}:{}", page.name, block.line);
+            test(name, Box::new(move |outcomes| &outcomes.blocks[index]));
+        }
+        for (index, picture) in page.pictures.iter().enumerate() {
+            let name = format!("{}:{}", page.name, picture.name);
+            test(name, Box::new(move |outcomes| &outcomes.pictures[index]));
         }
     }
     Ok(trials)

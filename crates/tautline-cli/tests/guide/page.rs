@@ -9,7 +9,9 @@ use std::{
 use crate::{
     bless,
     block::{Block, Kind, blocks},
-    command, root,
+    command,
+    picture::{Picture, pictures},
+    root,
 };
 
 /// A page.
@@ -20,6 +22,14 @@ pub(crate) struct Page {
     pub(crate) name: String,
     text: String,
     pub(crate) blocks: Vec<Block>,
+    pub(crate) pictures: Vec<Picture>,
+}
+
+/// The outcomes of the blocks and of the pictures of a page, in their order.
+#[derive(Debug)]
+pub(crate) struct Outcomes {
+    pub(crate) blocks: Vec<Result<(), String>>,
+    pub(crate) pictures: Vec<Result<(), String>>,
 }
 
 impl Page {
@@ -36,8 +46,8 @@ impl Page {
                 } else if path.extension().is_some_and(|extension| extension == "md") {
                     let text = fs::read_to_string(&path).map_err(|error| at(&path, error))?;
                     let name = path.strip_prefix(folder).unwrap_or(&path).display().to_string();
-                    let blocks = blocks(&text);
-                    pages.push(Self { path, name, text, blocks });
+                    let (blocks, pictures) = (blocks(&text), pictures(&text));
+                    pages.push(Self { path, name, text, blocks, pictures });
                 }
             }
         }
@@ -45,16 +55,12 @@ impl Page {
         Ok(pages)
     }
 
-    /// Runs all blocks in order, and returns the outcome of each. If `bless` is set, answers that
-    /// differ are written into the page instead of being failures.
-    pub(crate) fn run(
-        &self,
-        tautline: fn() -> Result<PathBuf, String>,
-        bless: bool,
-    ) -> Vec<Result<(), String>> {
+    /// Runs all blocks in order, compares the pictures, and returns the outcome of each. If `bless` is
+    /// set, answers and pictures that differ are written into the guide instead of being failures.
+    pub(crate) fn run(&self, tautline: fn() -> Result<PathBuf, String>, bless: bool) -> Outcomes {
         let folder = match tempfile::tempdir() {
             Ok(folder) => folder,
-            Err(error) => return vec![Err(error.to_string()); self.blocks.len()],
+            Err(error) => return self.failed(&error.to_string()),
         };
         let mut edits: Vec<(Range<usize>, String)> = Vec::new();
         let mut outcomes: Vec<Result<(), String>> = Vec::new();
@@ -79,9 +85,24 @@ impl Page {
         if !edits.is_empty()
             && let Err(why) = bless::rewrite(&self.path, &self.text, &edits)
         {
-            return vec![Err(why); self.blocks.len()];
+            return self.failed(&why);
         }
-        outcomes
+        let written = |name: &str| {
+            self.blocks.iter().any(|block| block.kind == Ok(Kind::File(name.to_owned())))
+        };
+        let pictures = self.pictures.iter().map(|picture| {
+            if written(&picture.name) {
+                return Err(format!("{} is a block of the page, and no picture", picture.name));
+            }
+            picture.compare(&self.path, folder.path(), bless)
+        });
+        Outcomes { pictures: pictures.collect(), blocks: outcomes }
+    }
+
+    /// Returns the outcomes of a page that did not run.
+    fn failed(&self, why: &str) -> Outcomes {
+        let all = |count| vec![Err(why.to_owned()); count];
+        Outcomes { blocks: all(self.blocks.len()), pictures: all(self.pictures.len()) }
     }
 
     /// Checks that the page is a documentation test, which compiles and runs its Rust.

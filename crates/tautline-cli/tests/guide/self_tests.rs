@@ -27,6 +27,8 @@ pub(crate) fn all() -> Vec<Trial> {
         Trial::test("a_page_with_rust_must_be_a_documentation_test", rust_is_documented),
         Trial::test("blessing_writes_answers_and_leaves_the_rest", blessing),
         Trial::test("a_page_that_nothing_links_to_is_found", orphans_are_found),
+        Trial::test("a_picture_is_what_the_page_makes", pictures_are_made),
+        Trial::test("blessing_copies_a_picture", blessing_copies_a_picture),
         Trial::test("blocks_have_lines_and_kinds", blocks_have_lines_and_kinds),
     ]
 }
@@ -49,13 +51,13 @@ fn stand_in() -> Result<PathBuf, String> {
     WRITTEN.get_or_init(write).clone()
 }
 
-/// Runs one page. Returns the outcomes, and the page afterwards.
+/// Runs one page. Returns the outcomes of its blocks, and the page afterwards.
 fn run(text: &str, bless: bool) -> Result<(Vec<Result<(), String>>, String), String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let path = folder.path().join("page.md");
     fs::write(&path, text).map_err(|error| error.to_string())?;
     let pages = Page::all(folder.path())?;
-    let outcomes = pages.first().ok_or("no page")?.run(stand_in, bless);
+    let outcomes = pages.first().ok_or("no page")?.run(stand_in, bless).blocks;
     let after = fs::read_to_string(&path).map_err(|error| error.to_string())?;
     Ok((outcomes, after))
 }
@@ -148,6 +150,49 @@ fn orphans_are_found() -> Result<(), Failed> {
     }
     let found = orphans(&Page::all(folder.path())?);
     if found == ["b.md"] { Ok(()) } else { Err(format!("{found:?}").into()) }
+}
+
+/// Runs one page beside a picture `a.svg`. Returns the outcome of its only picture, and the picture
+/// afterwards.
+fn picture(text: &str, old: &str, bless: bool) -> Result<(Result<(), String>, String), Failed> {
+    let folder = tempfile::tempdir()?;
+    let shown = folder.path().join("pictures/a.svg");
+    fs::create_dir(folder.path().join("pictures"))?;
+    fs::write(folder.path().join("page.md"), text)?;
+    fs::write(&shown, old)?;
+    let pages = Page::all(folder.path())?;
+    let outcomes = pages.first().ok_or("no page")?.run(stand_in, bless);
+    match outcomes.pictures.as_slice() {
+        [outcome] => Ok((outcome.clone(), fs::read_to_string(&shown)?)),
+        other => Err(format!("{other:?}").into()),
+    }
+}
+
+/// A page whose command writes `one`, `two` and `three` into `a.svg`, and shows it.
+const PICTURED: &str = "```console\n$ tautline many > a.svg\n```\n\n![Lines](pictures/a.svg)\n";
+
+fn pictures_are_made() -> Result<(), Failed> {
+    picture(PICTURED, "one\ntwo\nthree\n", false)?.0?;
+    let bad = [
+        (PICTURED.to_owned(), "one\ntwo\n", "not the file"),
+        (PICTURED.replace("a.svg)", "b.svg)"), "one\n", "no command"),
+        (PICTURED.replace("> a.svg", "> b.svg"), "one\ntwo\nthree\n", "no command"),
+        (PICTURED.replace("Lines", ""), "one\ntwo\nthree\n", "no text"),
+        ("```svg,file=a.svg\nx\n```\n\n![Lines](pictures/a.svg)\n".to_owned(), "x\n", "a block"),
+    ];
+    for (text, old, why) in bad {
+        match picture(&text, old, false)?.0 {
+            Err(told) if told.contains(why) => {}
+            other => return Err(format!("{text:?}: {other:?}").into()),
+        }
+    }
+    Ok(())
+}
+
+fn blessing_copies_a_picture() -> Result<(), Failed> {
+    let (outcome, after) = picture(PICTURED, "old", true)?;
+    outcome?;
+    if after == "one\ntwo\nthree\n" { Ok(()) } else { Err(after.into()) }
 }
 
 fn blocks_have_lines_and_kinds() -> Result<(), Failed> {

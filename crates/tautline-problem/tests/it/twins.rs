@@ -98,7 +98,7 @@ fn a_file_gives_the_bits_of_the_problem_in_rust() {
     let half_pi = std::f64::consts::PI / 2.0;
     assert_twins("robot_arm", Arm, points([0.0, 0.2], [half_pi, 2.4]), Trapezoidal, 256, &plane);
     assert_twins("refraction", Layer, points([-1.0, 1.0], [1.0, -1.0]), Trapezoidal, 1024, &plane);
-    let ends = points([0.0, 0.0], [0.5, 0.25]);
+    let ends = points([0.0, 0.0], [0.25, 0.125]);
     assert_twins("normal_distributions", Distributions, ends, Trapezoidal, 512, &plane);
     let obstacle = |x: [f64; 2]| gallery::Obstacle { centre: x.into(), height: 12.0, width: 0.5 };
     let obstacles = [[1.0, 0.2], [2.6, 1.3], [2.9, -0.9], [4.3, 0.3]].map(obstacle);
