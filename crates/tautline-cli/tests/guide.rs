@@ -1,8 +1,8 @@
 //! Runs every block of code in the guide as a test, named by its page and line, and compares every
 //! picture with the one that its page makes.
 //!
-//! `cargo test -p tautline-cli --test guide -- --list` lists the tests. With `TAUTLINE_BLESS=1` answers
-//! that differ are written into the pages, and pictures are copied into the guide.
+//! `cargo test -p tautline-cli --test guide -- --list` lists the tests. With `TAUTLINE_BLESS=1`
+//! answers that differ are written into the pages, and pictures are copied into the guide.
 
 #[path = "guide/bless.rs"]
 mod bless;
@@ -45,8 +45,8 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// Returns a test for each block and each picture of each page below `folder`. The command `tautline` is the program
-/// that `tautline` names.
+/// Returns a test for each block and each picture of each page below `folder`. The command
+/// `tautline` is the program that `tautline` names.
 fn trials(folder: &Path, tautline: fn() -> Result<PathBuf, String>) -> Result<Vec<Trial>, String> {
     let bless = std::env::var_os("TAUTLINE_BLESS").is_some();
     let mut trials = Vec::new();

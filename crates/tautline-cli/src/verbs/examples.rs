@@ -28,7 +28,7 @@ pub(crate) fn examples(arguments: &Examples) -> Result<ExitCode, CommandError> {
         let mut list = String::new();
         for example in EXAMPLES {
             // Writing to a string does not fail.
-            let _ = writeln!(list, "{:<20}{}", example.name, example.question());
+            let _ = writeln!(list, "{:<22}{}", example.name, example.question());
         }
         print(&list)?;
     }

@@ -55,8 +55,8 @@ impl Page {
         Ok(pages)
     }
 
-    /// Runs all blocks in order, compares the pictures, and returns the outcome of each. If `bless` is
-    /// set, answers and pictures that differ are written into the guide instead of being failures.
+    /// Runs all blocks in order, compares the pictures, and returns the outcome of each. If `bless`
+    /// is set, answers and pictures that differ are written into the guide and are no failures.
     pub(crate) fn run(&self, tautline: fn() -> Result<PathBuf, String>, bless: bool) -> Outcomes {
         let folder = match tempfile::tempdir() {
             Ok(folder) => folder,

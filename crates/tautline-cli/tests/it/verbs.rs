@@ -109,7 +109,7 @@ fn every_example_is_written_and_solved() {
     let list = text(&tautline(&folder, &["examples"]).stdout);
     assert!(tautline(&folder, &["examples", "--all", "--to", "."]).status.success());
     for example in EXAMPLES {
-        let line = format!("{:<20}{}", example.name, example.question());
+        let line = format!("{:<22}{}", example.name, example.question());
         assert!(list.lines().any(|listed| listed == line) && line.ends_with('?'), "{line}");
         let name = format!("{}.toml", example.name);
         assert_eq!(fs::read_to_string(folder.join(&name)).expect("written"), example.text);
