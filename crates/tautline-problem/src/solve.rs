@@ -72,6 +72,14 @@ fn bounds<R: RuleOfThePaper, const D: usize>(
 ) -> Result<Bounds, String> {
     if let Some(claimed) = question.claimed {
         let enclosure = line.enclosure_given(claimed).map_err(|error| error.to_string())?;
+        if enclosure.lower > enclosure.upper {
+            // The upper bound is the length of a curve, so a claim is wrong.
+            let [lower, upper] = [enclosure.lower, enclosure.upper].map(f64::sqrt);
+            return Err(format!(
+                "the claimed constants are wrong: by them the distance is at least {lower}, but \
+                 the curve has length {upper}; `tautline audit` finds which one is wrong"
+            ));
+        }
         return Ok(in_words(enclosure, used(claimed, false, None)));
     }
     // The compiler decides.

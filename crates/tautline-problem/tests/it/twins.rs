@@ -170,6 +170,13 @@ fn a_file_chooses_rule_and_tolerance() {
     let d = fine.extrapolated.expect("several grids").value;
     let error = fine.length.value / d - 1.0;
     assert!((1e-8..1e-7).contains(&error) && fine.n > 256, "{} chords: {error}", fine.n);
+    // By c1 = 2 two points that are √2 apart have a distance of 2, but the curve is shorter.
+    let wrong = answer("wrong_constants", |file| file.replace("c1 = 1", "c1 = 2"));
+    let reason = wrong.no_bounds.expect("a contradiction");
+    assert!(
+        wrong.bounds.is_none() && reason.contains("the claimed constants are wrong"),
+        "{reason}"
+    );
     // The true trapezoid has no theorem.
     let other = solve("rule = \"true_trapezoid\"");
     assert!(

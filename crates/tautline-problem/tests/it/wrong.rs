@@ -53,7 +53,7 @@ fn each_mistake_is_underlined() {
         ("[0, \"f\"]]", "[0, \"f\"]]\nphi = 1", "", "several keys say what this is"),
         ("radius = 0.5", "radius = -0.5", "-0.5", "radius -0.5 must be ≥ 0"),
         (", radius = 0.5", "", "{ centre = [0, 0] }", "radius is missing"),
-        ("[0, 0], radius", "[0], radius", "[0]", ""),
+        ("[0, 0], radius", "[0], radius", "[1, 0]", "2 coordinates in dimension 1"),
         ("normal = [1, 0]", "normal = [0, 0]", "[0, 0]", "normal of a half-space must not be 0"),
         (", at_least = 3", "", "[1, 0]", "a half-space needs at_least or at_most"),
         ("at_least = 3", "at_least = 3, at_most = 4", "4", "a half-space has one side"),
