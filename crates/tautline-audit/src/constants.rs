@@ -111,12 +111,5 @@ fn is_refuted(constant: &ConstantAnswer) -> bool {
 pub(crate) fn used(constants: Constants, proved: bool, ball: Option<&BallOf>) -> UsedConstants {
     let within =
         ball.map(|(centre, radius)| BallAnswer { centre: centre.clone(), radius: *radius });
-    UsedConstants {
-        c1: constants.c1(),
-        c2: constants.c2(),
-        l_h: constants.l_h(),
-        m_h: constants.m_h(),
-        proved,
-        within,
-    }
+    UsedConstants::new(constants, proved, within)
 }

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use tautline::Constants;
 
 use crate::Float;
 
@@ -106,6 +107,21 @@ pub struct UsedConstants {
     pub proved: bool,
     /// The ball in which they hold; absent if that is all of space.
     pub within: Option<BallAnswer>,
+}
+
+impl UsedConstants {
+    /// Returns constants, with how they are known and the ball in which they hold.
+    #[must_use]
+    pub fn new(constants: Constants, proved: bool, within: Option<BallAnswer>) -> Self {
+        Self {
+            c1: constants.c1(),
+            c2: constants.c2(),
+            l_h: constants.l_h(),
+            m_h: constants.m_h(),
+            proved,
+            within,
+        }
+    }
 }
 
 /// A ball.

@@ -1,7 +1,7 @@
-//! Problems as files: a metric, two sets and what is asked of them, in TOML.
+//! Problems as TOML files: a metric, two sets, and options.
 //!
-//! A file is read, posed and solved in a dimension that is known when the program runs. What is
-//! wrong with it is said with the place in the file.
+//! The file sets the dimension, so the program learns it only when it runs. Every error in a file
+//! comes with its place.
 //!
 //! ```
 //! use tautline_problem::Question;

@@ -1,7 +1,7 @@
 //! Solves the problem of a file.
 
 use tautline::{
-    Constants, Curvature, Ends, Formula, Integral, Interpolation, LARGEST_N, LeftEndpoint, Options,
+    Curvature, Ends, Formula, Integral, Interpolation, LARGEST_N, LeftEndpoint, Options,
     PointSequence, Problem, Rule, RuleOfThePaper, SolveError, Starts, Stop, TautLine, Trapezoidal,
     TrueTrapezoid,
     bounds::{Enclosure, FromAbove, FromBelow},
@@ -80,7 +80,7 @@ fn bounds<R: RuleOfThePaper, const D: usize>(
                  the curve has length {upper}; `tautline audit` finds which one is wrong"
             ));
         }
-        return Ok(in_words(enclosure, used(claimed, false, None)));
+        return Ok(in_words(enclosure, UsedConstants::new(claimed, false, None)));
     }
     // The compiler decides.
     if const { D > LARGEST_PROVED_DIMENSION } {
@@ -91,22 +91,7 @@ fn bounds<R: RuleOfThePaper, const D: usize>(
     let within = proof
         .within
         .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
-    Ok(in_words(proof.enclosure, used(proof.constants, true, within)))
-}
-
-pub(crate) fn used(
-    constants: Constants,
-    proved: bool,
-    within: Option<BallAnswer>,
-) -> UsedConstants {
-    UsedConstants {
-        c1: constants.c1(),
-        c2: constants.c2(),
-        l_h: constants.l_h(),
-        m_h: constants.m_h(),
-        proved,
-        within,
-    }
+    Ok(in_words(proof.enclosure, UsedConstants::new(proof.constants, true, within)))
 }
 
 /// Turns bounds on the squared distance into bounds on the distance, rounded outwards.

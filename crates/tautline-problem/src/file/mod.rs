@@ -18,7 +18,7 @@ use placed::Placed;
 use request::{AuditFile, CertifyFile, OutputFile, SolveFile};
 use set::SetFile;
 
-/// A problem: a metric, the sets between which a curve runs, and what is asked.
+/// A problem: a metric, the two sets that a curve joins, and the options of each command.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "A problem of Tautline", rename = "Problem")]
