@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use tautline_formula::{AnyMetric, Batch, Batches, Kind, Plain};
 use tautline_metrics::{
     Metric, MetricError, check_matrix, norm_squared,
-    quadrature::{FIRST_NODES, Integral, integrate, is_integrated},
+    quadrature::{FIRST_NODES, Integral, integral_by_values, integrate_by_sevens},
 };
 
 use crate::{PointSequence, compensated_sum::CompensatedSum};
@@ -81,18 +81,29 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     /// metric is NaN.
     #[must_use]
     pub fn energy(&self, metric: &impl Metric<D>) -> Integral {
-        let metric = AnyMetric::new(metric);
-        let sum = self.quadrature(|x, d| norm_squared(&metric, x, d));
-        let n = self.sequence.n().get() as f64;
-        Integral { value: n * sum.value, error: n * sum.error }
+        let mut squares = self.squares(metric);
+        self.per_time(quadrature(self.chords(), 1, &mut squares, |square| square))
+    }
+
+    /// Returns the energy like [`energy`](Interpolation::energy), for a metric that is evaluated in
+    /// batches.
+    #[must_use]
+    pub fn energy_by_batches(&self, metric: &dyn Batches<D>) -> Integral {
+        self.per_time(self.quadrature_by_batches(metric, |square| square))
     }
 
     /// Returns the length `L(γᵖˡ) = ∫₀¹ (γ̇ᵀ H(γ) γ̇)^{1/2} dt`, in `m`, with an error estimate as
     /// for the energy.
     #[must_use]
     pub fn length(&self, metric: &impl Metric<D>) -> Integral {
-        let metric = AnyMetric::new(metric);
-        self.quadrature(|x, d| norm_squared(&metric, x, d).sqrt())
+        quadrature(self.chords(), 1, &mut self.squares(metric), f64::sqrt)
+    }
+
+    /// Returns the length like [`length`](Interpolation::length), for a metric that is evaluated in
+    /// batches.
+    #[must_use]
+    pub fn length_by_batches(&self, metric: &dyn Batches<D>) -> Integral {
+        self.quadrature_by_batches(metric, f64::sqrt)
     }
 
     /// Checks that the Gram matrix is finite, symmetric and positive definite along the curve.
@@ -161,19 +172,88 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         let squares = batch.row(batch.layout().square[0]).as_chunks().0;
         let speeds: Vec<_> = squares[..pieces.len()].iter().map(|s| s.map(f64::sqrt)).collect();
         let pieces = pieces.iter().zip(speeds);
-        Ok(pieces.filter(|(_, speeds)| !is_integrated(speeds, TOLERANCE)).map(|(piece, _)| piece))
+        Ok(pieces
+            .filter(|(_, speeds)| integral_by_values(speeds, TOLERANCE).is_none())
+            .map(|(piece, _)| piece))
     }
 
-    /// Returns `Σ ∫₀¹ f(x + s d, d) ds`, summed over the chords.
-    fn quadrature(&self, f: impl Fn(&SVector<f64, D>, &SVector<f64, D>) -> f64) -> Integral {
-        let (mut value, mut error) = (CompensatedSum::default(), 0.0);
-        for (x, d) in self.sequence.chords() {
-            let part = integrate(|s| f(&(x + d * s), &d), 0.0, 1.0, TOLERANCE);
+    fn chords(&self) -> usize {
+        self.sequence.n().get()
+    }
+
+    /// Turns `Σ ∫₀¹ dᵀHd ds` into the energy: a chord takes the time `1/N`.
+    fn per_time(&self, Integral { value, error }: Integral) -> Integral {
+        let n = self.chords() as f64;
+        Integral { value: n * value, error: n * error }
+    }
+
+    /// Evaluates `dᵀHd` at seven fractions of each of some chords, point by point.
+    fn squares<'s>(
+        &'s self,
+        metric: &'s impl Metric<D>,
+    ) -> impl FnMut(&[Sevens], &mut Vec<[f64; FIRST]>) + 's {
+        let metric = AnyMetric::new(metric);
+        move |places, squares| {
+            squares.clear();
+            squares.extend(places.iter().map(|&(chord, fractions)| {
+                let (x, d) = self.sequence.chord(chord);
+                fractions.map(|s| norm_squared(&metric, &(x + d * s), &d))
+            }));
+        }
+    }
+
+    /// Integrates `of(dᵀHd)` over all chords, in batches.
+    fn quadrature_by_batches(&self, metric: &dyn Batches<D>, of: fn(f64) -> f64) -> Integral {
+        let mut batch = Batch::new(metric, Kind::Square, FIRST, self.chords());
+        let room = batch.lanes() / FIRST;
+        let mut squares = |places: &[Sevens], squares: &mut Vec<[f64; FIRST]>| {
+            let count = FIRST * places.len();
+            let mut inputs = batch.inputs(count);
+            for (&(chord, fractions), first) in places.iter().zip((0..).step_by(FIRST)) {
+                let (x, d) = self.sequence.chord(chord);
+                for (s, lane) in fractions.into_iter().zip(first..) {
+                    inputs.set(lane, &(x + d * s), &d);
+                }
+            }
+            batch.evaluate(count);
+            let row = batch.row(batch.layout().square[0]).as_chunks().0;
+            squares.clear();
+            squares.extend(&row[..places.len()]);
+        };
+        quadrature(self.chords(), room, &mut squares, of)
+    }
+}
+
+/// Seven fractions of a chord, and the chord's number.
+type Sevens = (usize, [f64; FIRST]);
+
+/// Returns `Σ ∫₀¹ of(dᵀHd) ds`, summed over `n` chords. `squares` evaluates `dᵀHd` on up to `room`
+/// chords at a time.
+fn quadrature(
+    n: usize,
+    room: usize,
+    squares: &mut dyn FnMut(&[Sevens], &mut Vec<[f64; FIRST]>),
+    of: fn(f64) -> f64,
+) -> Integral {
+    let (mut value, mut error) = (CompensatedSum::default(), 0.0);
+    let (mut places, mut first, mut finer) = (Vec::new(), Vec::new(), Vec::new());
+    for begin in (0..n).step_by(room) {
+        places.clear();
+        places.extend((begin..n.min(begin + room)).map(|chord| (chord, FIRST_NODES)));
+        squares(&places, &mut first);
+        for (&(chord, _), values) in places.iter().zip(&first) {
+            let part = integral_by_values(&values.map(of), TOLERANCE).unwrap_or_else(|| {
+                let mut at = |nodes| {
+                    squares(&[(chord, nodes)], &mut finer);
+                    finer[0].map(of)
+                };
+                integrate_by_sevens(&mut at, 0.0, 1.0, TOLERANCE)
+            });
             value.add(part.value);
             error += part.error;
         }
-        Integral { value: value.value(), error }
     }
+    Integral { value: value.value(), error }
 }
 
 #[cfg(test)]

@@ -40,7 +40,7 @@ impl Curve {
         let (length, minimum) = (line.length(), line.minimum());
         let others = minimum.others.iter().map(|other| Other {
             points: points(&other.sequence),
-            length: Interpolation::new(&other.sequence).length(line.metric()).value,
+            length: line.length_of(&Interpolation::new(&other.sequence)).value,
         });
         Ok(Self {
             points: points(line.sequence()),

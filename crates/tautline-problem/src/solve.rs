@@ -207,7 +207,7 @@ impl Question {
     ) -> Result<Answer, Failure> {
         let minimum = line.minimum();
         let others = minimum.others.iter().map(|other| OtherMinimum {
-            length: estimated(Interpolation::new(&other.sequence).length(line.metric())),
+            length: estimated(line.length_of(&Interpolation::new(&other.sequence))),
             curve: points(&other.sequence),
         });
         let mut other_minima: Vec<OtherMinimum> = others.collect();

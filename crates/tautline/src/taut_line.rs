@@ -72,14 +72,21 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// estimate.
     #[must_use]
     pub fn energy(&self) -> Integral {
-        self.curve().energy(self.metric())
+        self.curve().energy_by_batches(&*self.metric)
     }
 
     /// Returns the length `L(γᵖˡ) ≥ d` of the curve, in `m`, computed by quadrature with an error
     /// estimate.
     #[must_use]
     pub fn length(&self) -> Integral {
-        self.curve().length(self.metric())
+        self.length_of(&self.curve())
+    }
+
+    /// Returns the length of any curve in this metric, in `m`, such as that of another
+    /// [local minimum](Minimum::others).
+    #[must_use]
+    pub fn length_of(&self, curve: &Interpolation<'_, D>) -> Integral {
+        curve.length_by_batches(&*self.metric)
     }
 
     /// Returns the speeds of the chords, in `m`. They are nearly equal for a minimiser.

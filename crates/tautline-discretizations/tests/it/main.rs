@@ -1,4 +1,5 @@
 //! Compares the rules with exact values and independent derivatives.
 
+mod batches;
 mod derivatives;
 mod values;
