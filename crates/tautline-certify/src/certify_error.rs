@@ -2,7 +2,7 @@
 
 use tautline_formula::RecordError;
 use tautline_metrics::HypothesisError;
-use tautline_scalar::IntervalError;
+use tautline_scalar::{IntervalError, Short};
 use thiserror::Error;
 
 use crate::Quantity;
@@ -33,10 +33,7 @@ pub enum CertifyError {
         radius: f64,
     },
     /// A metric was declared to settle, but still changes at the reach of the domain.
-    #[error(
-        "along coordinate {coordinate} the metric still changes by up to {change} in proportion \
-         when the distance is doubled"
-    )]
+    #[error("far out along x{} the metric is not proved to become constant{}", coordinate + 1, by(*change))]
     NotSettled {
         /// The index of the coordinate, from 0.
         coordinate: usize,
@@ -70,8 +67,8 @@ pub enum CertifyError {
     /// The metric is not positive definite at a point of the domain. This is proved with outward
     /// rounding.
     #[error(
-        "the metric is not positive definite at {point:?}: its least eigenvalue is {eigenvalue:?} \
-         at most"
+        "the metric is not positive definite at {point:?}: its least eigenvalue is at most {}",
+        Short(*eigenvalue)
     )]
     NotPositiveDefinite {
         /// The point at which it was evaluated, in `ℓ`.
@@ -81,7 +78,10 @@ pub enum CertifyError {
     },
     /// The budget of boxes was spent before the bounds were close enough. The bounds are still
     /// valid.
-    #[error("after {boxes} boxes, {quantity} is known only to lie between {lower:?} and {upper:?}")]
+    #[error(
+        "after {boxes} boxes, {quantity} is known only to lie between {} and {}",
+        Short(*lower), Short(*upper)
+    )]
     BudgetSpent {
         /// The constant in question.
         quantity: Quantity,
@@ -95,4 +95,12 @@ pub enum CertifyError {
     /// The bounds do not form the constants of a metric; for example, one of them overflows.
     #[error(transparent)]
     Hypothesis(#[from] HypothesisError),
+}
+
+/// Says how much a metric still changes, if that is known.
+fn by(change: f64) -> String {
+    if change.is_nan() {
+        return String::new();
+    }
+    format!(": it changes by up to {} of itself when the distance is doubled", Short(change))
 }

@@ -57,4 +57,5 @@ pub use certify_error::CertifyError;
 pub use constants::{CertifiedConstant, CertifiedConstants, Quantity, certify};
 pub use curves::{AdmissibleCurve, CurveError, Polygon};
 pub use domain::Domain;
+pub use formula::is_isotropic;
 pub use locally_certified::LocallyCertified;

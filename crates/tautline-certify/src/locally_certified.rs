@@ -9,6 +9,8 @@ use crate::{Accuracy, CertifiedConstants, Domain};
 /// A metric whose constants on a ball are proved from its formula on demand. The competitors of a
 /// computed line need only these constants, and the metric may have none on all of `R^D`.
 ///
+/// The constants are within the tolerance of the best ones, or wider if the budget is spent first.
+///
 /// ```
 /// use tautline_certify::{Accuracy, LocallyCertified};
 /// use tautline_metrics::{LocallyBounded, gallery::Sphere};
@@ -48,7 +50,7 @@ impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
     /// # Errors
     ///
     /// [`LocalError::NotProved`] with the reason: the metric is undefined or indefinite somewhere
-    /// on the ball, or the budget was spent.
+    /// on the ball, or the budget was spent before `c₁` was known to be positive.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -56,7 +58,7 @@ impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
     ) -> Result<Constants, LocalError> {
         LocalError::check_ball(centre, radius)?;
         let proved = Domain::ball(*centre, radius).and_then(|ball| {
-            CertifiedConstants::new(&self.metric, &ball, self.accuracy)?.constants()
+            CertifiedConstants::within_budget(&self.metric, &ball, self.accuracy)?.constants()
         });
         // The constants hold only on the ball, even if the formula shows more.
         proved.map(Constants::on_a_region).map_err(|why| {

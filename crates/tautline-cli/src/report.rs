@@ -30,6 +30,9 @@ pub(crate) fn answer(answer: &Answer) -> String {
         "length",
         format!("{} of a curve of {chords} chords, {rule} rule", nearest(answer.length.value)),
     );
+    if let [first, .., last] = answer.curve.as_slice() {
+        line("", format!("from {} to {}", point(first), point(last)));
+    }
     if let Some(Estimated { value, error }) = answer.extrapolated {
         line("extrapolated", format!("{} ± {error:.0e}, an estimate", nearest(value)));
     }
@@ -59,14 +62,21 @@ pub(crate) fn answer(answer: &Answer) -> String {
     text
 }
 
+/// Returns a point to six decimals, which is less than a picture shows and more than it needs.
+fn point(x: &[f64]) -> String {
+    // Adding 0 turns −0 into 0.
+    let coordinates = x.iter().map(|x| ((x * 1e6).round() / 1e6 + 0.0).to_string());
+    format!("[{}]", coordinates.collect::<Vec<_>>().join(", "))
+}
+
 fn interval(bounds: &Bounds) -> String {
     let (lower, upper) = (rounded_down(bounds.lower.value), rounded_up(bounds.upper.value));
     format!("between {lower} and {upper}")
 }
 
 /// Curves that are longer by less than this fraction count as equally short: on a coarser grid they
-/// are longer.
-const TIE: f64 = 1e-3;
+/// are a little longer.
+const TIE: f64 = 1e-5;
 
 /// Returns what the bounds rest on.
 fn note(bounds: &Bounds) -> Option<&'static str> {

@@ -32,6 +32,7 @@
 
 mod admissible_energy;
 mod block_tridiagonal;
+mod check;
 mod chord_batch;
 mod chord_model;
 mod compensated_sum;

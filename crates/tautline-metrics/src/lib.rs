@@ -54,4 +54,4 @@ pub use constants::{Constants, HypothesisError};
 pub use locally_bounded::{LocalError, LocallyBounded};
 pub use metric::{Bounded, KnownDistance, Metric, norm_squared};
 pub use positive_definite::{MetricError, check_gram, check_matrix, cholesky, is_gram};
-pub use tautline_scalar::{Jet1, Jet2, Lanes, Pair, Scalar};
+pub use tautline_scalar::{Jet1, Jet2, Lanes, Pair, Scalar, Short};

@@ -1,6 +1,7 @@
 //! `LocallyBounded`: a metric with constants on balls, though perhaps not on all of `R^D`.
 
 use nalgebra::SVector;
+use tautline_scalar::Short;
 
 use crate::{Constants, HypothesisError, Metric};
 
@@ -51,7 +52,10 @@ impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for &M {
 #[non_exhaustive]
 pub enum LocalError {
     /// The metric is not defined on all of the ball.
-    #[error("a ball of radius {radius} reaches to {reach}, but the metric ends at {limit}")]
+    #[error(
+        "a ball of radius {} reaches to {}, but the metric ends at {limit}",
+        Short(*radius), Short(*reach)
+    )]
     LeavesTheDomain {
         /// The radius of the ball, in `ℓ`.
         radius: f64,
@@ -75,7 +79,7 @@ pub enum LocalError {
         value: f64,
     },
     /// No constants could be proved from the formula.
-    #[error("no constants could be proved on the ball of radius {radius}: {reason}")]
+    #[error("no constants are proved on the ball of radius {}: {reason}", Short(*radius))]
     NotProved {
         /// The radius of the ball, in `ℓ`.
         radius: f64,

@@ -50,6 +50,7 @@ pub use newton::{
     workspace::Workspace,
 };
 pub use search::{
+    candidate::are_apart,
     minimum::{Curvature, Level, Minimum, Other, Stop},
     solve_error::SolveError,
     starts::Starts,

@@ -1,7 +1,7 @@
 //! `Curve`: a computed curve between two points, and the other local minima.
 
 use serde::Serialize;
-use tautline::{Interpolation, PointSequence};
+use tautline::PointSequence;
 
 use crate::{Complaint, Question};
 
@@ -23,7 +23,7 @@ pub struct Curve {
 /// Another local minimum.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Other {
-    /// Its points, in order. There may be fewer than those of the curve.
+    /// Its points, in order: as many as those of the curve, or 513.
     pub points: Vec<[f64; 2]>,
     /// Its length, in `m`.
     pub length: f64,
@@ -38,10 +38,10 @@ impl Curve {
     pub fn new(question: &Question) -> Result<Self, Complaint> {
         let line = question.line()?;
         let (length, minimum) = (line.length(), line.minimum());
-        let others = minimum.others.iter().map(|other| Other {
-            points: points(&other.sequence),
-            length: line.length_of(&Interpolation::new(&other.sequence)).value,
-        });
+        let others = line.other_minima();
+        let others = others
+            .iter()
+            .map(|other| Other { points: points(other.sequence()), length: other.length().value });
         Ok(Self {
             points: points(line.sequence()),
             length: length.value,

@@ -7,6 +7,9 @@ use crate::Complaint;
 /// The most chords that a page may ask for: a picture shows no more.
 const MOST_CHORDS: u32 = 4096;
 
+/// The most characters of a formula: its derivatives are found while the reader waits.
+const MOST_CHARACTERS: usize = 2000;
+
 /// A metric on the plane, two points, and the number of chords of the curve between them.
 #[derive(Clone, Debug)]
 pub struct Question {
@@ -19,7 +22,8 @@ impl Question {
     ///
     /// # Errors
     ///
-    /// [`Complaint`] if the formula is broken, with its place; if a coordinate is not finite; if
+    /// [`Complaint`] if the formula is broken, with its place, or longer than 2000 characters; if a
+    /// coordinate is not finite; if
     /// the number of chords is 0 or exceeds 4096.
     pub fn new(
         formula: &str,
@@ -50,6 +54,11 @@ impl Question {
 
 /// Reads a metric on the plane.
 pub(crate) fn read(formula: &str) -> Result<Formula<2>, Complaint> {
+    let count = formula.chars().count();
+    if count > MOST_CHARACTERS {
+        let most = format!("{count} characters: a page reads at most {MOST_CHARACTERS}");
+        return Err(Complaint::about(&most));
+    }
     Formula::parse(formula, &[]).map_err(|error| Complaint::about_text(formula, &error))
 }
 
@@ -67,6 +76,8 @@ mod tests {
         assert!(refused("1 I", 0.0, u32::MAX).contains("4294967295 chords"));
         assert!(refused("1 I", f64::NAN, 8).contains("NaN"));
         assert!(refused("(x1 - 0.25) I", 0.0, 8).contains("not positive definite"));
+        let long = format!("({}1) I", "1 + ".repeat(500));
+        assert!(refused(&long, 0.0, 8).contains("2005 characters"));
         assert!(refused("ln(x1) I", -1.0, 8).contains("finite"));
     }
 }

@@ -9,7 +9,8 @@ use std::{
 };
 
 use tautline::{
-    Ball, Ends, HalfSpace, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, gallery,
+    Ball, Ends, HalfSpace, Metric, Problem, SMatrix, SVector, Scalar, TautLine, Trapezoidal,
+    gallery,
 };
 use tautline_problem::{Example, Grid, Question};
 
@@ -68,9 +69,10 @@ fn compare<M: Metric<D>, const D: usize>(
         let line = Problem::new(metric(), ends()).solve(Trapezoidal, n).expect("solved");
         // What a file is answered with, but for the lists of points.
         let lengths = (line.length(), line.energy(), line.distance_squared_estimate());
+        let others: Vec<_> = line.other_minima().iter().map(TautLine::length).collect();
         least[1] = least[1].min(start.elapsed().as_secs_f64());
         assert_eq!(answer.length.value.to_bits(), lengths.0.value.to_bits(), "{name}");
-        black_box((answer, lengths));
+        black_box((answer, lengths, others));
         if begin.elapsed() > LONGEST {
             break;
         }

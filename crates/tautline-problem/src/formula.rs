@@ -114,7 +114,7 @@ impl<'f> Texts<'f> {
             MetricFile::Gallery(metric) => {
                 let place = metric.span();
                 Written::Recorded(gallery::formula(
-                    metric.get_ref(),
+                    &metric.get_ref().0,
                     place,
                     self.numbers,
                     dimension,

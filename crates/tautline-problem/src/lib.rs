@@ -24,6 +24,7 @@
 
 mod answer;
 mod audited;
+mod bounds;
 mod constants;
 mod diagnostic;
 mod dimension;

@@ -1,20 +1,16 @@
 //! Solves the problem of a file.
 
 use tautline::{
-    Curvature, Ends, Formula, Integral, Interpolation, LARGEST_N, LeftEndpoint, Options,
-    PointSequence, Problem, Rule, RuleOfThePaper, SolveError, Starts, Stop, TautLine, Trapezoidal,
-    TrueTrapezoid,
-    bounds::{Enclosure, FromAbove, FromBelow},
-    certify::Accuracy,
+    Curvature, Ends, Formula, Integral, LARGEST_N, LeftEndpoint, Options, PointSequence, Problem,
+    Rule, SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
 };
 
 use tautline_portrait::Shape;
 
 use crate::{
-    Answer, BallAnswer, Bounds, Diagnostic, Estimated, Failure, GlobalMinimum, Grid, OtherMinimum,
-    Question, Search, UsedConstants,
-    constants::too_many_coordinates,
-    dimension::{InDimension, LARGEST_PROVED_DIMENSION, in_dimension},
+    Answer, Bounds, Diagnostic, Estimated, Failure, Grid, OtherMinimum, Question, Search,
+    bounds::bounds,
+    dimension::{InDimension, in_dimension},
     file::request::RuleFile,
     shape::{Piece, union, vector},
 };
@@ -62,65 +58,6 @@ impl InDimension for Solve<'_> {
                 question.answer(&line, no_theorem, solved)
             }
         }
-    }
-}
-
-/// Returns bounds on the distance, or why there are none.
-fn bounds<R: RuleOfThePaper, const D: usize>(
-    question: &Question,
-    line: &TautLine<Formula<D>, R, D>,
-) -> Result<Bounds, String> {
-    if let Some(claimed) = question.claimed {
-        let enclosure = line.enclosure_given(claimed).map_err(|error| error.to_string())?;
-        if enclosure.lower > enclosure.upper {
-            // The upper bound is the length of a curve, so a claim is wrong.
-            let [lower, upper] = [enclosure.lower, enclosure.upper].map(f64::sqrt);
-            return Err(format!(
-                "the claimed constants are wrong: by them the distance is at least {lower}, but \
-                 the curve has length {upper}; `tautline audit` finds which one is wrong"
-            ));
-        }
-        return Ok(in_words(enclosure, UsedConstants::new(claimed, false, None)));
-    }
-    // The compiler decides.
-    if const { D > LARGEST_PROVED_DIMENSION } {
-        return Err(too_many_coordinates().to_string());
-    }
-    let accuracy = Accuracy { tolerance: question.accuracy, budget: question.boxes };
-    let proof = line.prove(accuracy).map_err(|error| error.to_string())?;
-    let within = proof
-        .within
-        .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
-    Ok(in_words(proof.enclosure, UsedConstants::new(proof.constants, true, within)))
-}
-
-/// Turns bounds on the squared distance into bounds on the distance, rounded outwards.
-fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
-    let lower = enclosure.lower.max(0.0).sqrt();
-    let lower = if lower > 0.0 { lower.next_down() } else { lower };
-    let upper = enclosure.upper.sqrt();
-    let upper = if upper > 0.0 { upper.next_up() } else { upper };
-    let global_minimum = match (enclosure.is_not_global, enclosure.assumes_global_minimum) {
-        (true, _) => GlobalMinimum::Refuted,
-        (false, true) => GlobalMinimum::Assumed,
-        (false, false) => GlobalMinimum::Proved,
-    };
-    let lower_by = match enclosure.from_below {
-        FromBelow::Euclidean => "Proposition 3.3",
-        FromBelow::Minimum => "Lemma S.4",
-        _ => "nothing: a distance is not negative",
-    };
-    let upper_by = match enclosure.from_above {
-        FromAbove::Length => "the length of the curve",
-        FromAbove::Energy => "the root of the energy of the curve",
-    };
-    Bounds {
-        lower: lower.into(),
-        upper: upper.into(),
-        global_minimum,
-        constants,
-        lower_by: lower_by.to_owned(),
-        upper_by: upper_by.to_owned(),
     }
 }
 
@@ -206,12 +143,11 @@ impl Question {
         solved: &mut dyn FnMut(&Answer),
     ) -> Result<Answer, Failure> {
         let minimum = line.minimum();
-        let others = minimum.others.iter().map(|other| OtherMinimum {
-            length: estimated(line.length_of(&Interpolation::new(&other.sequence))),
-            curve: points(&other.sequence),
+        let others = line.other_minima();
+        let other_minima = others.iter().map(|other| OtherMinimum {
+            length: estimated(other.length()),
+            curve: points(other.sequence()),
         });
-        let mut other_minima: Vec<OtherMinimum> = others.collect();
-        other_minima.sort_by(|a, b| a.length.value.total_cmp(&b.length.value));
         let root = |square: f64| square.max(0.0).sqrt();
         let mut answer = Answer {
             dimension: D,
@@ -235,7 +171,7 @@ impl Question {
             bounds: None,
             no_bounds: self.bound.then(|| "not finished".to_owned()),
             curve: points(&minimum.sequence),
-            other_minima,
+            other_minima: other_minima.collect(),
         };
         solved(&answer);
         if self.bound {

@@ -83,6 +83,7 @@ mod lanes;
 mod operators;
 mod pair;
 mod scalar;
+mod short;
 
 pub use interval::{Enclosure, Fast, FastInterval, Interval, IntervalError, Kernel, Rigorous};
 pub use jet1::Jet1;
@@ -90,6 +91,7 @@ pub use jet2::Jet2;
 pub use lanes::Lanes;
 pub use pair::Pair;
 pub use scalar::Scalar;
+pub use short::Short;
 
 #[doc(hidden)]
 pub use num_traits;

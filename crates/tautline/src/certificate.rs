@@ -111,12 +111,16 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     }
 
     /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), by constants that
-    /// you claim for this metric on all of `R^D`.
+    /// you claim for this metric on all of `R^D`. They count as
+    /// [isotropic](Constants::is_isotropic) if the formula shows that `H` is a multiple of the
+    /// identity.
     ///
     /// # Errors
     ///
     /// As for [`enclosure`](TautLine::enclosure).
     pub fn enclosure_given(&self, constants: Constants) -> Result<Enclosure, BoundError> {
+        let is_isotropic = self.formula().is_some_and(tautline_certify::is_isotropic);
+        let constants = if is_isotropic { constants.isotropic() } else { constants };
         self.enclosure_by(global(constants)?, self.extent())
     }
 
@@ -383,5 +387,23 @@ mod tests {
         assert_eq!(Trapezoidal::OF_THE_PAPER, PaperRule::Trapezoidal);
         assert_eq!(LeftEndpoint::OF_THE_PAPER, PaperRule::LeftEndpoint);
         assert!(Bounded::<2>::constants(&Valleys).is_isotropic());
+    }
+
+    /// Constants that are claimed give the bounds that they give when they are proved: the formula
+    /// shows in both cases that `H` is a multiple of the identity.
+    #[test]
+    fn claimed_constants_count_as_much_as_proved_ones() {
+        let ends = Ends::points([0.0, 0.0], [1.0, 1.0]).expect("finite");
+        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 256).expect("solved");
+        let proof = line.prove(tautline_certify::Accuracy::default()).expect("proved");
+        let claim =
+            Constants::new(proof.constants.c1(), proof.constants.c2(), proof.constants.l_h());
+        let claim = claim.and_then(|claim| claim.with_m_h(proof.constants.m_h().expect("proved")));
+        let claim = claim.expect("constants");
+        assert!(!claim.is_isotropic() && proof.constants.is_isotropic());
+        let claimed = line.enclosure_given(claim).expect("bounds");
+        // The curves' energies differ by a quadrature error of a few roundings.
+        let difference = (claimed.lower - proof.enclosure.lower).abs();
+        assert!(difference <= 1e-12 * claimed.upper, "{claimed:?} {:?}", proof.enclosure);
     }
 }

@@ -60,6 +60,7 @@ mod batch;
 mod certificate;
 mod competitors;
 mod conventions;
+mod other_minima;
 mod problem;
 mod proof;
 mod taut_line;
@@ -94,7 +95,7 @@ pub use tautline_optimizers::{
     Other, SolveError, Starts, Stop, Workspace, extrapolate, leading_constants, minimise,
     minimise_by_batches, minimise_in, newton_step,
 };
-pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar};
+pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short};
 pub use tautline_sets::{
     AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
     Sphere, Union,

@@ -64,7 +64,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), from the formula
     /// of the metric alone. The constants are proved on all of `R^D` if the formula shows that a
     /// box suffices, as for a periodic one. Otherwise they are proved on a ball that contains all
-    /// [competitors](TautLine::competitors).
+    /// [competitors](TautLine::competitors). If the budget is spent before a constant is as close
+    /// as wanted, a wider one serves.
     ///
     /// ```
     /// use tautline::{Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, certify};
@@ -99,7 +100,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         };
         let space = Domain::space(self.metric());
         let (constants, within, enclosure) = if space.is_all_of_space() {
-            let proved = CertifiedConstants::new(self.metric(), &space, accuracy)?;
+            let proved = CertifiedConstants::within_budget(self.metric(), &space, accuracy)?;
             let constants = proved.constants()?;
             (constants, None, self.enclosure_by(constants, extent)?)
         } else {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule};
-use tautline_formula::Prepared;
+use tautline_formula::{Formula, Prepared};
 use tautline_metrics::Metric;
 use tautline_optimizers::{Estimate, Minimum, extrapolate};
 use tautline_sets::Ends;
@@ -31,6 +31,16 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     #[must_use]
     pub fn metric(&self) -> &M {
         self.metric.metric()
+    }
+
+    /// Returns the metric, ready for batches.
+    pub(crate) fn prepared(&self) -> &Arc<Prepared<M, D>> {
+        &self.metric
+    }
+
+    /// Returns the formula of the metric, or `None` if it could not be recorded.
+    pub(crate) fn formula(&self) -> Option<&Formula<D>> {
+        self.metric.formula()
     }
 
     /// Returns the rule.
@@ -79,14 +89,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// estimate.
     #[must_use]
     pub fn length(&self) -> Integral {
-        self.length_of(&self.curve())
-    }
-
-    /// Returns the length of any curve in this metric, in `m`, such as that of another
-    /// [local minimum](Minimum::others).
-    #[must_use]
-    pub fn length_of(&self, curve: &Interpolation<'_, D>) -> Integral {
-        curve.length_by_batches(&*self.metric)
+        self.curve().length_by_batches(&*self.metric)
     }
 
     /// Returns the speeds of the chords, in `m`. They are nearly equal for a minimiser.

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod formats;
+mod guide;
 mod program;
 mod regions;
 mod right_files;

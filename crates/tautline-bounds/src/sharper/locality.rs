@@ -3,7 +3,7 @@
 
 use std::num::NonZeroUsize;
 
-use tautline_metrics::Constants;
+use tautline_metrics::{Constants, Short};
 
 use super::ceiling;
 use crate::{BoundError, PaperRule, Setting};
@@ -22,7 +22,7 @@ pub struct Region {
 #[non_exhaustive]
 pub enum LocalityError<E> {
     /// The metric has no constants on a region of this radius.
-    #[error("no constants within {radius} of the bounded end (Proposition S.8): {reason}")]
+    #[error("no constants within {} of the bounded end: {reason}", Short(*radius))]
     NoConstants {
         /// The radius, in `ℓ`.
         radius: f64,
@@ -32,8 +32,9 @@ pub enum LocalityError<E> {
     /// Competitors might leave every region that was tried, because `√c₁` decreases faster than the
     /// radius increases.
     #[error(
-        "within {radius} of the bounded end a competitor could go as far as {reach}: \
-         no region contains them all (Proposition S.8)"
+        "by the constants within {} of the bounded end, as short a curve could go as far as {}: no \
+         region is known to contain the shortest one",
+        Short(*radius), Short(*reach)
     )]
     Escapes {
         /// The largest radius that was tried, in `ℓ`.
@@ -79,7 +80,8 @@ pub fn competitors<E>(
     upper: f64,
     mut constants_within: impl FnMut(f64) -> Result<Constants, E>,
 ) -> Result<Region, LocalityError<E>> {
-    let (mut radius, mut first, mut last) = (0.0_f64, f64::INFINITY, 0.0_f64);
+    let (mut radius, mut first) = (0.0_f64, f64::INFINITY);
+    let (mut tried, mut last) = (0.0, 0.0);
     // The radius increases by at least 1 % each time. At nine decades beyond the first reach, c₁
     // has decreased by eighteen decades, and the bounds are worthless.
     while radius <= 1e9 * first {
@@ -92,14 +94,14 @@ pub fn competitors<E>(
             return Ok(Region { radius, constants });
         }
         first = first.min(reach);
-        last = reach;
+        (tried, last) = (radius, reach);
         let next = 1.01 * reach;
         if !(next > radius && next.is_finite()) {
             break;
         }
         radius = next;
     }
-    Err(LocalityError::Escapes { radius, reach: last })
+    Err(LocalityError::Escapes { radius: tried, reach: last })
 }
 
 /// Bounds the distance of a competitor from the bounded end, in `ℓ`, by `d̄ √e/√c₁`, where `d̄` is
@@ -149,7 +151,9 @@ mod tests {
     #[test]
     fn a_distance_above_one_is_an_escape_on_the_sphere() {
         let error = competitors(2, TRA, N, 1.01, sphere).expect_err("too far");
-        assert!(matches!(error, LocalityError::Escapes { reach, .. } if reach > 1.0), "{error}");
+        let LocalityError::Escapes { radius, reach } = error else { panic!("{error}") };
+        // The last radius that was tried, so that the next one would have been a little more.
+        assert!(reach > 1.0 && radius <= reach, "{error}");
     }
 
     /// `H ≥ 1` with `L_H = 2` and `d̄ = 1` has `δ = 2`. With one chord a competitor may be as far

@@ -3,7 +3,7 @@
 use tautline_formula::AnyMetric;
 use tautline_metrics::{Constants, Metric};
 
-use super::{CertifiedConstant, Quantity, certify};
+use super::{CertifiedConstant, Quantity, enclose};
 use crate::{Accuracy, CertifyError, Domain, formula::is_isotropic};
 
 /// Enclosures of the four constants of a metric on a domain, proved from its formula.
@@ -37,14 +37,58 @@ impl<const D: usize> CertifiedConstants<D> {
     ///
     /// # Errors
     ///
-    /// The error of [`certify`] for the first constant that fails.
+    /// The error of [`certify`](super::certify) for the first constant that fails.
     pub fn new(
         metric: &impl Metric<D>,
         domain: &Domain<D>,
         accuracy: Accuracy,
     ) -> Result<Self, CertifyError> {
+        Self::enclosed(metric, domain, accuracy, |_, _, reached| reached)
+    }
+
+    /// Encloses the constants like [`new`](Self::new), but accepts bounds that are wider than the
+    /// tolerance once the budget is spent. They are constants all the same.
+    ///
+    /// ```
+    /// use tautline_certify::{CertifiedConstants, Domain, Accuracy};
+    /// use tautline_metrics::gallery::Sphere;
+    ///
+    /// let ball = Domain::<2>::ball([0.3, 0.0], 0.5)?;
+    /// let few = Accuracy { tolerance: 1e-9, budget: 500 };
+    /// assert!(CertifiedConstants::new(&Sphere, &ball, few).is_err());
+    /// let proved = CertifiedConstants::within_budget(&Sphere, &ball, few)?.constants()?;
+    /// let c1 = 4.0 / 1.64_f64.powi(2); // 4 / (1 + |x|²)² at the rim
+    /// assert!(proved.c1() <= c1 && proved.c1() > 0.98 * c1);
+    /// # Ok::<(), tautline_certify::CertifyError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`new`](Self::new), but [`CertifyError::BudgetSpent`] only if `c₁` is not known to be
+    /// positive, or if another constant has no upper bound.
+    pub fn within_budget(
+        metric: &impl Metric<D>,
+        domain: &Domain<D>,
+        accuracy: Accuracy,
+    ) -> Result<Self, CertifyError> {
+        Self::enclosed(metric, domain, accuracy, |quantity, constant, _| match quantity {
+            Quantity::C1 => constant.lower > 0.0,
+            Quantity::C2 | Quantity::LH | Quantity::MH => constant.upper.is_finite(),
+        })
+    }
+
+    fn enclosed(
+        metric: &impl Metric<D>,
+        domain: &Domain<D>,
+        accuracy: Accuracy,
+        is_enough: fn(Quantity, &CertifiedConstant<D>, bool) -> bool,
+    ) -> Result<Self, CertifyError> {
         let metric = &AnyMetric::new(metric);
-        let of = |quantity| certify(metric, quantity, domain, accuracy);
+        let of = |quantity| {
+            let (constant, reached) = enclose(metric, quantity, domain, accuracy)?;
+            let is_enough = is_enough(quantity, &constant, reached);
+            if is_enough { Ok(constant) } else { Err(constant.spent(quantity)) }
+        };
         Ok(Self {
             c1: of(Quantity::C1)?,
             c2: of(Quantity::C2)?,

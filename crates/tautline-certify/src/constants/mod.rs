@@ -58,6 +58,12 @@ impl<const D: usize> CertifiedConstant<D> {
         if self.lower == self.upper { 1.0 } else { self.upper / self.lower }
     }
 
+    /// Returns the error that these bounds are not close enough.
+    fn spent(&self, quantity: Quantity) -> CertifyError {
+        let Self { lower, upper, boxes, .. } = *self;
+        CertifyError::BudgetSpent { quantity, lower, upper, boxes }
+    }
+
     /// Returns whether `value` lies between the bounds, so that it may be the constant.
     #[must_use]
     pub fn contains(&self, value: f64) -> bool {
@@ -90,6 +96,18 @@ pub fn certify<const D: usize>(
     domain: &Domain<D>,
     accuracy: Accuracy,
 ) -> Result<CertifiedConstant<D>, CertifyError> {
+    let (constant, reached) = enclose(metric, quantity, domain, accuracy)?;
+    if reached { Ok(constant) } else { Err(constant.spent(quantity)) }
+}
+
+/// Encloses a constant like [`certify`], and returns whether the tolerance is reached. If it is
+/// not, the bounds are those that the budget allows.
+fn enclose<const D: usize>(
+    metric: &impl Metric<D>,
+    quantity: Quantity,
+    domain: &Domain<D>,
+    accuracy: Accuracy,
+) -> Result<(CertifiedConstant<D>, bool), CertifyError> {
     if D == 0 {
         return Err(CertifyError::NoDimension);
     }
@@ -121,12 +139,11 @@ pub fn certify<const D: usize>(
     let lower = if lower.is_finite() { lower } else { f64::NEG_INFINITY };
     let upper = if upper.is_finite() { upper } else { f64::INFINITY };
     let boxes = found.boxes;
-    match found.at {
-        Some(at) if found.reached && lower.is_finite() && upper.is_finite() => {
-            Ok(CertifiedConstant { lower, upper, at, boxes })
-        }
-        _ => Err(CertifyError::BudgetSpent { quantity, lower, upper, boxes }),
-    }
+    let Some(at) = found.at else {
+        return Err(CertifyError::BudgetSpent { quantity, lower, upper, boxes });
+    };
+    let reached = found.reached && lower.is_finite() && upper.is_finite();
+    Ok((CertifiedConstant { lower, upper, at, boxes }, reached))
 }
 
 /// Returns the result of a search, and the bound proved at the point found.

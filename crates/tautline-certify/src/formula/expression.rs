@@ -7,7 +7,7 @@ use tautline_formula::{Arithmetic, Formula, Function, Operation};
 /// Returns whether the formula shows that `H(x) = φ(x) I`, with zeros off the diagonal and the same
 /// expression in every diagonal entry. False proves nothing, since equal functions may be written
 /// in different ways.
-pub(crate) fn is_isotropic<const D: usize>(formula: &Formula<D>) -> bool {
+pub fn is_isotropic<const D: usize>(formula: &Formula<D>) -> bool {
     Expressions::default().multiple_of_identity(formula).is_some()
 }
 

@@ -11,5 +11,6 @@ mod invariance;
 mod laws;
 
 pub(crate) use dependence::{Along, dependence};
-pub(crate) use expression::{is_isotropic, is_radial};
+pub use expression::is_isotropic;
+pub(crate) use expression::is_radial;
 pub(crate) use invariance::superfluous;

@@ -23,6 +23,7 @@ fn an_answer_is_printed_for_a_person() {
 distance     between 5.337962737 and 5.338305531
              the lower bound assumes that the minimum found is the global one
 length       5.338305531 of a curve of 256 chords, trapezoidal rule
+             from [0.5, 0] to [3, 0]
 extrapolated 5.338305531 ± 1e-9, an estimate
 search       converged, Hessian positive definite
 ";
@@ -267,4 +268,23 @@ fn the_readme_shows_the_file_its_answer_and_its_picture() {
         fs::read_to_string(shown).expect("a picture"),
         fs::read_to_string(drawn).expect("drawn")
     );
+}
+
+/// A ball so large that no box is small enough: the reason has few digits, and says what may help.
+#[test]
+fn missing_bounds_are_explained_in_few_digits() {
+    let folder = folder("missing");
+    let decoder = tautline(&folder, &["examples", "decoder", "--to", "."]);
+    assert!(decoder.status.success());
+    let path = folder.join("decoder.toml");
+    let file = std::fs::read_to_string(&path).expect("a file");
+    std::fs::write(&path, file.replace("tolerance = 0.1 ", "boxes = 2000 ")).expect("written");
+    let output = tautline(&folder, &["solve", "decoder.toml"]);
+    assert_eq!(output.status.code(), Some(1));
+    let answer = text(&output.stdout);
+    let first = answer.lines().next().expect("a line");
+    assert!(first.contains("c1 is known only to lie between"), "{first}");
+    assert!(first.ends_with("; more `boxes` in [certify] may help"), "{first}");
+    let digits = |word: &str| word.chars().filter(char::is_ascii_digit).count();
+    assert!(first.split(' ').all(|word| digits(word) <= 5), "{first}");
 }

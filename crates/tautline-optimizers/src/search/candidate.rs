@@ -194,8 +194,10 @@ pub(crate) fn lowest_first<'a, const D: usize>(
 /// of them.
 const APART: f64 = 0.02;
 
-/// Returns whether two sequences, on whatever grids, run along different curves.
-pub(crate) fn are_apart<const D: usize>(a: &PointSequence<D>, b: &PointSequence<D>) -> bool {
+/// Returns whether two sequences, on whatever grids, run along different curves: at some time they
+/// are apart by 2 % of the extent of the first.
+#[must_use]
+pub fn are_apart<const D: usize>(a: &PointSequence<D>, b: &PointSequence<D>) -> bool {
     let first = a.first();
     let extent = a.points().iter().map(|x| (x - first).amax()).fold(0.0, f64::max);
     let n = a.n().get() as f64;

@@ -1,9 +1,61 @@
 //! `GalleryFile`: a metric of the gallery in a file, with its parameters.
 
-use schemars::JsonSchema;
-use serde::Deserialize;
+use std::{borrow::Cow, fmt, iter};
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{
+    Deserialize, Deserializer,
+    de::{
+        self,
+        value::{MapAccessDeserializer, MapDeserializer},
+    },
+};
 
 use super::expression::Text;
+
+/// A metric of the gallery, as a table with its name and parameters, or by its name alone if it
+/// has no parameters.
+#[derive(Clone, Debug)]
+pub(crate) struct FromGallery(pub(crate) GalleryFile);
+
+impl JsonSchema for FromGallery {
+    fn schema_name() -> Cow<'static, str> {
+        "FromGallery".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "anyOf": [
+                { "description": "The name of a metric without parameters.", "type": "string" },
+                generator.subschema_for::<GalleryFile>(),
+            ],
+        })
+    }
+}
+
+impl<'de> Deserialize<'de> for FromGallery {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = FromGallery;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a metric such as { shear = { amplitude = 0.5, wave_number = 1 } }")
+            }
+
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<Self::Value, E> {
+                let none = MapDeserializer::new(iter::empty::<(&str, &str)>());
+                let table = MapDeserializer::new(iter::once((name, none)));
+                GalleryFile::deserialize(MapAccessDeserializer::new(table)).map(FromGallery)
+            }
+
+            fn visit_map<A: de::MapAccess<'de>>(self, table: A) -> Result<Self::Value, A::Error> {
+                GalleryFile::deserialize(MapAccessDeserializer::new(table)).map(FromGallery)
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
 
 /// Defines [`GalleryFile`] and the gallery's names. Each metric has its name, the dimensions in
 /// which it exists (0 stands for any), and its parameters.

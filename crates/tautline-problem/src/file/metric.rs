@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{expression::Text, gallery::GalleryFile, placed::Placed};
+use super::{expression::Text, gallery::FromGallery, placed::Placed};
 
 /// A metric: one key that says how its matrix `H(x)` is written.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -34,8 +34,8 @@ pub(crate) enum MetricFile {
     /// Metrics in blocks along the diagonal.
     Product(Placed<Vec<BlockFile>>),
     /// A metric of the gallery with its parameters, such as `{ shear = { amplitude = 0.5,
-    /// wave_number = 1 } }`.
-    Gallery(Placed<GalleryFile>),
+    /// wave_number = 1 } }`, or its name alone, such as `"valleys"`, if it has none.
+    Gallery(Placed<FromGallery>),
 }
 
 /// A metric times a positive function.

@@ -65,3 +65,17 @@ fn a_metric_of_the_gallery_is_the_one_in_rust() {
     assert_records::<2>("hyperbolic_patch", "radius = 0.5", HyperbolicPatch::new(0.5));
     assert_records::<2>("gaussian_fisher_patch", "rim = 0.75", GaussianFisherPatch::new(0.75));
 }
+
+#[test]
+fn a_metric_without_parameters_needs_its_name_alone() {
+    let question =
+        |gallery: &str| Question::read(&format!("dimension = 2\n[metric]\ngallery = {gallery}\n"));
+    let by_table = question("{ valleys = {} }").expect("a metric");
+    let by_name = question("\"valleys\"").expect("a metric");
+    assert_eq!(by_name.formula::<2>(), by_table.formula::<2>());
+    let refused = |gallery| question(gallery).expect_err("a mistake").to_string();
+    let message = refused("\"shear\"");
+    assert!(message.contains("amplitude is missing"), "{message}");
+    let message = refused("\"valeys\"");
+    assert!(message.contains("valleys"), "{message}");
+}

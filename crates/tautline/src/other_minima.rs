@@ -1,0 +1,127 @@
+//! The other local minima that a search met, as lines.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+use tautline_discretizations::{PointSequence, Rule};
+use tautline_metrics::Metric;
+use tautline_optimizers::{Options, Starts, Workspace, are_apart, minimise_by_batches};
+use tautline_sets::{ClosedSet, Ends};
+
+use crate::TautLine;
+
+/// The largest number of chords of another minimum, as many as the search follows several minima
+/// to.
+const FINEST: usize = 512;
+
+impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+    /// Returns the [other local minima](tautline_optimizers::Minimum::others) of the search as
+    /// lines of their own, shortest first. Each is solved again from where the search left it, with
+    /// `N` chords or 512, whichever is less.
+    ///
+    /// ```
+    /// use tautline::{Ends, Problem, Trapezoidal, gallery::TwoChannels};
+    ///
+    /// let ends = Ends::points([-3.0, 0.0], [3.0, 0.0])?;
+    /// let line = Problem::new(TwoChannels::new(2.0, 1.0, 0.5)?, ends).solve(Trapezoidal, 256)?;
+    /// let others = line.other_minima();
+    /// assert!(others.iter().all(|other| other.length().value > line.length().value));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// Some may be missing: those that the search never met, those that are none on the finer grid,
+    /// and all but seven.
+    #[must_use]
+    pub fn other_minima(&self) -> Vec<Self> {
+        let (n, mut workspace) = (self.sequence().n().get().min(FINEST), Workspace::default());
+        let mut others: Vec<Self> = Vec::new();
+        for other in &self.minimum().others {
+            let starts = Starts::Only(vec![other.sequence.clone()]);
+            let options = Options { starts, ..Options::default() };
+            let (metric, rule) = (Arc::clone(self.prepared()), self.rule());
+            let Some(ends) = nearest_pair(self.ends(), &other.sequence) else { continue };
+            let found = minimise_by_batches(&mut workspace, &*metric, &ends, rule, n, &options);
+            let Ok(found) = found else { continue };
+            let is_new = |line: &Self| are_apart(&found.sequence, line.sequence());
+            if found.is_local_minimum() && is_new(self) && others.iter().all(is_new) {
+                others.push(Self::new(metric, rule, ends, found));
+            }
+        }
+        others.sort_by(|a, b| a.discrete_energy().total_cmp(&b.discrete_energy()));
+        others
+    }
+}
+
+/// Returns the pieces of the two sets that a sequence joins. A search between all pieces would end
+/// at the nearest ones.
+fn nearest_pair<const D: usize>(ends: &Ends<D>, sequence: &PointSequence<D>) -> Option<Ends<D>> {
+    let away = |set: &dyn ClosedSet<D>, x: &SVector<f64, D>| (set.project(x) - x).norm();
+    let pairs = ends.pairs().map(|(a, b)| {
+        let off = away(&*a, sequence.first()) + away(&*b, sequence.last());
+        (off, a, b)
+    });
+    let (_, a, b) = pairs.min_by(|(x, ..), (y, ..)| x.total_cmp(y))?;
+    Ends::new(a, b).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use nalgebra::SMatrix;
+    use tautline_discretizations::Trapezoidal;
+    use tautline_metrics::gallery::{Bump, Constant, Valleys};
+    use tautline_sets::{Ball, ClosedSet, Ends, Point, Union};
+
+    use crate::Problem;
+
+    /// A bump between two points has a way on either side. They are mirror images, so that both
+    /// have the same length on the same grid.
+    #[test]
+    fn the_mirror_image_is_a_line_on_the_same_grid() {
+        let ends = Ends::points([-2.0, 0.0], [2.0, 0.0]).expect("finite");
+        let problem = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
+        for (n, chords) in [(64, 64), (256, 256), (1000, 512)] {
+            let line = problem.solve(Trapezoidal, n).expect("solved");
+            let others = line.other_minima();
+            let [other] = others.as_slice() else { panic!("{} others", others.len()) };
+            assert_eq!(other.sequence().n().get(), chords);
+            assert!(other.minimum().is_local_minimum());
+            let (middle, mirrored) = (line.curve().at(0.5), other.curve().at(0.5));
+            // On different grids they differ by the error of the coarser one, of order 512⁻².
+            assert!(middle[1].abs() > 0.3 && (middle[1] + mirrored[1]).abs() < 1e-4, "{middle}");
+            if chords == n {
+                let [a, b] = [&line, other].map(|line| line.length().value);
+                // Two solves to the floor of rounding.
+                assert!((a - b).abs() <= 1e-11 * a, "N = {n}: {a} {b}");
+            }
+        }
+    }
+
+    /// Each way to a piece of a set is a minimum of its own, though a shorter one leads to another
+    /// piece.
+    #[test]
+    fn the_ways_to_the_other_pieces_of_a_set_are_lines() {
+        let balls =
+            [[2.0, 0.0], [0.0, 3.0], [-4.0, 0.0]].map(|x| Ball::new(x, 0.5).expect("a ball"));
+        let balls = balls.map(|ball| Arc::new(ball) as Arc<dyn ClosedSet<2>>);
+        let target = Union::new(balls.to_vec()).expect("three");
+        let ends = Ends::new(Point::new([0.0, 0.0]).expect("finite"), target).expect("bounded");
+        let plane = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
+        let line = Problem::new(plane, ends).solve(Trapezoidal, 64).expect("solved");
+        let others = line.other_minima();
+        let lengths: Vec<_> =
+            [&line].into_iter().chain(&others).map(|l| l.length().value).collect();
+        let [nearest, second, third] = *lengths else { panic!("{lengths:?}") };
+        for (length, exact) in [(nearest, 1.5), (second, 2.5), (third, 3.5)] {
+            assert!((length - exact).abs() < 1e-10, "{lengths:?}");
+        }
+    }
+
+    #[test]
+    fn a_single_minimum_has_no_others() {
+        let ends = Ends::points([0.0, 0.0], [1.0, 1.0]).expect("finite");
+        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+        assert!(line.other_minima().is_empty());
+    }
+}
