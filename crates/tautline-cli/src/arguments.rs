@@ -133,6 +133,8 @@ pub(crate) enum Described {
     Answer,
     /// What `constants --json` prints.
     Constants,
+    /// What `audit --json` prints.
+    Audit,
 }
 
 /// Writes a commented problem file for a question that you may have.

@@ -42,6 +42,7 @@ mod question;
 mod schema;
 mod shape;
 mod solve;
+mod source;
 
 pub use answer::{
     Answer, BallAnswer, Bounds, Estimated, GlobalMinimum, OtherMinimum, Search, UsedConstants,
@@ -55,4 +56,5 @@ pub use float::Float;
 pub use question::{Grid, Question};
 pub use schema::{answer_schema, constants_schema, problem_schema};
 pub use schemars::Schema;
+pub use source::{FileError, Source, print};
 pub use tautline_portrait::{Scene, pdf, png, svg};

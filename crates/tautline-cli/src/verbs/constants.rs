@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use tautline_problem::Failure;
+use tautline_problem::{Failure, print};
 
 use crate::{
     arguments::Constants,
@@ -10,7 +10,6 @@ use crate::{
     problem::ProblemText,
     report,
     timed::{seconds, timed},
-    write::print,
 };
 
 /// Proves the constants of the metric of a file.

@@ -2,13 +2,9 @@
 
 use std::{fmt::Write, process::ExitCode};
 
-use tautline_problem::{EXAMPLES, Example};
+use tautline_problem::{EXAMPLES, Example, print};
 
-use crate::{
-    arguments::Examples,
-    error::CommandError,
-    write::{print, write},
-};
+use crate::{arguments::Examples, error::CommandError, write::write};
 
 /// Lists, prints or writes examples.
 pub(crate) fn examples(arguments: &Examples) -> Result<ExitCode, CommandError> {
