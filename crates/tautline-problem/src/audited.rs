@@ -2,7 +2,7 @@
 
 use tautline_portrait::Shape;
 
-use crate::{Question, shape::Piece};
+use crate::{Question, reading::shape::Piece};
 
 impl Question {
     /// Returns the lower and the upper corner of a box around the bounded pieces of both sets and a

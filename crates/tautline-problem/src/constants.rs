@@ -11,7 +11,7 @@ use tautline_portrait::Shape;
 use crate::{
     Diagnostic, Failure, Float, LARGEST_PROVED_DIMENSION, Question,
     dimension::{InDimension, in_dimension},
-    shape::vector,
+    reading::shape::vector,
 };
 
 /// The constants of a metric, and where they hold.

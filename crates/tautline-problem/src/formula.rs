@@ -16,7 +16,7 @@ use crate::{
         placed::Placed,
     },
     gallery,
-    numbers::{Numbers, counted},
+    reading::numbers::{Numbers, counted},
 };
 
 /// The texts of a metric, numbered by their order.

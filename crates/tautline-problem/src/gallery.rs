@@ -12,8 +12,10 @@ use crate::{
     Diagnostic,
     dimension::{InDimension, in_dimension},
     file::gallery::{self as files, GalleryFile},
-    numbers::{Numbers, counted},
-    shape::vector,
+    reading::{
+        numbers::{Numbers, counted},
+        shape::vector,
+    },
 };
 
 /// Why a metric of the gallery was refused.

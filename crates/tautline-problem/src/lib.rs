@@ -34,13 +34,10 @@ mod file;
 mod float;
 mod formula;
 mod gallery;
-mod meant;
-mod numbers;
-mod parse;
 mod picture;
 mod question;
+mod reading;
 mod schema;
-mod shape;
 mod solve;
 mod source;
 

@@ -1,9 +1,8 @@
 //! `Question`: a problem file that was read and evaluated, but for its formula.
 
-use std::{ops::Range, time::Duration};
+use std::time::Duration;
 
 use tautline::{Constants, Formula};
-use tautline_portrait::{Field, Shape};
 
 use crate::{
     Diagnostic, LARGEST_DIMENSION,
@@ -11,13 +10,17 @@ use crate::{
         ProblemFile,
         expression::Text,
         placed::Placed,
-        request::{CertifyFile, ConstantsFile, FieldFile, RuleFile, SolveFile},
-        set::{AffineFile, Corners, HalfSpaceFile, Round, SegmentFile, SetFile, Vector},
+        request::{ConstantsFile, RuleFile, SolveFile},
+        set::{SetFile, Vector},
     },
     formula::formula,
-    numbers::{Numbers, counted},
-    parse::parse,
-    shape::Piece,
+    reading::{
+        numbers::{Numbers, counted},
+        parse::parse,
+        pieces::{pieces, region, sampled},
+        shape::Piece,
+        view::{View, view},
+    },
 };
 
 /// How fine the grid is.
@@ -27,16 +30,6 @@ pub enum Grid {
     Chords(usize),
     /// The relative error of the length.
     Tolerance(f64),
-}
-
-/// What a file asks to be drawn.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct View {
-    /// The two coordinates, from 0; `None` to choose them by the curve.
-    pub(crate) coordinates: Option<[usize; 2]>,
-    pub(crate) field: Field,
-    /// The range of each drawn coordinate; `None` to choose it by the curve.
-    pub(crate) window: Option<[[f64; 2]; 2]>,
 }
 
 /// A problem file that was read and evaluated, but for its formula.
@@ -238,97 +231,6 @@ fn lonely(set: &Placed<SetFile>, other: &str) -> Diagnostic {
         .label("a curve runs between two sets")
 }
 
-/// Returns the pieces of a set. Unions of unions are flattened.
-fn pieces(
-    set: &SetFile,
-    numbers: &Numbers<'_>,
-    dimension: usize,
-) -> Result<Vec<Piece>, Diagnostic> {
-    let vector = |vector: &Vector| numbers.vector(vector, dimension);
-    let list = |vectors: &[Vector]| vectors.iter().map(vector).collect::<Result<Vec<_>, _>>();
-    let (shape, places): (Shape, Vec<Range<usize>>) = match set {
-        SetFile::Point(x) => (Shape::Point(vector(x)?), vec![x.span()]),
-        SetFile::Points(points) => (Shape::Points(list(points.get_ref())?), vec![points.span()]),
-        SetFile::Ball(Round { centre, radius }) | SetFile::Sphere(Round { centre, radius }) => {
-            let places = vec![centre.span(), radius.span()];
-            let (centre, radius) = (vector(centre)?, numbers.number(radius)?);
-            if matches!(set, SetFile::Ball(_)) {
-                (Shape::Ball { centre, radius }, places)
-            } else {
-                (Shape::Sphere { centre, radius }, places)
-            }
-        }
-        SetFile::Box(corners @ Corners { lower, upper }) => {
-            let places = vec![lower.span(), upper.span()];
-            let [low, high] = self::corners(corners, numbers, dimension)?;
-            (Shape::AxisBox { low, high }, places)
-        }
-        SetFile::HalfSpace(HalfSpaceFile { normal, at_least, at_most }) => {
-            let places = vec![normal.span()];
-            let (span, normal) = (normal.span(), vector(normal)?);
-            match (at_least, at_most) {
-                (Some(at_least), None) => {
-                    let normal = normal.iter().map(|x| -x).collect();
-                    (Shape::HalfSpace { normal, offset: -numbers.number(at_least)? }, places)
-                }
-                (None, Some(at_most)) => {
-                    (Shape::HalfSpace { normal, offset: numbers.number(at_most)? }, places)
-                }
-                (Some(_), Some(other)) => {
-                    return Err(Diagnostic::new("a half-space has one side", other.span())
-                        .label("expected at_least or at_most, not both"));
-                }
-                (None, None) => {
-                    return Err(Diagnostic::new("a half-space needs at_least or at_most", span)
-                        .label("the side of this normal is not given"));
-                }
-            }
-        }
-        SetFile::Segment(SegmentFile { from, to }) => {
-            let places = vec![from.span(), to.span()];
-            (Shape::Segment { from: vector(from)?, to: vector(to)? }, places)
-        }
-        SetFile::Affine(AffineFile { through, directions }) => {
-            let spans = directions.get_ref().iter().map(Placed::span);
-            let places = std::iter::once(through.span()).chain(spans).collect();
-            let (point, directions) = (vector(through)?, list(directions.get_ref())?);
-            (Shape::AffineSubspace { point, directions }, places)
-        }
-        SetFile::Union(sets) => {
-            let sets_of = |set| pieces(set, numbers, dimension);
-            let all: Vec<Vec<Piece>> =
-                sets.get_ref().iter().map(sets_of).collect::<Result<_, _>>()?;
-            if all.is_empty() {
-                return Err(Diagnostic::new("a union of no sets", sets.span()));
-            }
-            return Ok(all.into_iter().flatten().collect());
-        }
-    };
-    Ok(vec![Piece { shape, places }])
-}
-
-fn corners(
-    Corners { lower, upper }: &Corners,
-    numbers: &Numbers<'_>,
-    dimension: usize,
-) -> Result<[Vec<f64>; 2], Diagnostic> {
-    Ok([numbers.vector(lower, dimension)?, numbers.vector(upper, dimension)?])
-}
-
-/// Returns the corners of the box in which samples are drawn.
-fn sampled(
-    region: &Corners,
-    numbers: &Numbers<'_>,
-    dimension: usize,
-) -> Result<[Vec<f64>; 2], Diagnostic> {
-    let [lower, upper] = corners(region, numbers, dimension)?;
-    if lower.iter().zip(&upper).all(|(low, high)| high - low > 0.0 && (high - low).is_finite()) {
-        return Ok([lower, upper]);
-    }
-    Err(Diagnostic::new("an empty region", region.upper.span())
-        .label("expected larger coordinates than those of lower"))
-}
-
 /// The numbers of the section `[solve]`.
 struct Solve {
     grid: Grid,
@@ -382,56 +284,4 @@ fn constants(claimed: &ConstantsFile, numbers: &Numbers<'_>) -> Result<Constants
         Some(m_h) => constants.with_m_h(value(m_h)?).map_err(refuse),
         None => Ok(constants),
     }
-}
-
-fn region(
-    certify: &CertifyFile,
-    numbers: &Numbers<'_>,
-    dimension: usize,
-) -> Result<Option<Piece>, Diagnostic> {
-    let Some(within) = &certify.within else { return Ok(None) };
-    match within.get_ref() {
-        set @ (SetFile::Ball(_) | SetFile::Box(_)) => {
-            Ok(pieces(set, numbers, dimension)?.into_iter().next())
-        }
-        _ => Err(Diagnostic::new("constants are proved in a ball or in a box", within.span())
-            .label("expected ball or box")),
-    }
-}
-
-fn view(
-    problem: &ProblemFile,
-    numbers: &Numbers<'_>,
-    dimension: usize,
-) -> Result<View, Diagnostic> {
-    let output = &problem.output;
-    let coordinates = match &output.coordinates {
-        None => None,
-        Some(chosen) => {
-            let [a, b] = *chosen.get_ref();
-            let all = 1..=dimension;
-            if !all.contains(&a) || !all.contains(&b) || (a == b && dimension > 1) {
-                let label = format!("expected two of the coordinates 1 to {dimension}");
-                return Err(Diagnostic::new("no such plane", chosen.span()).label(label));
-            }
-            Some([a - 1, b - 1])
-        }
-    };
-    let field = match output.field {
-        FieldFile::Determinant => Field::Determinant,
-        FieldFile::Ellipses => Field::Ellipses,
-        FieldFile::Plain => Field::Plain,
-    };
-    let window = match &output.window {
-        None => None,
-        Some(window) => {
-            let [lower, upper] = corners(window, numbers, 2)?;
-            if !(lower[0] < upper[0] && lower[1] < upper[1]) {
-                return Err(Diagnostic::new("an empty window", window.upper.span())
-                    .label("expected larger coordinates than those of lower"));
-            }
-            Some([[lower[0], upper[0]], [lower[1], upper[1]]])
-        }
-    };
-    Ok(View { coordinates, field, window })
 }

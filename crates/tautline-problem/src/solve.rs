@@ -12,7 +12,7 @@ use crate::{
     bounds::bounds,
     dimension::{InDimension, in_dimension},
     file::request::RuleFile,
-    shape::{Piece, union, vector},
+    reading::shape::{Piece, union, vector},
 };
 
 impl Question {

@@ -3,7 +3,7 @@
 use crate::{
     Diagnostic,
     file::ProblemFile,
-    meant::{probably_meant, quoted},
+    reading::meant::{probably_meant, quoted},
 };
 
 /// Reads a problem file word for word.

@@ -11,7 +11,7 @@ use crate::{
         expression::{Expression, Text, place},
         set::Vector,
     },
-    meant::probably_meant,
+    reading::meant::probably_meant,
 };
 
 /// The file, and its parameters in their order.

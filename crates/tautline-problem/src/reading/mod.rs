@@ -1,0 +1,8 @@
+//! From the text of a problem file to numbers and sets.
+
+pub(crate) mod meant;
+pub(crate) mod numbers;
+pub(crate) mod parse;
+pub(crate) mod pieces;
+pub(crate) mod shape;
+pub(crate) mod view;
