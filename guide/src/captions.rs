@@ -26,7 +26,7 @@ fn with_captions(text: &str) -> String {
         let Some((language, rest)) = info.split_once(',') else { continue };
         let caption = match rest.split_once('=') {
             Some(("file", name)) => escaped(name),
-            Some(("ignore", reason)) => format!("<em>Not run: {}.</em>", escaped(reason)),
+            Some(("ignore", reason)) => format!("<em>Not run here: {}.</em>", escaped(reason)),
             _ => continue,
         };
         let line = range.start..range.start + text[range.clone()].find('\n').unwrap_or(0);
@@ -49,7 +49,7 @@ mod tests {
     fn files_and_reasons_are_written_above_their_blocks() {
         let text = "A\n\n```toml,file=a.toml\nx = 1\n```\n\n```julia,ignore=needs Julia\nx\n```\n";
         let new = "A\n\n<div class=\"caption\">a.toml</div>\n\n```toml\nx = 1\n```\n\n\
-                   <div class=\"caption\"><em>Not run: needs Julia.</em></div>\n\n```julia\nx\n```\n";
+                   <div class=\"caption\"><em>Not run here: needs Julia.</em></div>\n\n```julia\nx\n```\n";
         assert_eq!(with_captions(text), new);
     }
 
