@@ -14,8 +14,8 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Short(pub f64);
 
-/// The number of digits.
-const DIGITS: i32 = 4;
+/// The largest power of ten that is written without an exponent.
+const PLAIN: i32 = 4;
 
 impl fmt::Display for Short {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -24,12 +24,15 @@ impl fmt::Display for Short {
             return write!(f, "{x}");
         }
         // Rounded first, since 9999.7 has five digits before the point.
-        let rounded: f64 = format!("{x:.3e}").parse().map_err(|_| fmt::Error)?;
-        let exponent = rounded.abs().log10().floor() as i32;
-        if (-4..=DIGITS).contains(&exponent) {
-            write!(f, "{rounded}")
+        let rounded = format!("{x:.3e}");
+        let (digits, exponent) = rounded.split_once('e').ok_or(fmt::Error)?;
+        let exponent: i32 = exponent.parse().map_err(|_| fmt::Error)?;
+        if (-PLAIN..=PLAIN).contains(&exponent) {
+            let plain: f64 = rounded.parse().map_err(|_| fmt::Error)?;
+            write!(f, "{plain}")
         } else {
-            write!(f, "{rounded:e}")
+            let digits = digits.trim_end_matches('0').trim_end_matches('.');
+            write!(f, "{digits}e{exponent}")
         }
     }
 }
@@ -50,7 +53,7 @@ mod tests {
             (f64::NEG_INFINITY, "-inf"),
             (f64::MAX, "1.798e308"),
             (f64::MIN_POSITIVE, "2.225e-308"),
-            (5e-324, "5e-324"),
+            (5e-324, "4.941e-324"),
         ] {
             assert_eq!(Short(x).to_string(), shown);
         }
