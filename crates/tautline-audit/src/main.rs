@@ -1,10 +1,16 @@
 //! The program `tautline-audit`, which `tautline audit` runs.
 
-use std::{path::PathBuf, process::ExitCode, time::Duration};
+use std::{
+    fs,
+    io::{self, IsTerminal, Read, Write},
+    path::{Path, PathBuf},
+    process::ExitCode,
+    time::Duration,
+};
 
 use clap::Parser;
 use tautline_audit::{AuditError, Effort, Verdict, audit, audit_schema, markdown, text};
-use tautline_problem::{Diagnostic, FileError, Question, Source, print};
+use tautline_problem::{Diagnostic, Question};
 
 /// Tests the metric of a problem file, and its constants, against every law of the kit.
 ///
@@ -57,8 +63,8 @@ fn seconds(text: &str) -> Result<Duration, String> {
 enum ProgramError {
     #[error("{0}")]
     BadFile(String),
-    #[error("error: {0}")]
-    File(#[from] FileError),
+    #[error("error: {path}: {error}", path = path.display())]
+    File { path: PathBuf, error: io::Error },
     #[error("error: {0}")]
     BadEnvironment(tautline_kit::ChanceError),
     #[error("error: {0}")]
@@ -82,9 +88,12 @@ fn run(arguments: &Arguments) -> Result<ExitCode, ProgramError> {
     };
     // The kit reads the same variables and would panic.
     tautline_kit::Chance::read().map_err(ProgramError::BadEnvironment)?;
-    let source = Source::read(path)?;
-    let explain = |diagnostic: &Diagnostic| ProgramError::BadFile(source.explain(diagnostic));
-    let question = Question::read(source.text()).map_err(|diagnostic| explain(&diagnostic))?;
+    let (name, file) = read(path)?;
+    let explain = |diagnostic: &Diagnostic| {
+        let coloured = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+        ProgramError::BadFile(diagnostic.render(&name, &file, coloured))
+    };
+    let question = Question::read(&file).map_err(|diagnostic| explain(&diagnostic))?;
     let Arguments { cases, seed, time_limit, .. } = *arguments;
     let audit =
         audit(&question, Effort { cases, seed, time_limit }).map_err(|error| match error {
@@ -99,7 +108,34 @@ fn run(arguments: &Arguments) -> Result<ExitCode, ProgramError> {
     Ok(ExitCode::from(u8::from(audit.verdict != Verdict::Holds)))
 }
 
+/// Returns the name of a file in messages, and its text.
+fn read(path: &Path) -> Result<(String, String), ProgramError> {
+    let is_input = path == Path::new("-");
+    let name = if is_input { "standard input".into() } else { path.display().to_string() };
+    let mut text = String::new();
+    let read = if is_input {
+        io::stdin().read_to_string(&mut text).map(|_| ())
+    } else {
+        fs::read_to_string(path).map(|read| text = read)
+    };
+    match read {
+        Ok(()) => Ok((name, text)),
+        Err(error) => Err(ProgramError::File { path: PathBuf::from(name), error }),
+    }
+}
+
 fn json(value: &impl serde::Serialize) -> Result<String, ProgramError> {
     let json = serde_json::to_string_pretty(value);
     Ok(json.map_err(|error| ProgramError::NotDone(error.to_string()))? + "\n")
+}
+
+/// Prints a text. A reader that has gone away, such as `head`, is no error.
+fn print(text: &str) -> Result<(), ProgramError> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(ProgramError::File { path: "standard output".into(), error })
+        }
+        _ => Ok(()),
+    }
 }

@@ -133,8 +133,6 @@ pub(crate) enum Described {
     Answer,
     /// What `constants --json` prints.
     Constants,
-    /// What `audit --json` prints.
-    Audit,
 }
 
 /// Writes a commented problem file for a question that you may have.

@@ -1,8 +1,6 @@
 //! `CommandError`: why the command failed.
 
-use std::process::ExitCode;
-
-use tautline_problem::FileError;
+use std::{io, path::PathBuf, process::ExitCode};
 
 /// Why the command failed. The message is for a person.
 #[derive(Debug, thiserror::Error)]
@@ -14,8 +12,13 @@ pub(crate) enum CommandError {
     #[error("error: {0}")]
     BadArgument(String),
     /// A file cannot be read or written.
-    #[error("error: {0}")]
-    File(#[from] FileError),
+    #[error("error: {path}: {error}", path = path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
     /// Nothing was computed or proved.
     #[error("error: {0}")]
     NotDone(String),
@@ -25,7 +28,7 @@ impl CommandError {
     /// Returns the exit code: 2 for bad input, otherwise 1.
     pub(crate) fn code(&self) -> ExitCode {
         match self {
-            CommandError::BadFile(_) | CommandError::BadArgument(_) | CommandError::File(_) => {
+            CommandError::BadFile(_) | CommandError::BadArgument(_) | CommandError::File { .. } => {
                 ExitCode::from(2)
             }
             CommandError::NotDone(_) => ExitCode::from(1),

@@ -1,34 +1,51 @@
 //! `ProblemText`: a problem file that was read.
 
-use std::path::Path;
+use std::{
+    fs,
+    io::{self, IsTerminal, Read},
+    path::{Path, PathBuf},
+};
 
-use tautline_problem::{Failure, Question, Source};
+use tautline_problem::{Diagnostic, Failure, Question};
 
 use crate::error::CommandError;
 
 /// A problem file, and what it asks.
 pub(crate) struct ProblemText {
-    source: Source,
+    /// The name of the file in messages.
+    name: String,
+    text: String,
     pub(crate) question: Question,
 }
 
 impl ProblemText {
     /// Reads a file, or standard input for `-`.
     pub(crate) fn read(path: &Path) -> Result<Self, CommandError> {
-        let source = Source::read(path)?;
-        match Question::read(source.text()) {
-            Ok(question) => Ok(Self { source, question }),
-            Err(error) => Err(CommandError::BadFile(source.explain(&error))),
+        let is_input = path == Path::new("-");
+        let name = if is_input { "standard input".into() } else { path.display().to_string() };
+        let mut text = String::new();
+        let read = if is_input {
+            io::stdin().read_to_string(&mut text).map(|_| ())
+        } else {
+            fs::read_to_string(path).map(|read| text = read)
+        };
+        read.map_err(|error| CommandError::File { path: PathBuf::from(&name), error })?;
+        match Question::read(&text) {
+            Ok(question) => Ok(Self { name, text, question }),
+            Err(error) => Err(bad_file(&name, &text, &error)),
         }
     }
 
     /// Returns a failure as an error, with the lines of the file if the file is wrong.
     pub(crate) fn explain(&self, failure: Failure) -> CommandError {
         match failure {
-            Failure::BadInput(diagnostic) => {
-                CommandError::BadFile(self.source.explain(&diagnostic))
-            }
+            Failure::BadInput(diagnostic) => bad_file(&self.name, &self.text, &diagnostic),
             Failure::NotComputed(reason) => CommandError::NotDone(reason),
         }
     }
+}
+
+fn bad_file(name: &str, text: &str, diagnostic: &Diagnostic) -> CommandError {
+    let coloured = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    CommandError::BadFile(diagnostic.render(name, text, coloured))
 }

@@ -1,8 +1,14 @@
 //! Files that are written whole or not at all.
 
-use std::{ffi::OsString, fs, path::Path, process};
+use std::{
+    ffi::OsString,
+    fs,
+    io::{self, Write},
+    path::Path,
+    process,
+};
 
-use tautline_problem::{FileError, Scene, pdf, png, svg};
+use tautline_problem::{Scene, pdf, png, svg};
 
 use crate::error::CommandError;
 
@@ -15,7 +21,7 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), CommandError> {
     let written = fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, path));
     written.map_err(|error| {
         let _ = fs::remove_file(&temporary);
-        CommandError::File(FileError { path: path.to_owned(), error })
+        CommandError::File { path: path.to_owned(), error }
     })
 }
 
@@ -55,4 +61,15 @@ pub(crate) fn write_picture(path: &Path, scene: &Scene) -> Result<(), CommandErr
         Format::Pdf => Ok(pdf(scene)),
     };
     write(path, &bytes.map_err(|error| CommandError::NotDone(error.to_string()))?)
+}
+
+/// Prints a text. A reader that has gone away, such as `head`, is no error.
+pub(crate) fn print(text: &str) -> Result<(), CommandError> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(CommandError::File { path: "standard output".into(), error })
+        }
+        _ => Ok(()),
+    }
 }

@@ -39,7 +39,6 @@ mod question;
 mod reading;
 mod schema;
 mod solve;
-mod source;
 
 pub use answer::{
     Answer, BallAnswer, Bounds, Estimated, GlobalMinimum, OtherMinimum, Search, UsedConstants,
@@ -53,5 +52,4 @@ pub use float::Float;
 pub use question::{Grid, Question};
 pub use schema::{answer_schema, constants_schema, problem_schema};
 pub use schemars::Schema;
-pub use source::{FileError, Source, print};
 pub use tautline_portrait::{Scene, pdf, png, svg};

@@ -4,11 +4,10 @@ use std::process::ExitCode;
 
 use clap::CommandFactory;
 
-use tautline_problem::print;
-
 use crate::{
     arguments::{Arguments, Completions},
     error::CommandError,
+    write::print,
 };
 
 /// Prints a script that completes the command in a shell.

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use tautline_problem::{Failure, print};
+use tautline_problem::Failure;
 
 use crate::{
     arguments::Constants,
@@ -10,6 +10,7 @@ use crate::{
     problem::ProblemText,
     report,
     timed::{seconds, timed},
+    write::print,
 };
 
 /// Proves the constants of the metric of a file.

@@ -2,9 +2,13 @@
 
 use std::{fmt::Write, process::ExitCode};
 
-use tautline_problem::{EXAMPLES, Example, print};
+use tautline_problem::{EXAMPLES, Example};
 
-use crate::{arguments::Examples, error::CommandError, write::write};
+use crate::{
+    arguments::Examples,
+    error::CommandError,
+    write::{print, write},
+};
 
 /// Lists, prints or writes examples.
 pub(crate) fn examples(arguments: &Examples) -> Result<ExitCode, CommandError> {

@@ -2,12 +2,12 @@
 
 use std::process::ExitCode;
 
-use tautline_problem::{answer_schema, constants_schema, print, problem_schema};
+use tautline_problem::{answer_schema, constants_schema, problem_schema};
 
 use crate::{
-    arguments::{Audit, Described, Schema},
+    arguments::{Described, Schema},
     error::CommandError,
-    verbs::audit::audit,
+    write::print,
 };
 
 /// Prints a JSON schema.
@@ -16,7 +16,6 @@ pub(crate) fn schema(arguments: &Schema) -> Result<ExitCode, CommandError> {
         Described::Problem => problem_schema(),
         Described::Answer => answer_schema(),
         Described::Constants => constants_schema(),
-        Described::Audit => return audit(&Audit { arguments: vec!["--schema".into()] }),
     };
     let text = serde_json::to_string_pretty(&schema);
     print(&format!("{}\n", text.map_err(|error| CommandError::NotDone(error.to_string()))?))?;

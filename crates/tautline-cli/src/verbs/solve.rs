@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use tautline_problem::{Answer, Failure, Grid, print};
+use tautline_problem::{Answer, Failure, Grid};
 
 use crate::{
     arguments::Solve,
@@ -10,7 +10,7 @@ use crate::{
     problem::ProblemText,
     report,
     timed::{seconds, timed},
-    write::{check_pictures, write_picture},
+    write::{check_pictures, print, write_picture},
 };
 
 /// Solves the problem of a file, prints the answer, and draws it.
