@@ -1,6 +1,7 @@
 //! `Question`: a problem file that was read and evaluated, but for its formula.
 
-use std::time::Duration;
+// The type alone: from `core`, which has no clock.
+use core::time::Duration;
 
 use tautline::{Constants, Formula};
 
