@@ -6,8 +6,8 @@ use crate::program::run;
 #[test]
 fn the_guide_shows_the_beginning_of_the_report() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    let page =
-        std::fs::read_to_string(format!("{root}/guide/pages/lying-metric.md")).expect("a page");
+    let page = std::fs::read_to_string(format!("{root}/guide/pages/worked/lying-metric.md"))
+        .expect("a page");
     let command = "$ tautline audit wrong_constants.toml | head -2\n";
     let (_, after) = page.split_once(command).expect("the command");
     let (shown, _) = after.split_once("```").expect("the end of the block");
