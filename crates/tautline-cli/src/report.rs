@@ -62,7 +62,7 @@ pub(crate) fn answer(answer: &Answer) -> String {
     text
 }
 
-/// Returns a point to six decimals, which is less than a picture shows and more than it needs.
+/// Returns a point to six decimals.
 fn point(x: &[f64]) -> String {
     // Adding 0 turns −0 into 0.
     let coordinates = x.iter().map(|x| ((x * 1e6).round() / 1e6 + 0.0).to_string());

@@ -96,12 +96,7 @@ impl<const D: usize> Interpolation<'_, D> {
         pieces: &'p [Piece],
     ) -> Result<impl Iterator<Item = &'p Piece>, MetricError> {
         let places = || pieces.iter().flat_map(Piece::places);
-        let mut inputs = batch.inputs(FIRST * pieces.len());
-        for (lane, (chord, s)) in places().enumerate() {
-            let (x, d) = self.sequence.chord(chord);
-            inputs.set(lane, &(x + d * s), &d);
-        }
-        if !batch.evaluate(FIRST * pieces.len()) {
+        if !self.evaluate(batch, FIRST * pieces.len(), places()) {
             // The points are checked one by one to find the first defect.
             for (chord, s) in places() {
                 let (x, d) = self.sequence.chord(chord);

@@ -78,6 +78,22 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         self.sequence.n().get()
     }
 
+    /// Evaluates a batch at `count` places, each a chord and a fraction of it. Returns whether `H` is
+    /// a Gram matrix at each of them, if the batch computes that.
+    pub(crate) fn evaluate(
+        &self,
+        batch: &mut Batch<'_, D>,
+        count: usize,
+        places: impl Iterator<Item = (usize, f64)>,
+    ) -> bool {
+        let mut inputs = batch.inputs(count);
+        for (lane, (chord, s)) in places.enumerate() {
+            let (x, d) = self.sequence.chord(chord);
+            inputs.set(lane, &(x + d * s), &d);
+        }
+        batch.evaluate(count)
+    }
+
     /// Turns `Σ ∫₀¹ dᵀHd ds` into the energy: a chord takes the time `1/N`.
     fn per_time(&self, Integral { value, error }: Integral) -> Integral {
         let n = self.chords() as f64;
@@ -104,15 +120,8 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         let mut batch = Batch::new(metric, Kind::Square, FIRST, self.chords());
         let room = batch.lanes() / FIRST;
         let mut squares = |places: &[Sevens], squares: &mut Vec<[f64; FIRST]>| {
-            let count = FIRST * places.len();
-            let mut inputs = batch.inputs(count);
-            for (&(chord, fractions), first) in places.iter().zip((0..).step_by(FIRST)) {
-                let (x, d) = self.sequence.chord(chord);
-                for (s, lane) in fractions.into_iter().zip(first..) {
-                    inputs.set(lane, &(x + d * s), &d);
-                }
-            }
-            batch.evaluate(count);
+            let all = places.iter().flat_map(|&(chord, fractions)| fractions.map(|s| (chord, s)));
+            self.evaluate(&mut batch, FIRST * places.len(), all);
             let row = batch.row(batch.layout().square[0]).as_chunks().0;
             squares.clear();
             squares.extend(&row[..places.len()]);

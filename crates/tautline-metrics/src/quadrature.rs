@@ -76,9 +76,8 @@ pub fn integrate(f: impl Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Inte
     integrate_by_sevens(&mut |nodes| nodes.map(&f), a, b, tolerance)
 }
 
-/// Does the same for an integrand that is evaluated at seven nodes at a time.
-///
-/// This is compiled once for all integrands; an indirect call costs little compared with a metric.
+/// Returns `∫ₐᵇ f` like [`integrate`], for an integrand that is evaluated at seven nodes at a time.
+// This is compiled once for all integrands; an indirect call costs little compared with a metric.
 pub fn integrate_by_sevens(
     f: &mut dyn FnMut([f64; 7]) -> [f64; 7],
     a: f64,

@@ -33,7 +33,7 @@ pub struct Answer {
     pub no_bounds: Option<String>,
     /// The points of the curve, from the first set to the second.
     pub curve: Vec<Vec<f64>>,
-    /// Other local minima that were met, shortest first, with `n` chords or 512, whichever is less.
+    /// Other local minima that were met, by their discrete energies, least first, with `n` chords or 512, whichever is less.
     pub other_minima: Vec<OtherMinimum>,
 }
 

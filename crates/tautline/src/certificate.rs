@@ -406,4 +406,17 @@ mod tests {
         let difference = (claimed.lower - proof.enclosure.lower).abs();
         assert!(difference <= 1e-12 * claimed.upper, "{claimed:?} {:?}", proof.enclosure);
     }
+
+    /// The theorems count more for an anisotropic metric, and a claim does not change that.
+    #[test]
+    fn claimed_constants_of_an_anisotropic_metric_stay_anisotropic() {
+        let shear = Shear::new(0.5, 1.0).expect("valid");
+        let ends = Ends::points([0.0, 0.0], [1.0, 2.0]).expect("finite");
+        let line = Problem::new(shear, ends).solve(Trapezoidal, 64).expect("solved");
+        assert!(!shear.constants().is_isotropic());
+        let [claimed, isotropic] = [shear.constants(), shear.constants().isotropic()]
+            .map(|constants| line.enclosure_given(constants).expect("bounds"));
+        assert_eq!(Ok(claimed), line.enclosure());
+        assert!(isotropic.lower > claimed.lower, "a wrong claim of isotropy would show");
+    }
 }

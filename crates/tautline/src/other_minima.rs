@@ -16,7 +16,7 @@ const FINEST: usize = 512;
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// Returns the [other local minima](tautline_optimizers::Minimum::others) of the search as
-    /// lines of their own, shortest first. Each is solved again from where the search left it, with
+    /// lines of their own, by their discrete energies, least first. Each is solved again from where the search left it, with
     /// `N` chords or 512, whichever is less.
     ///
     /// ```
@@ -30,8 +30,9 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Some may be missing: those that the search never met, those that are none on the finer grid,
-    /// and all but seven.
+    /// The ends of each are the pieces of the two sets that it joins, so that bounds on its own
+    /// distance are those of the pieces. There are at most seven; those that the search never met
+    /// are missing, and those that are none on the finer grid.
     #[must_use]
     pub fn other_minima(&self) -> Vec<Self> {
         let (n, mut workspace) = (self.sequence().n().get().min(FINEST), Workspace::default());

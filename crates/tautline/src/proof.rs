@@ -294,4 +294,26 @@ mod tests {
         let refused = ProofError::Curve(CurveError::NotRecorded(RecordError::Compares));
         assert_eq!(line.prove(Accuracy::default()).map(|_| ()), Err(refused));
     }
+
+    /// The budget is spent long before the tolerance is reached, on all of space and on a ball.
+    #[test]
+    fn a_small_budget_gives_wider_bounds() {
+        let check = |wide: Result<_, ProofError>, close: Result<_, ProofError>| {
+            let [wide, close]: [super::Proof<'_, 2>; 2] =
+                [wide, close].map(|proof| proof.expect("proved"));
+            assert_eq!(wide.within.is_some(), close.within.is_some());
+            assert!(wide.constants.c1() <= close.constants.c1());
+            assert!(wide.constants.l_h() > close.constants.l_h());
+            assert!(wide.enclosure.lower < close.enclosure.lower);
+            assert_eq!(wide.enclosure.upper, close.enclosure.upper);
+        };
+        let few = Accuracy { tolerance: 1e-9, budget: 300 };
+        let ends = Ends::points([0.3, 0.1], [0.45, 0.2]).expect("finite");
+        let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
+        check(line.prove(few), line.prove(Accuracy::default()));
+        let ends = Ends::points([0.0, 0.0], [1.0, 1.0]).expect("finite");
+        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+        let few = Accuracy { tolerance: 1e-9, budget: 30 };
+        check(line.prove(few), line.prove(Accuracy::default()));
+    }
 }

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
 use tautline_metrics::{
     Metric,
-    gallery::{CoupledCosines, Hyperbolic, Valleys},
+    gallery::{CoupledCosines, Hyperbolic, Sphere, Valleys},
 };
 use tautline_scalar::Scalar;
 
@@ -199,4 +199,43 @@ fn a_constant_metric_has_no_derivative() {
     let root = 0.5_f64.sqrt();
     assert!(proved.c1().contains(1.5 - root) && proved.c2().contains(1.5 + root), "{proved:?}");
     assert!(space.is_all_of_space());
+}
+
+/// Whatever the budget, the constants hold: those that are closer lie within them.
+#[test]
+fn constants_within_a_small_budget_are_wider_and_hold() {
+    fn check(metric: &impl Metric<2>, centre: [f64; 2], radius: f64) {
+        let ball = Domain::ball(centre, radius).expect("a radius");
+        let accuracy = Accuracy { tolerance: 1e-4, budget: 200_000 };
+        let close = CertifiedConstants::new(metric, &ball, accuracy).expect("constants");
+        let mut wide = 0;
+        for budget in [60, 200, 600] {
+            let few = Accuracy { tolerance: 1e-9, budget };
+            assert!(CertifiedConstants::new(metric, &ball, few).is_err(), "{budget}");
+            let found = CertifiedConstants::within_budget(metric, &ball, few).expect("constants");
+            let of = found.constants().expect("constants");
+            let m_h = of.m_h().expect("proved");
+            // The least and the largest values that the close bounds allow.
+            assert!(of.c1() <= close.c1().upper && of.c2() >= close.c2().lower, "{budget}");
+            assert!(of.l_h() >= close.l_h().lower && m_h >= close.m_h().lower, "{budget}");
+            wide += usize::from(m_h > 1.001 * close.m_h().upper);
+        }
+        assert!(wide > 0, "some budget is too small for the tolerance of the close bounds");
+    }
+    check(&Hyperbolic, [0.1, -0.2], 0.4);
+    check(&Sphere, [0.3, 0.1], 0.5);
+}
+
+#[test]
+fn a_budget_without_a_positive_c1_gives_no_constants() {
+    // The factor is at least 0.95, but intervals know less on a large box.
+    let metric = parsed("1.2 - x1*(1 - x1) I");
+    let ball = Domain::<2>::ball([0.5, 0.0], 1.0).expect("a radius");
+    let few = Accuracy { tolerance: 1e-3, budget: 1 };
+    match CertifiedConstants::within_budget(&metric, &ball, few) {
+        Err(CertifyError::BudgetSpent { quantity: Quantity::C1, lower, .. }) => {
+            assert!(lower <= 0.0, "{lower}");
+        }
+        other => panic!("{other:?}"),
+    }
 }
