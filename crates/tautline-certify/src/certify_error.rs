@@ -78,10 +78,7 @@ pub enum CertifyError {
     },
     /// The budget of boxes was spent before the bounds were close enough. The bounds are still
     /// valid.
-    #[error(
-        "after {boxes} boxes, {quantity} is known only to lie between {} and {}",
-        Short(*lower), Short(*upper)
-    )]
+    #[error("after {boxes} boxes, {}", known(*quantity, *lower, *upper))]
     BudgetSpent {
         /// The constant in question.
         quantity: Quantity,
@@ -95,6 +92,15 @@ pub enum CertifyError {
     /// The bounds do not form the constants of a metric; for example, one of them overflows.
     #[error(transparent)]
     Hypothesis(#[from] HypothesisError),
+}
+
+/// Says what is known of a constant.
+fn known(quantity: Quantity, lower: f64, upper: f64) -> String {
+    if lower.is_finite() && upper.is_finite() {
+        let (lower, upper) = (Short(lower), Short(upper));
+        return format!("{quantity} is known only to lie between {lower} and {upper}");
+    }
+    format!("{quantity} has no bound: the formula may be undefined or infinite somewhere")
 }
 
 /// Says how much a metric still changes, if that is known.

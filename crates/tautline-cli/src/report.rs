@@ -28,7 +28,7 @@ pub(crate) fn answer(answer: &Answer) -> String {
     let (rule, chords) = (answer.rule.replace('_', " "), answer.n);
     line(
         "length",
-        format!("{} of a curve of {chords} chords, {rule} rule", nearest(answer.length.value)),
+        format!("{} of a curve of {}, {rule} rule", nearest(answer.length.value), counted(chords)),
     );
     if let [first, .., last] = answer.curve.as_slice() {
         line("", format!("from {} to {}", point(first), point(last)));
@@ -36,8 +36,20 @@ pub(crate) fn answer(answer: &Answer) -> String {
     if let Some(Estimated { value, error }) = answer.extrapolated {
         line("extrapolated", format!("{} ± {error:.0e}, an estimate", nearest(value)));
     }
+    if !answer.resolved {
+        let seen = nearest(answer.discrete_energy.sqrt());
+        line(
+            "warning",
+            "the metric changes between the points of the rule, which sees a".to_owned(),
+        );
+        line("", format!("length of {seen}; use more than {}", counted(chords)));
+    }
     let search = &answer.search;
-    line("search", format!("{}, Hessian {}", search.stop, search.hessian));
+    if answer.length.value > 0.0 {
+        line("search", format!("{}, Hessian {}", search.stop, search.hessian));
+    } else {
+        line("search", search.stop.to_owned());
+    }
     line(
         "residual",
         format!("{:.1e}; rounding alone {:.1e}", search.residual, search.residual_floor),
@@ -60,6 +72,10 @@ pub(crate) fn answer(answer: &Answer) -> String {
         line("other minima", longer.join(", "));
     }
     text
+}
+
+fn counted(chords: usize) -> String {
+    if chords == 1 { "1 chord".to_owned() } else { format!("{chords} chords") }
 }
 
 /// Returns a point to six decimals.

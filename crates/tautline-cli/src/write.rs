@@ -48,9 +48,18 @@ impl Format {
     }
 }
 
-/// Checks the names of pictures, before anything is computed.
+/// Checks the names of pictures and their folders, before anything is computed.
 pub(crate) fn check_pictures(paths: &[impl AsRef<Path>]) -> Result<(), CommandError> {
-    paths.iter().try_for_each(|path| Format::of(path.as_ref()).map(|_| ()))
+    paths.iter().map(AsRef::as_ref).try_for_each(|path| {
+        Format::of(path)?;
+        match path.parent() {
+            Some(folder) if folder != Path::new("") && !folder.is_dir() => {
+                let (path, folder) = (path.display(), folder.display());
+                Err(CommandError::BadArgument(format!("{path}: there is no folder {folder}")))
+            }
+            _ => Ok(()),
+        }
+    })
 }
 
 /// Writes a picture in the format that its name asks for.

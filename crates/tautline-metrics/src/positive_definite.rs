@@ -10,7 +10,10 @@ use crate::Metric;
 #[non_exhaustive]
 pub enum MetricError {
     /// An entry of `H` is NaN or infinite.
-    #[error("H({point:?}) has the entry {entry} at ({row}, {column}): it must be finite")]
+    #[error(
+        "H({point:?}) has the entry {entry} in row {}, column {}: it must be finite",
+        row + 1, column + 1
+    )]
     NotFinite {
         /// The point at which `H` was evaluated.
         point: Vec<f64>,
@@ -23,7 +26,8 @@ pub enum MetricError {
     },
     /// The two halves of `H` differ.
     #[error(
-        "H({point:?}) is not symmetric: entry ({row}, {column}) is {above}, its mirror {below}"
+        "H({point:?}) is not symmetric: the entry in row {}, column {} is {above}, its mirror {below}",
+        row + 1, column + 1
     )]
     NotSymmetric {
         /// The point at which `H` was evaluated.

@@ -27,13 +27,16 @@ pub struct Answer {
     pub extrapolated: Option<Estimated>,
     /// How the search ended.
     pub search: Search,
+    /// Whether the chords resolve the metric. Otherwise the metric changes between the points at
+    /// which the rule evaluates it, and the distance may be any smaller number.
+    pub resolved: bool,
     /// Bounds on the distance; absent if they were not asked for or time ran out.
     pub bounds: Option<Bounds>,
     /// Why there are no bounds.
     pub no_bounds: Option<String>,
     /// The points of the curve, from the first set to the second.
     pub curve: Vec<Vec<f64>>,
-    /// Other local minima that were met, by their discrete energies, least first, with `n` chords or 512, whichever is less.
+    /// Other local minima that were met, shortest first, with `n` chords or 512, whichever is less.
     pub other_minima: Vec<OtherMinimum>,
 }
 

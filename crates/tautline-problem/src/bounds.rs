@@ -1,9 +1,11 @@
 //! Bounds on the distance, for an answer.
 
 use tautline::{
-    CertifyError, Formula, LocalError, ProofError, RuleOfThePaper, Short, TautLine,
+    CertifyError, Constants, Formula, LocalError, Metric, PointSequence, ProofError,
+    RuleOfThePaper, SMatrix, SVector, Short, TautLine,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::Accuracy,
+    is_gram,
 };
 
 use crate::{
@@ -17,6 +19,7 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     line: &TautLine<Formula<D>, R, D>,
 ) -> Result<Bounds, String> {
     if let Some(claimed) = question.claimed {
+        check_claims(claimed, line.metric(), line.sequence())?;
         let enclosure = line.enclosure_given(claimed).map_err(|error| error.to_string())?;
         if enclosure.lower > enclosure.upper {
             // The upper bound is the length of a curve, so a claim is wrong.
@@ -40,9 +43,40 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     Ok(in_words(proof.enclosure, UsedConstants::new(proof.constants, true, within)))
 }
 
+/// Refuses claims about the eigenvalues of `H` that fail at a point of the curve.
+fn check_claims<const D: usize>(
+    claimed: Constants,
+    metric: &Formula<D>,
+    sequence: &PointSequence<D>,
+) -> Result<(), String> {
+    // A claim that is attained may fail by a rounding.
+    let (c1, c2) = (claimed.c1() * (1.0 - ATTAINED), claimed.c2() * (1.0 + ATTAINED));
+    let refuse = |name, claim: f64, x: &SVector<f64, D>, what| {
+        let x = x.as_slice();
+        Err(format!(
+            "the claim {name} = {claim} is wrong: H({x:?}) has a {what} eigenvalue; \
+             `tautline audit` tests all claims"
+        ))
+    };
+    for x in sequence.points() {
+        let h = metric.gram(x);
+        let identity = SMatrix::<f64, D, D>::identity();
+        if !is_gram(&(h - identity * c1)) {
+            return refuse("c1", claimed.c1(), x, "smaller");
+        }
+        if !is_gram(&(identity * c2 - h)) {
+            return refuse("c2", claimed.c2(), x, "larger");
+        }
+    }
+    Ok(())
+}
+
+/// How far an eigenvalue may be beyond a claim, relative to it.
+const ATTAINED: f64 = 1e-9;
+
 /// Says why nothing is proved, and what may help.
 fn no_proof(error: &ProofError) -> String {
-    let more = "more `boxes` in [certify] may help";
+    let more = "ends that are closer, more chords, or more `boxes` in [certify] may help";
     match error {
         ProofError::Constants(error @ CertifyError::BudgetSpent { .. }) => {
             format!("{error}; {more}")
@@ -55,7 +89,7 @@ fn no_proof(error: &ProofError) -> String {
             format!("they need constants on a ball of radius {radius}, and {reason}; {more}")
         }
         ProofError::Competitors(error) => {
-            format!("{error}; constants for all of space can be claimed in [certify]")
+            format!("{error}; ends that are closer or more chords may help")
         }
         _ => error.to_string(),
     }

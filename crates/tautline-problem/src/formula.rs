@@ -31,6 +31,15 @@ pub(crate) fn formula<const D: usize>(
     problem: &ProblemFile,
     numbers: &Numbers<'_>,
 ) -> Result<Formula<D>, Diagnostic> {
+    formula_of(problem.metric.get_ref(), problem, numbers)
+}
+
+/// Returns the formula of another metric with the definitions of a file.
+pub(crate) fn formula_of<const D: usize>(
+    metric: &MetricFile,
+    problem: &ProblemFile,
+    numbers: &Numbers<'_>,
+) -> Result<Formula<D>, Diagnostic> {
     let mut texts = Texts { numbers, places: Vec::new() };
     let mut definitions: Vec<_> = problem.definitions.iter().collect();
     definitions.sort_by_key(|(name, _)| name.span().start);
@@ -44,7 +53,7 @@ pub(crate) fn formula<const D: usize>(
         .collect();
     let whole = problem.metric.span();
     let coordinates: Vec<usize> = (1..=D).collect();
-    let metric = texts.written(problem.metric.get_ref(), &coordinates)?;
+    let metric = texts.written(metric, &coordinates)?;
     let formula = Formula::compose(&numbers.by_name(), &definitions, &metric);
     formula.map_err(|WrittenError { id, error }| {
         let span = texts.places.get(id).cloned().unwrap_or(whole);

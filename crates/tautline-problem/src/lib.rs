@@ -38,6 +38,7 @@ mod picture;
 mod question;
 mod reading;
 mod schema;
+mod sign;
 mod solve;
 
 pub use answer::{
@@ -49,7 +50,8 @@ pub use dimension::{InDimension, LARGEST_DIMENSION, LARGEST_PROVED_DIMENSION, in
 pub use examples::{EXAMPLES, Example};
 pub use failure::Failure;
 pub use float::Float;
-pub use question::{Grid, Question};
+pub use question::{Grid, LEAST_TOLERANCE, Question};
 pub use schema::{answer_schema, constants_schema, problem_schema};
 pub use schemars::Schema;
+pub use tautline::LARGEST_N;
 pub use tautline_portrait::{Scene, pdf, png, svg};

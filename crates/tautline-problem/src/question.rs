@@ -3,7 +3,7 @@
 // The type alone: from `core`, which has no clock.
 use core::time::Duration;
 
-use tautline::{Constants, Formula};
+use tautline::{Constants, Formula, LARGEST_N};
 
 use crate::{
     Diagnostic, LARGEST_DIMENSION,
@@ -64,6 +64,9 @@ pub struct Question {
 
 /// The number of chords that is used unless the file has another.
 const CHORDS: usize = 256;
+
+/// The relative error of a length that rounding leaves, so that no grid reaches less.
+pub const LEAST_TOLERANCE: f64 = 1e-14;
 
 /// The number of boxes for one constant that is used unless the file has another: some tenths of a
 /// second in the plane.
@@ -248,7 +251,7 @@ impl Solve {
                     .label("expected n or tolerance, not both"));
             }
             (Some(n), None) => Grid::Chords(chords(n)?),
-            (None, Some(text)) => Grid::Tolerance(numbers.between(text, 0.0, 1.0)?),
+            (None, Some(text)) => Grid::Tolerance(numbers.between(text, LEAST_TOLERANCE, 1.0)?),
             (None, None) => Grid::Chords(CHORDS),
         };
         let start = |start: &Placed<Vec<Vector>>| {
@@ -271,6 +274,10 @@ impl Solve {
 fn chords(n: &Placed<usize>) -> Result<usize, Diagnostic> {
     match *n.get_ref() {
         0 => Err(Diagnostic::new("no chord", n.span()).label("expected n of at least 1")),
+        n_chords if n_chords > LARGEST_N => {
+            let label = format!("expected n of at most {LARGEST_N}");
+            Err(Diagnostic::new(format!("{n_chords} chords"), n.span()).label(label))
+        }
         n => Ok(n),
     }
 }

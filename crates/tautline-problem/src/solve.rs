@@ -111,7 +111,8 @@ impl Question {
         let solve = |n| {
             problem.solve_with(rule, n, options).map_err(|error| match error {
                 SolveError::Metric(_) => {
-                    let place = self.problem.metric.span();
+                    let place = self.problem.metric.get_ref().span();
+                    let place = place.unwrap_or(self.problem.metric.span());
                     Failure::BadInput(Diagnostic::new(error.to_string(), place))
                 }
                 _ => Failure::NotComputed(error.to_string()),
@@ -142,12 +143,8 @@ impl Question {
         bounds: impl FnOnce(&Self, &TautLine<Formula<D>, R, D>) -> Result<Bounds, String>,
         solved: &mut dyn FnMut(&Answer),
     ) -> Result<Answer, Failure> {
+        self.check_sign(line.sequence())?;
         let minimum = line.minimum();
-        let others = line.other_minima();
-        let other_minima = others.iter().map(|other| OtherMinimum {
-            length: estimated(other.length()),
-            curve: points(other.sequence()),
-        });
         let root = |square: f64| square.max(0.0).sqrt();
         let mut answer = Answer {
             dimension: D,
@@ -168,11 +165,19 @@ impl Question {
                 residual_floor: minimum.residual_floor,
                 newton_steps: minimum.iterations,
             },
+            resolved: line.is_resolved(),
             bounds: None,
             no_bounds: self.bound.then(|| "not finished".to_owned()),
             curve: points(&minimum.sequence),
-            other_minima: other_minima.collect(),
+            other_minima: Vec::new(),
         };
+        solved(&answer);
+        let others = line.other_minima();
+        let others = others.iter().map(|other| OtherMinimum {
+            length: estimated(other.length()),
+            curve: points(other.sequence()),
+        });
+        answer.other_minima = others.collect();
         solved(&answer);
         if self.bound {
             match bounds(self, line) {

@@ -88,7 +88,7 @@ pub use tautline_formula::{
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
-    MetricError, check_gram, christoffel, composition, gallery, norm_squared, quadrature,
+    MetricError, check_gram, christoffel, composition, gallery, is_gram, norm_squared, quadrature,
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, NewtonStep, Options,

@@ -16,7 +16,7 @@ const FINEST: usize = 512;
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// Returns the [other local minima](tautline_optimizers::Minimum::others) of the search as
-    /// lines of their own, by their discrete energies, least first. Each is solved again from where the search left it, with
+    /// lines of their own, shortest first. Each is solved again from where the search left it, with
     /// `N` chords or 512, whichever is less.
     ///
     /// ```
@@ -49,7 +49,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
                 others.push(Self::new(metric, rule, ends, found));
             }
         }
-        others.sort_by(|a, b| a.discrete_energy().total_cmp(&b.discrete_energy()));
+        others.sort_by(|a, b| a.length().value.total_cmp(&b.length().value));
         others
     }
 }

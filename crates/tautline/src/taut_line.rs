@@ -1,6 +1,6 @@
 //! `TautLine`: a computed shortest curve.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule};
 use tautline_formula::{Formula, Prepared};
@@ -15,7 +15,14 @@ pub struct TautLine<M, R, const D: usize> {
     rule: R,
     ends: Ends<D>,
     minimum: Minimum<D>,
+    energy: OnceLock<Integral>,
+    length: OnceLock<Integral>,
 }
+
+/// The largest relative difference between the energy of the curve and the discrete energy if the
+/// chords resolve the metric. Both differ from `d²` by a term that falls with `N`, usually far
+/// below this.
+const RESOLVED: f64 = 0.1;
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     pub(crate) fn new(
@@ -24,7 +31,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         ends: Ends<D>,
         minimum: Minimum<D>,
     ) -> Self {
-        Self { metric, rule, ends, minimum }
+        let (energy, length) = Default::default();
+        Self { metric, rule, ends, minimum, energy, length }
     }
 
     /// Returns the metric.
@@ -82,14 +90,14 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// estimate.
     #[must_use]
     pub fn energy(&self) -> Integral {
-        self.curve().energy_by_batches(&*self.metric)
+        *self.energy.get_or_init(|| self.curve().energy_by_batches(&*self.metric))
     }
 
     /// Returns the length `L(γᵖˡ) ≥ d` of the curve, in `m`, computed by quadrature with an error
     /// estimate.
     #[must_use]
     pub fn length(&self) -> Integral {
-        self.curve().length_by_batches(&*self.metric)
+        *self.length.get_or_init(|| self.curve().length_by_batches(&*self.metric))
     }
 
     /// Returns the speeds of the chords, in `m`. They are nearly equal for a minimiser.
@@ -104,12 +112,48 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         self.minimum.residual
     }
 
+    /// Returns whether the chords resolve the metric: whether the energy of the curve and the discrete
+    /// energy differ by at most a tenth. Otherwise the metric changes between the nodes of the rule,
+    /// and more chords are needed.
+    #[must_use]
+    pub fn is_resolved(&self) -> bool {
+        let energy = self.energy().value;
+        (energy - self.discrete_energy()).abs() <= RESOLVED * energy
+    }
+
     /// Returns an estimate of `d²`, in `m²`, by Richardson extrapolation over the grids of this
     /// line. It is not a bound. The result is `None` if there is a single grid: for `N ≤ 32`, for
     /// `N ≤ 64` with given starts only, if a grid of up to 512 chords led to another minimiser than
-    /// the coarser ones, or if the ends touch.
+    /// the coarser ones, if the chords do not [resolve](TautLine::is_resolved) the metric, or if the
+    /// ends touch.
     #[must_use]
     pub fn distance_squared_estimate(&self) -> Option<Estimate> {
-        extrapolate(&self.minimum.levels, R::ERROR_EXPONENT)
+        extrapolate(&self.minimum.levels, R::ERROR_EXPONENT).filter(|_| self.is_resolved())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_discretizations::Trapezoidal;
+    use tautline_metrics::gallery::Bump;
+    use tautline_sets::Ends;
+
+    use crate::Problem;
+
+    /// No node is on the bump until the chords are shorter than it is wide. The rule then sees the
+    /// Euclidean plane, and all grids agree on a wrong distance.
+    #[test]
+    fn a_bump_between_the_nodes_is_not_resolved() {
+        let bump = Bump::new(1000.0, 7e-4).expect("a bump");
+        let ends = Ends::points([-2.0031, 0.0], [1.9969, 0.0]).expect("finite");
+        let line = Problem::new(bump, ends).solve(Trapezoidal, 256).expect("solved");
+        let [discrete, energy] = [line.discrete_energy(), line.energy().value];
+        assert!((discrete - 16.0).abs() < 1e-4 && energy > 20.0, "{discrete} {energy}");
+        assert!(!line.is_resolved());
+        assert_eq!(line.distance_squared_estimate(), None);
+        let ends = Ends::points([-2.0, 0.1], [2.0, 0.0]).expect("finite");
+        let wide = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
+        let line = wide.solve(Trapezoidal, 256).expect("solved");
+        assert!(line.is_resolved() && line.distance_squared_estimate().is_some());
     }
 }

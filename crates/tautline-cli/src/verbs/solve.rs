@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use tautline_problem::{Answer, Failure, Grid};
+use tautline_problem::{Answer, Failure, Grid, LARGEST_N, LEAST_TOLERANCE};
 
 use crate::{
     arguments::Solve,
@@ -20,12 +20,17 @@ pub(crate) fn solve(arguments: &Solve) -> Result<ExitCode, CommandError> {
     let mut problem = ProblemText::read(&arguments.file)?;
     match (arguments.n, arguments.tolerance) {
         (Some(0), _) => return Err(CommandError::BadArgument("-n 0: no chord".to_owned())),
+        (Some(n), _) if n > LARGEST_N => {
+            let message = format!("-n {n}: expected at most {LARGEST_N} chords");
+            return Err(CommandError::BadArgument(message));
+        }
         (Some(n), _) => problem.question.set_grid(Grid::Chords(n)),
-        (None, Some(tolerance)) if tolerance > 0.0 && tolerance < 1.0 => {
+        (None, Some(tolerance)) if tolerance > LEAST_TOLERANCE && tolerance < 1.0 => {
             problem.question.set_grid(Grid::Tolerance(tolerance));
         }
         (None, Some(tolerance)) => {
-            let message = format!("a tolerance of {tolerance} is not between 0 and 1");
+            let message =
+                format!("a tolerance of {tolerance:e} is not between {LEAST_TOLERANCE:e} and 1");
             return Err(CommandError::BadArgument(message));
         }
         (None, None) => {}
@@ -35,10 +40,6 @@ pub(crate) fn solve(arguments: &Solve) -> Result<ExitCode, CommandError> {
     }
     let limit = limit.or(problem.question.time_limit());
     let answer = solved(&problem, limit)?;
-    for path in &arguments.plot {
-        let picture = problem.question.picture(Some(&answer));
-        write_picture(path, &picture.map_err(|failure| problem.explain(failure))?)?;
-    }
     if arguments.json {
         let json = serde_json::to_string_pretty(&answer);
         let json = json.map_err(|error| CommandError::NotDone(error.to_string()))?;
@@ -46,7 +47,11 @@ pub(crate) fn solve(arguments: &Solve) -> Result<ExitCode, CommandError> {
     } else {
         print(&report::answer(&answer))?;
     }
-    let is_done = answer.search.converged && answer.no_bounds.is_none();
+    for path in &arguments.plot {
+        let picture = problem.question.picture(Some(&answer));
+        write_picture(path, &picture.map_err(|failure| problem.explain(failure))?)?;
+    }
+    let is_done = answer.search.converged && answer.resolved && answer.no_bounds.is_none();
     Ok(if is_done { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 

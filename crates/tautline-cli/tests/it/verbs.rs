@@ -284,7 +284,31 @@ fn missing_bounds_are_explained_in_few_digits() {
     let answer = text(&output.stdout);
     let first = answer.lines().next().expect("a line");
     assert!(first.contains("c1 is known only to lie between"), "{first}");
-    assert!(first.ends_with("; more `boxes` in [certify] may help"), "{first}");
+    assert!(first.ends_with(", or more `boxes` in [certify] may help"), "{first}");
     let digits = |word: &str| word.chars().filter(char::is_ascii_digit).count();
     assert!(first.split(' ').all(|word| digits(word) <= 5), "{first}");
+}
+
+/// A narrow wall of cost between the points of the rule: the answer says so, and is none.
+#[test]
+fn a_metric_that_the_chords_do_not_resolve_is_a_warning() {
+    let folder = folder("unresolved");
+    let file = "[metric]\ncost = \"1 + 1000*exp(-(1000*(x1 - 0.0031))^2)\"\n\
+                [from]\npoint = [-2, 0]\n[to]\npoint = [2, 0]\n";
+    std::fs::write(folder.join("wall.toml"), file).expect("written");
+    let output = tautline(&folder, &["solve", "wall.toml", "--no-bounds"]);
+    let answer = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(1), "{answer}");
+    assert!(answer.contains("warning      the metric changes between"), "{answer}");
+    assert!(!answer.contains("extrapolated"), "{answer}");
+}
+
+#[test]
+fn a_picture_in_no_folder_is_refused_before_anything_is_computed() {
+    let folder = folder("no-folder");
+    tautline(&folder, &["examples", "valleys", "--to", "."]);
+    let output = tautline(&folder, &["solve", "valleys.toml", "--plot", "nowhere/x.svg"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty());
+    assert_eq!(text(&output.stderr), "error: nowhere/x.svg: there is no folder nowhere\n");
 }

@@ -49,8 +49,17 @@ impl<'de> Deserialize<'de> for FromGallery {
                 GalleryFile::deserialize(MapAccessDeserializer::new(table)).map(FromGallery)
             }
 
-            fn visit_map<A: de::MapAccess<'de>>(self, table: A) -> Result<Self::Value, A::Error> {
-                GalleryFile::deserialize(MapAccessDeserializer::new(table)).map(FromGallery)
+            fn visit_map<A: de::MapAccess<'de>>(
+                self,
+                mut table: A,
+            ) -> Result<Self::Value, A::Error> {
+                let found = GalleryFile::deserialize(MapAccessDeserializer::new(&mut table))?;
+                match table.next_key::<String>()? {
+                    None => Ok(FromGallery(found)),
+                    Some(other) => Err(de::Error::custom(format_args!(
+                        "a second metric, {other}: expected one; sum adds several"
+                    ))),
+                }
             }
         }
         deserializer.deserialize_any(Visitor)

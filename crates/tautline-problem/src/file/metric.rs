@@ -1,5 +1,7 @@
 //! `MetricFile`: a metric in a file.
 
+use std::ops::Range;
+
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -36,6 +38,25 @@ pub(crate) enum MetricFile {
     /// A metric of the gallery with its parameters, such as `{ shear = { amplitude = 0.5,
     /// wave_number = 1 } }`, or its name alone, such as `"valleys"`, if it has none.
     Gallery(Placed<FromGallery>),
+}
+
+impl MetricFile {
+    /// Returns where the expressions of the metric stand, if they are together.
+    pub(crate) fn span(&self) -> Option<Range<usize>> {
+        match self {
+            MetricFile::Formula(text)
+            | MetricFile::Phi(text)
+            | MetricFile::Cost(text)
+            | MetricFile::Speed(text)
+            | MetricFile::Graph(text) => Some(text.span()),
+            MetricFile::Matrix(rows) | MetricFile::Upper(rows) => Some(rows.span()),
+            MetricFile::Diag(texts) | MetricFile::Pullback(texts) => Some(texts.span()),
+            MetricFile::Sum(metrics) => Some(metrics.span()),
+            MetricFile::Product(blocks) => Some(blocks.span()),
+            MetricFile::Gallery(metric) => Some(metric.span()),
+            MetricFile::Scaled(_) => None,
+        }
+    }
 }
 
 /// A metric times a positive function.

@@ -11,7 +11,7 @@ use crate::{
         expression::{Expression, Text, place},
         set::Vector,
     },
-    reading::meant::probably_meant,
+    reading::{meant::probably_meant, parse::all},
 };
 
 /// The file, and its parameters in their order.
@@ -99,8 +99,22 @@ impl<'f> Numbers<'f> {
         let known = known.chain(parameters).filter(|word| word.len() > 1 || *word != "-");
         match &error.problem {
             TextProblem::Unexpected { found, expected } => {
-                Diagnostic::new(format!("found {found} in an expression"), at)
-                    .label(format!("expected {expected}"))
+                let before = self.file.get(..at.start).and_then(|before| before.chars().last());
+                let is_product = before.is_some_and(|c| c.is_ascii_digit() || c == ')');
+                let begins = |c: char| c.is_alphabetic() || c == '(';
+                let diagnostic = Diagnostic::new(format!("found {found} in an expression"), at)
+                    .label(format!("expected {expected}"));
+                match found.chars().next() {
+                    Some('−' | '–') => diagnostic.help("the minus of a formula is -"),
+                    Some(first) if is_product && begins(first) && found != "the end" => {
+                        diagnostic.help("a product has a sign, such as 2*x1")
+                    }
+                    _ => diagnostic,
+                }
+            }
+            TextProblem::NoCoordinate { name, dimension: 0 } => {
+                Diagnostic::new(format!("{name} in a number"), at)
+                    .help("a function of the coordinates belongs in [metric] or in [let]")
             }
             problem @ (TextProblem::UnknownName { name }
             | TextProblem::UnknownFunction { name }) => {
@@ -109,8 +123,18 @@ impl<'f> Numbers<'f> {
                     ("abs", _) => diagnostic.help(
                         "a metric must be smooth: write sqrt(u^2 + e^2) with a small e for abs(u)",
                     ),
+                    ("max" | "min", _) => diagnostic.help(
+                        "a metric must be smooth: write ln(exp(k*u) + exp(k*v))/k with a large k \
+                         for max(u, v)",
+                    ),
+                    ("log", _) => diagnostic.help("the natural logarithm is ln"),
                     ("x", _) => diagnostic.help("the coordinates are x1, x2 and so on"),
                     (_, Some(meant)) => diagnostic.help(format!("did you mean {meant}?")),
+                    (_, None) if matches!(problem, TextProblem::UnknownFunction { .. }) => {
+                        let names: Vec<&str> =
+                            Function::NAMES.iter().copied().filter(|name| *name != "-").collect();
+                        diagnostic.help(format!("the functions are {}", all(&names)))
+                    }
                     (_, None) => diagnostic
                         .help(format!("{name} may be defined in [parameters] or in [let]")),
                 }

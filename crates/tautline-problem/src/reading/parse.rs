@@ -20,8 +20,14 @@ fn explain(error: &toml::de::Error, file: &str) -> Diagnostic {
         let mut words = quoted(message);
         let word = words.next().unwrap_or_default();
         let known: Vec<&str> = words.collect();
-        let diagnostic = Diagnostic::new(format!("there is no {word} here"), at)
+        let after =
+            file.get(at.end..).unwrap_or_default().trim_start_matches(['"', '\'', ' ', '\t']);
+        let what = if after.starts_with(['=', '.', ']']) { "key" } else { "word" };
+        let diagnostic = Diagnostic::new(format!("unknown {what} {word}"), at)
             .label(format!("expected {}", listed(&known)));
+        if (word, known.contains(&"trapezoidal")) == ("midpoint", true) {
+            return diagnostic.help("most books call trapezoidal the midpoint rule");
+        }
         return match probably_meant(word, known) {
             Some(meant) => diagnostic.help(format!("did you mean {meant}?")),
             None => diagnostic,
@@ -36,16 +42,67 @@ fn explain(error: &toml::de::Error, file: &str) -> Diagnostic {
         };
     }
     if message.starts_with("wanted exactly 1 element") {
-        return Diagnostic::new("several keys say what this is", at).label("expected one key");
+        return Diagnostic::new("several keys say what this is", at)
+            .label("expected one key")
+            .help("from, to and dimension belong above [metric], or in sections of their own");
+    }
+    if message.starts_with("wanted string or table") {
+        return Diagnostic::new("this is no set", at)
+            .label("expected a key and a value, such as { point = [0, 0] }");
+    }
+    if message.starts_with("string values must be quoted") {
+        return Diagnostic::new(message, at)
+            .help("an expression stands in quotes: \"2 - cos(x1)\"");
+    }
+    let wrong = ["invalid type: ", "invalid value: "];
+    if let Some((found, expected)) = wrong
+        .iter()
+        .find_map(|begin| message.strip_prefix(begin))
+        .and_then(|rest| rest.split_once(", expected "))
+    {
+        return Diagnostic::new(format!("found {}", plain_value(found)), at)
+            .label(format!("expected {}", plain_type(expected)));
     }
     Diagnostic::new(message, at)
 }
 
+/// Returns a value without the name of its type in Rust.
+fn plain_value(found: &str) -> String {
+    match found {
+        "map" => "a table".to_owned(),
+        "sequence" => "a list".to_owned(),
+        _ => {
+            let types = ["integer ", "floating point ", "boolean "];
+            let value = types.iter().find_map(|of| found.strip_prefix(of));
+            value.map_or(found, |value| value.trim_matches('`')).to_owned()
+        }
+    }
+}
+
+/// Returns the name of a type in plain words.
+fn plain_type(expected: &str) -> &str {
+    match expected {
+        "usize" | "u32" | "u64" => "a whole number, at least 0",
+        "a sequence" => "a list in brackets, such as [0, 1]",
+        "a boolean" => "true or false",
+        _ => expected,
+    }
+}
+
 /// Returns the words with commas and an `or`.
-pub(crate) fn listed(words: &[&str]) -> String {
+fn listed(words: &[&str]) -> String {
+    joined(words, "or")
+}
+
+/// Returns the words with commas and an `and`.
+pub(crate) fn all(words: &[&str]) -> String {
+    joined(words, "and")
+}
+
+fn joined(words: &[&str], by: &str) -> String {
     match words {
         [] => "nothing".to_owned(),
         [one] => (*one).to_owned(),
-        [first @ .., last] => format!("{} or {last}", first.join(", ")),
+        [first @ .., last] => format!("{} {by} {last}", first.join(", ")),
     }
 }

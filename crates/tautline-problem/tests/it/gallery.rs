@@ -76,6 +76,8 @@ fn a_metric_without_parameters_needs_its_name_alone() {
     let refused = |gallery| question(gallery).expect_err("a mistake").to_string();
     let message = refused("\"shear\"");
     assert!(message.contains("amplitude is missing"), "{message}");
+    let message = refused("{ valleys = {}, sphere = {} }");
+    assert!(message.contains("a second metric, "), "{message}");
     let message = refused("\"valeys\"");
     assert!(message.contains("valleys"), "{message}");
 }

@@ -174,10 +174,7 @@ fn a_file_chooses_rule_and_tolerance() {
     // By c1 = 2 two points that are √2 apart have a distance of 2, but the curve is shorter.
     let wrong = answer("wrong_constants", |file| file.replace("c1 = 1", "c1 = 2"));
     let reason = wrong.no_bounds.expect("a contradiction");
-    assert!(
-        wrong.bounds.is_none() && reason.contains("the claimed constants are wrong"),
-        "{reason}"
-    );
+    assert!(wrong.bounds.is_none() && reason.contains("the claim c1 = 2 is wrong"), "{reason}");
     // The true trapezoid has no theorem.
     let other = solve("rule = \"true_trapezoid\"");
     assert!(

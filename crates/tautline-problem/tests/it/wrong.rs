@@ -49,7 +49,7 @@ fn each_mistake_is_underlined() {
         ("matrix = [[\"f\", 0], [0, \"f\"]]", "diag = [\"f\"]", "[\"f\"]", "1 entry here"),
         ("matrix = [[\"f\", 0], [0, \"f\"]]", "pullback = [\"f\"]", "[\"f\"]", "1 function here"),
         ("matrix = [[\"f\", 0], [0, \"f\"]]", "sum = []", "[]", "a sum of no metrics"),
-        ("matrix", "matrx", "matrx", "there is no matrx here"),
+        ("matrix", "matrx", "matrx", "unknown key matrx"),
         ("[0, \"f\"]]", "[0, \"f\"]]\nphi = 1", "", "several keys say what this is"),
         ("radius = 0.5", "radius = -0.5", "-0.5", "radius -0.5 must be ≥ 0"),
         (", radius = 0.5", "", "{ centre = [0, 0] }", "radius is missing"),
@@ -68,6 +68,18 @@ fn each_mistake_is_underlined() {
         ("[parameters]", "dimension = 3\n[parameters]", "[0, 0]", "2 coordinates in dimension 3"),
         ("[0, \"f\"]", "[1, \"f\"]", "", "symmetric"),
         ("\"a - cos", "\"-a - cos", "", "not positive definite"),
+        ("\"a - cos", "\"ln(x1 - 9) - cos", "[[\"f\", 0], [0, \"f\"]]", "in row 1, column 1"),
+        ("a = 2", "a = \"x1\"", "x1", "x1 in a number"),
+        ("[0, 0], radius", "0, radius", "0", "found 0: expected a list in brackets"),
+        ("[to]", "[solve]\nn = -5\n[to]", "-5", "found -5: expected a whole number"),
+        ("[to]", "[solve]\nn = 1000000000000\n[to]", "1000000000000", "expected n of at most"),
+        ("[to]", "[solve]\ntolerance = 1e-20\n[to]", "1e-20", "is out of range"),
+        (
+            "[from]\nball = { centre = [0, 0], radius = 0.5 }",
+            "[from]\nball = \"x\"",
+            "\"x\"",
+            "found",
+        ),
     ] {
         assert!(GOOD.contains(from), "{from}");
         let file = GOOD.replacen(from, to, 1);
@@ -105,6 +117,15 @@ fn what_was_meant_is_said() {
         ("cos(x1)", "x1^0.5", "sqrt(u)"),
         ("a - cos", "beta - cos", "[parameters]"),
         ("[to]", "[solve]\nrule = \"left\"\n[to]", "left_endpoint"),
+        ("[to]", "[solve]\nrule = \"midpoint\"\n[to]", "most books call trapezoidal"),
+        ("a - cos", "log(a) - cos", "the natural logarithm is ln"),
+        ("a - cos", "max(a, x1) - cos", "a metric must be smooth"),
+        ("a - cos", "frobnicate(a) - cos", "the functions are sqr"),
+        ("a - cos", "2x1 - cos", "a product has a sign"),
+        ("a - cos", "a − cos", "the minus of a formula is -"),
+        ("a = 2", "a = \"x1\"", "belongs in [metric] or in [let]"),
+        ("f = \"a - cos(x1)\"", "f = a - cos(x1)", "an expression stands in quotes"),
+        ("[0, \"f\"]]", "[0, \"f\"]]\nphi = 1", "belong above [metric]"),
     ] {
         let diagnostic = refused(&GOOD.replacen(from, to, 1));
         let said = format!("{diagnostic} {}", diagnostic.help.clone().unwrap_or_default());
@@ -132,4 +153,45 @@ fn blocks_of_a_product_share_the_coordinates() {
         let file = with(&blocks.iter().map(|own| block(own)).collect::<Vec<_>>().join(","));
         assert_eq!(refused(&file).message, says);
     }
+}
+
+/// The metric is the square, which does not show the sign.
+#[test]
+fn a_cost_or_a_speed_that_is_negative_on_the_curve_is_refused() {
+    let file = |metric: &str| {
+        format!(
+            "[metric]\n{metric}\n[from]\npoint = [0, 0]\n[to]\npoint = [3, 1]\n[solve]\nn = 64\n"
+        )
+    };
+    for (metric, says) in [
+        ("cost = \"1 - x1\"", "the cost is -2 at [3.0, 1.0]"),
+        ("speed = \"1 - 2*exp(-(x1 - 3)^2)\"", "the speed is -1 at [3.0, 1.0]"),
+    ] {
+        let file = file(metric);
+        let diagnostic = refused(&file);
+        assert!(diagnostic.message.starts_with(says), "{diagnostic}");
+        assert!(file[diagnostic.at].starts_with('"'));
+    }
+    // The same metric, whose formula does not claim to be a cost.
+    let square = file("phi = \"(4 - x1)^2\"");
+    assert!(Question::read(&square).is_ok_and(|question| question.solve(&mut |_| ()).is_ok()));
+}
+
+/// `H = (2 − cos x₁)² I` is `I` at the first end, and 8.94 at the second.
+#[test]
+fn claims_that_fail_on_the_curve_are_refused() {
+    let answer = |c1: f64, c2: f64| {
+        let file = format!(
+            "[metric]\ncost = \"2 - cos(x1)\"\n[from]\npoint = [0, 0]\n[to]\npoint = [3, 1]\n\
+             [certify.constants]\nc1 = {c1}\nc2 = {c2}\nl_h = 4.5\nm_h = 6\n"
+        );
+        let question = Question::read(&file).expect("a problem");
+        question.solve(&mut |_| ()).expect("solved").no_bounds
+    };
+    assert_eq!(answer(1.0, 9.0), None);
+    let why = answer(1.0, 8.0).expect("a reason");
+    // The first point of the curve at which H exceeds 8.
+    assert!(why.contains("c2 = 8 is wrong") && why.contains("a larger eigenvalue"), "{why}");
+    let why = answer(1.01, 9.0).expect("a reason");
+    assert!(why.contains("c1 = 1.01 is wrong: H([0.0, 0.0]) has a smaller eigenvalue"), "{why}");
 }
