@@ -13,7 +13,7 @@ use crate::{
     Minimum, Options, Other, SolveError, Starts, Workspace,
     newton::discrete_energy::DiscreteEnergy,
     search::{
-        candidate::{Candidate, are_apart, lowest_first},
+        candidate::{Candidate, DIFFERENT, are_apart, lowest_first},
         grids::{SMALL, grids},
         local_search::{Found, LocalSearch},
     },
@@ -38,15 +38,17 @@ pub(crate) fn solve<const D: usize>(
     let mut search =
         Search { workspace, energy, options, n, iterations: 0, ties: Vec::new(), refused: None };
     let mut candidates = Vec::new();
-    let (mut local_minima, mut others) = (None, Vec::new());
+    let (mut local_minima, mut left_behind) = (None, Vec::new());
     for grid in search.grids() {
-        others.extend(search.keep_the_lowest(&mut candidates, grid));
+        left_behind.extend(search.keep_the_lowest(&mut candidates, grid));
         search.follow_all(&mut candidates, grid);
         search.try_new_starts(&mut candidates, &pieces, grid);
         local_minima.get_or_insert_with(|| converged_energies(&candidates));
     }
+    let left_behind = search.catch_up(&mut candidates, left_behind);
     let (lowest, rest) = search.lowest_with_a_metric(candidates)?;
-    others.extend(rest.into_iter().filter_map(Candidate::into_other));
+    let rest = rest.into_iter().chain(left_behind);
+    let mut others: Vec<_> = rest.filter_map(Candidate::into_other).collect();
     others.append(&mut search.ties);
     let others = different(others, &lowest.found.sequence, energy);
     Ok(lowest.into_minimum(search.iterations, local_minima.unwrap_or_default(), others))
@@ -80,7 +82,8 @@ struct Search<'a, const D: usize> {
 }
 
 /// Up to this number of chords the order of the local minimisers may change, and `FOLLOWED` of them
-/// are followed. Beyond it only the lowest one is followed.
+/// are followed. Beyond it only the lowest one is followed, unless another one turns out to be
+/// lower on the finest grid.
 const SETTLED: usize = 512;
 const FOLLOWED: usize = 8;
 
@@ -110,11 +113,11 @@ impl<'a, const D: usize> Search<'a, D> {
 
     /// Keeps the candidates that are followed to `grid`. If only one is followed, it is the lowest
     /// along which the metric is defined, and the others are returned.
-    fn keep_the_lowest(
+    fn keep_the_lowest<'e>(
         &self,
-        candidates: &mut Vec<Candidate<'_, D>>,
+        candidates: &mut Vec<Candidate<'e, D>>,
         grid: usize,
-    ) -> Vec<Other<D>> {
+    ) -> Vec<Candidate<'e, D>> {
         if grid > SETTLED && candidates.len() > 1 {
             let passes =
                 |c: &Candidate<'_, D>| self.energy.check_between(&c.found.sequence).is_ok();
@@ -123,7 +126,32 @@ impl<'a, const D: usize> Search<'a, D> {
         }
         candidates.truncate(FOLLOWED);
         let kept = if grid > SETTLED { candidates.len().min(1) } else { candidates.len() };
-        candidates.drain(kept..).filter_map(Candidate::into_other).collect()
+        candidates.drain(kept..).collect()
+    }
+
+    /// Follows those candidates too that were left behind, but are lower on the finest grid than the
+    /// lowest one that was followed. Returns the rest.
+    fn catch_up<'e>(
+        &mut self,
+        candidates: &mut Vec<Candidate<'e, D>>,
+        left_behind: Vec<Candidate<'e, D>>,
+    ) -> Vec<Candidate<'e, D>>
+    where
+        'a: 'e,
+    {
+        let Some(lowest) = candidates.first() else { return left_behind };
+        let bar = lowest.found.energy * (1.0 - DIFFERENT);
+        let is_lower = |candidate: &Candidate<'e, D>| {
+            let start = candidate.start(self.n, self.energy, Vec::new()).ok();
+            let energy = start.and_then(|start| self.energy.admissible(start.points()));
+            !candidate.failed()
+                && energy.is_some_and(|energy| energy < bar)
+                && self.energy.check_between(&candidate.found.sequence).is_ok()
+        };
+        let (lower, rest): (Vec<_>, _) = left_behind.into_iter().partition(is_lower);
+        candidates.extend(lower.into_iter().filter_map(|lower| self.follow(lower, self.n)));
+        self.keep_ties(lowest_first(candidates));
+        rest
     }
 
     /// Follows all candidates to `grid`, and sorts them.

@@ -24,7 +24,7 @@ const EXTRAPOLATED: usize = 3;
 const COARSE: usize = 32;
 
 /// Energies that differ by a larger fraction belong to different minima.
-const DIFFERENT: f64 = 1e-9;
+pub(crate) const DIFFERENT: f64 = 1e-9;
 
 /// A local minimiser, the pieces between which it runs, and its energies on coarser grids.
 pub(crate) struct Candidate<'a, const D: usize> {

@@ -46,7 +46,8 @@ pub struct Minimum<const D: usize> {
     pub local_minima: Vec<f64>,
     /// The other local minimisers that were met, lowest first, up to seven, each along another curve.
     /// They stay on a coarser grid if they have the energy of one that is followed, as mirror
-    /// images do, and beyond 512 chords, where only the result is followed.
+    /// images do, and beyond 512 chords, where only the result is followed unless one of them is
+    /// lower on the finest grid.
     pub others: Vec<Other<D>>,
 }
 
