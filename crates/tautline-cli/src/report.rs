@@ -2,9 +2,7 @@
 
 use std::fmt::Write;
 
-use tautline_problem::{
-    Answer, Bounds, ConstantsAnswer, Estimated, GlobalMinimum, OtherMinimum, UsedConstants,
-};
+use tautline_problem::{Answer, Bounds, ConstantsAnswer, Estimated, GlobalMinimum, UsedConstants};
 
 use crate::decimal::{nearest, rounded_down, rounded_up};
 
@@ -31,12 +29,18 @@ pub(crate) fn answer(answer: &Answer) -> String {
         format!("{} of a curve of {}, {rule} rule", nearest(answer.length.value), counted(chords)),
     );
     if let [first, .., last] = answer.curve.as_slice() {
-        line("", format!("from {} to {}", point(first), point(last)));
+        let places = places(&[first, last].map(Vec::as_slice));
+        line("", format!("from {} to {}", point(first, places), point(last, places)));
     }
     if let Some(Estimated { value, error }) = answer.extrapolated {
         line("extrapolated", format!("{} ± {error:.0e}, an estimate", nearest(value)));
     }
-    if !answer.resolved {
+    let others = &answer.other_minima;
+    if let Some(shorter) = others.iter().find(|other| other.is_shorter_than(answer)) {
+        let length = nearest(shorter.length.value);
+        line("warning", format!("another minimum is shorter, {length}: the rule orders them"));
+        line("", format!("otherwise; use more than {}", counted(chords)));
+    } else if !answer.resolved {
         let seen = nearest(answer.discrete_energy.sqrt());
         line(
             "warning",
@@ -57,19 +61,15 @@ pub(crate) fn answer(answer: &Answer) -> String {
     if let Some(bounds) = &answer.bounds {
         line("constants", constants(&bounds.constants));
     }
-    let (ties, longer): (Vec<_>, Vec<_>) = answer
-        .other_minima
-        .iter()
-        .map(|OtherMinimum { length, .. }| length.value)
-        .partition(|length| *length < answer.length.value * (1.0 + TIE));
+    let (ties, other): (Vec<_>, Vec<_>) = others.iter().partition(|other| other.ties_with(answer));
     match ties.len() {
         0 => {}
         1 => line("tie", "another curve is as short".to_owned()),
         ties => line("tie", format!("{ties} other curves are as short")),
     }
-    if !longer.is_empty() {
-        let longer: Vec<String> = longer.iter().map(|length| format!("{length:.6}")).collect();
-        line("other minima", longer.join(", "));
+    if !other.is_empty() {
+        let lengths = other.iter().map(|other| format!("{:.6}", other.length.value));
+        line("other minima", lengths.collect::<Vec<_>>().join(", "));
     }
     text
 }
@@ -78,21 +78,28 @@ fn counted(chords: usize) -> String {
     if chords == 1 { "1 chord".to_owned() } else { format!("{chords} chords") }
 }
 
-/// Returns a point to six decimals.
-fn point(x: &[f64]) -> String {
-    // Adding 0 turns −0 into 0.
-    let coordinates = x.iter().map(|x| ((x * 1e6).round() / 1e6 + 0.0).to_string());
-    format!("[{}]", coordinates.collect::<Vec<_>>().join(", "))
+/// Returns the number of decimals in which points are printed: six, or more if they are close to
+/// the origin.
+fn places(points: &[&[f64]]) -> i32 {
+    let largest = points.iter().flat_map(|x| x.iter()).fold(0.0_f64, |most, x| most.max(x.abs()));
+    if largest > 0.0 && largest < 1e-2 { 6 - largest.log10().floor() as i32 } else { 6 }
+}
+
+/// Returns a point to some decimals.
+fn point(x: &[f64], places: i32) -> String {
+    let coordinate = |x: &f64| {
+        let scale = 10_f64.powi(places);
+        // Adding 0 turns −0 into 0.
+        let x = (x * scale).round() / scale + 0.0;
+        if x != 0.0 && x.abs() < 1e-5 { format!("{x:e}") } else { x.to_string() }
+    };
+    format!("[{}]", x.iter().map(coordinate).collect::<Vec<_>>().join(", "))
 }
 
 fn interval(bounds: &Bounds) -> String {
     let (lower, upper) = (rounded_down(bounds.lower.value), rounded_up(bounds.upper.value));
     format!("between {lower} and {upper}")
 }
-
-/// Curves that are longer by less than this fraction count as equally short: on a coarser grid they
-/// are a little longer.
-const TIE: f64 = 1e-5;
 
 /// Returns what the bounds rest on.
 fn note(bounds: &Bounds) -> Option<&'static str> {
@@ -134,4 +141,18 @@ pub(crate) fn proved_constants(answer: &ConstantsAnswer) -> String {
         };
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{places, point};
+
+    #[test]
+    fn points_are_printed_to_six_decimals_and_tiny_ones_to_as_many_digits() {
+        let print = |x: &[f64]| point(x, places(&[x]));
+        assert_eq!(print(&[-0.0, 1.0, -1e-17]), "[0, 1, 0]");
+        assert_eq!(print(&[0.1 + 0.2, std::f64::consts::PI]), "[0.3, 3.141593]");
+        assert_eq!(print(&[-2.5e8, 0.125]), "[-250000000, 0.125]");
+        assert_eq!(print(&[3e-9, -1.234_567_89e-9, 1e-25]), "[3e-9, -1.234568e-9, 0]");
+    }
 }

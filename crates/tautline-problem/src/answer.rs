@@ -28,7 +28,8 @@ pub struct Answer {
     /// How the search ended.
     pub search: Search,
     /// Whether the chords resolve the metric. Otherwise the metric changes between the points at
-    /// which the rule evaluates it, and the distance may be any smaller number.
+    /// which the rule evaluates it, or another minimum is shorter than the curve; the distance may
+    /// be any smaller number.
     pub resolved: bool,
     /// Bounds on the distance; absent if they were not asked for or time ran out.
     pub bounds: Option<Bounds>,
@@ -143,4 +144,22 @@ pub struct OtherMinimum {
     pub length: Estimated,
     /// The points of its curve.
     pub curve: Vec<Vec<f64>>,
+}
+
+/// Lengths that differ by less than this fraction count as equal: on a coarser grid a curve is a
+/// little longer.
+const TIE: f64 = 1e-5;
+
+impl OtherMinimum {
+    /// Returns whether the curve is as short as that of an answer.
+    #[must_use]
+    pub fn ties_with(&self, answer: &Answer) -> bool {
+        (self.length.value / answer.length.value - 1.0).abs() < TIE
+    }
+
+    /// Returns whether the curve is shorter than that of an answer.
+    #[must_use]
+    pub fn is_shorter_than(&self, answer: &Answer) -> bool {
+        self.length.value <= answer.length.value * (1.0 - TIE)
+    }
 }

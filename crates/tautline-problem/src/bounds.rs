@@ -13,10 +13,11 @@ use crate::{
     dimension::LARGEST_PROVED_DIMENSION,
 };
 
-/// Returns bounds on the distance, or why there are none.
+/// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
 pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     question: &Question,
     line: &TautLine<Formula<D>, R, D>,
+    others: &[TautLine<Formula<D>, R, D>],
 ) -> Result<Bounds, String> {
     if let Some(claimed) = question.claimed {
         check_claims(claimed, line.metric(), line.sequence())?;
@@ -29,7 +30,9 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
                  the curve has length {upper}; `tautline audit` finds which one is wrong"
             ));
         }
-        return Ok(in_words(enclosure, UsedConstants::new(claimed, false, None)));
+        let found = in_words(enclosure, UsedConstants::new(claimed, false, None));
+        let lengths = others.iter().map(|other| other.length().value + other.length().error);
+        return Ok(found.and_no_longer_than(lengths));
     }
     // The compiler decides.
     if const { D > LARGEST_PROVED_DIMENSION } {
@@ -40,8 +43,31 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     let within = proof
         .within
         .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
-    Ok(in_words(proof.enclosure, UsedConstants::new(proof.constants, true, within)))
+    let found = in_words(proof.enclosure, UsedConstants::new(proof.constants, true, within));
+    let curves = others.iter().filter_map(|other| other.admissible_curve().ok());
+    Ok(found.and_no_longer_than(curves.map(|curve| curve.length().hi())))
 }
+
+impl Bounds {
+    /// Takes the lengths of other curves between the sets into account. One that is shorter than the
+    /// lower bound refutes what that bound assumes.
+    fn and_no_longer_than(mut self, lengths: impl Iterator<Item = f64>) -> Self {
+        let shortest = lengths.fold(f64::INFINITY, f64::min);
+        if shortest < self.upper.value {
+            self.upper = shortest.into();
+            "the length of another minimum".clone_into(&mut self.upper_by);
+        }
+        if self.lower.value > self.upper.value && self.global_minimum == GlobalMinimum::Assumed {
+            self.global_minimum = GlobalMinimum::Refuted;
+            self.lower = 0.0.into();
+            NOTHING.clone_into(&mut self.lower_by);
+        }
+        self
+    }
+}
+
+/// What gives a lower bound of 0.
+const NOTHING: &str = "nothing: a distance is not negative";
 
 /// Refuses claims about the eigenvalues of `H` that fail at a point of the curve.
 fn check_claims<const D: usize>(
@@ -109,7 +135,7 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
     let lower_by = match enclosure.from_below {
         FromBelow::Euclidean => "Proposition 3.3",
         FromBelow::Minimum => "Lemma S.4",
-        _ => "nothing: a distance is not negative",
+        _ => NOTHING,
     };
     let upper_by = match enclosure.from_above {
         FromAbove::Length => "the length of the curve",
@@ -122,5 +148,65 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
         constants,
         lower_by: lower_by.to_owned(),
         upper_by: upper_by.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline::{
+        Constants,
+        bounds::{Enclosure, FromAbove, FromBelow},
+    };
+
+    use super::{Bounds, GlobalMinimum, UsedConstants, in_words};
+
+    const ENCLOSURE: Enclosure = Enclosure {
+        lower: 4.0,
+        upper: 9.0,
+        from_below: FromBelow::Minimum,
+        from_above: FromAbove::Length,
+        assumes_global_minimum: true,
+        is_not_global: false,
+        is_local: false,
+    };
+
+    fn bounds(enclosure: Enclosure) -> Bounds {
+        let constants = Constants::new(1.0, 2.0, 3.0).expect("constants");
+        in_words(enclosure, UsedConstants::new(constants, true, None))
+    }
+
+    /// A root is rounded to nearest, so that it may be on the wrong side.
+    #[test]
+    fn roots_are_rounded_outwards() {
+        let found = bounds(ENCLOSURE);
+        assert!(found.lower.value < 2.0 && found.lower.value > 2.0 - 1e-15);
+        assert!(found.upper.value > 3.0 && found.upper.value < 3.0 + 1e-15);
+        let touching = bounds(Enclosure { lower: 0.0, upper: 0.0, ..ENCLOSURE });
+        assert_eq!([touching.lower.value, touching.upper.value], [0.0, 0.0]);
+    }
+
+    #[test]
+    fn what_is_known_of_the_minimum_is_said() {
+        let known = |assumes_global_minimum, is_not_global| {
+            let with = Enclosure { assumes_global_minimum, is_not_global, ..ENCLOSURE };
+            bounds(with).global_minimum
+        };
+        assert_eq!(known(true, false), GlobalMinimum::Assumed);
+        assert_eq!(known(false, true), GlobalMinimum::Refuted);
+        assert_eq!(known(false, false), GlobalMinimum::Proved);
+    }
+
+    #[test]
+    fn a_shorter_curve_lowers_the_upper_bound_and_may_refute_the_minimum() {
+        let beside =
+            |lengths: &[f64]| bounds(ENCLOSURE).and_no_longer_than(lengths.iter().copied());
+        assert_eq!(beside(&[]), bounds(ENCLOSURE));
+        assert_eq!(beside(&[3.5, 4.0]), bounds(ENCLOSURE));
+        let shorter = beside(&[3.5, 2.5, 2.75]);
+        assert_eq!((shorter.upper.value, shorter.global_minimum), (2.5, GlobalMinimum::Assumed));
+        assert_eq!(shorter.lower, bounds(ENCLOSURE).lower);
+        let refuted = beside(&[1.5]);
+        assert_eq!((refuted.lower.value, refuted.upper.value), (0.0, 1.5));
+        assert_eq!(refuted.global_minimum, GlobalMinimum::Refuted);
     }
 }

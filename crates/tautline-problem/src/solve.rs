@@ -53,8 +53,9 @@ impl InDimension for Solve<'_> {
             }
             RuleFile::TrueTrapezoid => {
                 let line = question.line(&problem, TrueTrapezoid, &options)?;
-                let no_theorem =
-                    |_: &_, _: &_| Err("the paper has no theorem on the true trapezoid".to_owned());
+                let no_theorem = |_: &_, _: &_, _: &[_]| {
+                    Err("the paper has no theorem on the true trapezoid".to_owned())
+                };
                 question.answer(&line, no_theorem, solved)
             }
         }
@@ -140,7 +141,11 @@ impl Question {
     fn answer<R: Rule, const D: usize>(
         &self,
         line: &TautLine<Formula<D>, R, D>,
-        bounds: impl FnOnce(&Self, &TautLine<Formula<D>, R, D>) -> Result<Bounds, String>,
+        bounds: impl FnOnce(
+            &Self,
+            &TautLine<Formula<D>, R, D>,
+            &[TautLine<Formula<D>, R, D>],
+        ) -> Result<Bounds, String>,
         solved: &mut dyn FnMut(&Answer),
     ) -> Result<Answer, Failure> {
         self.check_sign(line.sequence())?;
@@ -173,14 +178,16 @@ impl Question {
         };
         solved(&answer);
         let others = line.other_minima();
-        let others = others.iter().map(|other| OtherMinimum {
+        let minima = others.iter().map(|other| OtherMinimum {
             length: estimated(other.length()),
             curve: points(other.sequence()),
         });
-        answer.other_minima = others.collect();
+        answer.other_minima = minima.collect();
+        let is_shorter = |other: &OtherMinimum| other.is_shorter_than(&answer);
+        answer.resolved &= !answer.other_minima.iter().any(is_shorter);
         solved(&answer);
         if self.bound {
-            match bounds(self, line) {
+            match bounds(self, line, &others) {
                 Ok(bounds) => (answer.bounds, answer.no_bounds) = (Some(bounds), None),
                 Err(reason) => answer.no_bounds = Some(reason),
             }

@@ -65,7 +65,8 @@ pub enum LocalityError<E> {
 /// - `constants_within`: returns the constants on the convex hull of the points within a given
 ///   distance of the bounded end, or an error.
 ///
-/// Needs: constants that do not improve on a larger region. Overestimation: the radius is within
+/// Needs: constants that hold on each region. Overestimation, if they do not improve on a larger
+/// region: the radius is within
 /// 1 % of the least sufficient one, unless `√c₁ R` has a flat piece there; `constants_within` may
 /// be called with radii up to 1 % larger than the result. If `upper` is 0, the radius is 0.
 ///
@@ -82,8 +83,8 @@ pub fn competitors<E>(
 ) -> Result<Region, LocalityError<E>> {
     let (mut radius, mut first) = (0.0_f64, f64::INFINITY);
     let (mut tried, mut last) = (0.0, 0.0);
-    // The radius increases by at least 1 % each time. At nine decades beyond the first reach, c₁
-    // has decreased by eighteen decades, and the bounds are worthless.
+    // The radius increases by at least 1 % each time, which is up to 2100 times. At nine decades
+    // beyond the first reach, c₁ has decreased by eighteen decades, and the bounds are worthless.
     while radius <= 1e9 * first {
         let constants = constants_within(radius)
             .map_err(|reason| LocalityError::NoConstants { radius, reason })?

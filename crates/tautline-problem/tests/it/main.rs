@@ -1,6 +1,7 @@
 //! Problem files: what they mean, and what is said of wrong ones.
 
 mod gallery;
+mod other_minima;
 mod schema;
 mod twins;
 mod wrong;

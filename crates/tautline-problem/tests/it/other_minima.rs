@@ -1,0 +1,61 @@
+//! The other minima in an answer.
+
+use tautline_problem::{Answer, Example, Grid, Question};
+
+fn answer(name: &str, solve: &str, n: usize) -> Answer {
+    let text = Example::named(name).expect("an example").text;
+    let mut question = Question::read(&format!("{text}{solve}")).expect("a problem");
+    question.set_grid(Grid::Chords(n));
+    question.solve(&mut |_| ()).expect("solved")
+}
+
+/// With three chords the left-endpoint rule prefers a longer way between the obstacles.
+#[test]
+fn a_shorter_minimum_is_the_upper_bound_and_shows_too_few_chords() {
+    let left = "\n[solve]\nrule = \"left_endpoint\"\n";
+    let coarse = answer("obstacles", left, 3);
+    let shortest = &coarse.other_minima[0];
+    assert!(shortest.is_shorter_than(&coarse) && !shortest.ties_with(&coarse), "{shortest:?}");
+    assert!(!coarse.resolved);
+    let bounds = coarse.bounds.expect("proved");
+    assert_eq!(bounds.upper_by, "the length of another minimum");
+    let excess = bounds.upper.value / shortest.length.value - 1.0;
+    // A rigorous bound on the length that the quadrature estimates.
+    assert!((0.0..1e-9).contains(&excess), "{excess:e}");
+    let fine = answer("obstacles", left, 256);
+    assert!(fine.resolved && fine.other_minima.iter().all(|other| !other.is_shorter_than(&fine)));
+    assert_eq!(fine.bounds.expect("proved").upper_by, "the length of the curve");
+}
+
+/// The ways on both sides of the hill are mirror images. On the grid of the line they have the
+/// same length up to rounding, and on 512 chords the other one is longer by the error of that grid.
+#[test]
+fn a_tie_is_a_tie_on_every_grid() {
+    for n in [256, 2048] {
+        let tie = answer("tie", "", n);
+        let [other] = &tie.other_minima[..] else { panic!("{} others", tie.other_minima.len()) };
+        assert!(other.ties_with(&tie) && !other.is_shorter_than(&tie), "N = {n}");
+    }
+    // The two channels differ by 1e-2 in length.
+    let channels = answer("two_channels", "", 256);
+    let [other] = &channels.other_minima[..] else { panic!("one other") };
+    assert!(!other.ties_with(&channels) && !other.is_shorter_than(&channels));
+    assert!(other.length.value > channels.length.value * 1.001);
+}
+
+#[test]
+fn lengths_that_differ_by_more_than_the_error_of_a_grid_are_no_tie() {
+    let mut answer = answer("two_channels", "", 64);
+    let mut other = answer.other_minima.remove(0);
+    answer.length.value = 2.0;
+    for (length, ties, shorter) in [
+        (2.0, true, false),
+        (2.0 + 1e-5, true, false),
+        (2.0 - 1e-5, true, false),
+        (2.0 + 4e-5, false, false),
+        (2.0 - 4e-5, false, true),
+    ] {
+        other.length.value = length;
+        assert_eq!((other.ties_with(&answer), other.is_shorter_than(&answer)), (ties, shorter));
+    }
+}
