@@ -65,10 +65,10 @@ pub enum LocalityError<E> {
 /// - `constants_within`: returns the constants on the convex hull of the points within a given
 ///   distance of the bounded end, or an error.
 ///
-/// Needs: constants that hold on each region. Overestimation, if they do not improve on a larger
-/// region: the radius is within
-/// 1 % of the least sufficient one, unless `√c₁ R` has a flat piece there; `constants_within` may
-/// be called with radii up to 1 % larger than the result. If `upper` is 0, the radius is 0.
+/// Needs: constants that hold on each region. Overestimation: if they do not improve on a larger
+/// region, the radius is within 1 % of the least sufficient one, unless `√c₁ R` has a flat piece
+/// there; `constants_within` may be called with radii up to 1 % larger than the result. If `upper`
+/// is 0, the radius is 0.
 ///
 /// # Errors
 ///
