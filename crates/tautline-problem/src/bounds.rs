@@ -112,6 +112,12 @@ fn no_proof(error: &ProofError) -> String {
             ..
         }) => {
             let radius = Short(*radius);
+            // Boxes cannot make an indefinite matrix definite.
+            let more = if reason.contains("not positive definite") {
+                "ends that are closer or more chords may help"
+            } else {
+                more
+            };
             format!("they need constants on a ball of radius {radius}, and {reason}; {more}")
         }
         ProofError::Competitors(error) => {

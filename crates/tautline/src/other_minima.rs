@@ -17,7 +17,7 @@ const FINEST: usize = 512;
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// Returns the [other local minima](tautline_optimizers::Minimum::others) of the search as
     /// lines of their own, shortest first. Each is solved again from where the search left it, with
-    /// `N` chords or 512, whichever is less.
+    /// `N` chords or 512, whichever is less, and with the default number of steps and threads.
     ///
     /// ```
     /// use tautline::{Ends, Problem, Trapezoidal, gallery::TwoChannels};

@@ -18,6 +18,10 @@ use super::expression::Text;
 #[derive(Clone, Debug)]
 pub(crate) struct FromGallery(pub(crate) GalleryFile);
 
+/// The metrics whose name alone says which one is meant.
+const WITHOUT_PARAMETERS: [&str; 5] =
+    ["valleys", "coupled_cosines", "sphere", "hyperbolic", "gaussian_fisher"];
+
 impl JsonSchema for FromGallery {
     fn schema_name() -> Cow<'static, str> {
         "FromGallery".into()
@@ -26,7 +30,7 @@ impl JsonSchema for FromGallery {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         json_schema!({
             "anyOf": [
-                { "description": "The name of a metric without parameters.", "type": "string" },
+                { "description": "A metric without parameters.", "enum": WITHOUT_PARAMETERS },
                 generator.subschema_for::<GalleryFile>(),
             ],
         })

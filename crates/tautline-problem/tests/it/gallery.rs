@@ -1,7 +1,7 @@
 //! Metrics of the gallery by their names in a file.
 
 use tautline::{Formula, Metric, gallery::*};
-use tautline_problem::Question;
+use tautline_problem::{Question, problem_schema};
 
 #[track_caller]
 fn assert_records<const D: usize>(
@@ -80,4 +80,50 @@ fn a_metric_without_parameters_needs_its_name_alone() {
     assert!(message.contains("a second metric, "), "{message}");
     let message = refused("\"valeys\"");
     assert!(message.contains("valleys"), "{message}");
+}
+
+/// Returns the names of the gallery with the names of their parameters, from the schema.
+fn names_and_parameters() -> Vec<(String, Vec<String>)> {
+    let schema = problem_schema().to_value();
+    let types = &schema["$defs"];
+    let metrics = types["GalleryFile"]["oneOf"].as_array().expect("a list").iter();
+    let metric = |one: &serde_json::Value| {
+        let (name, of) = one["properties"].as_object()?.iter().next()?;
+        let of = of["$ref"].as_str()?.rsplit('/').next()?;
+        let own = types[of]["properties"].as_object().into_iter().flatten();
+        Some((name.clone(), own.map(|(name, _)| name.clone()).collect()))
+    };
+    metrics.map(|one| metric(one).expect("a metric")).collect()
+}
+
+#[test]
+fn the_schema_lists_the_metrics_that_need_their_name_alone() {
+    let schema = problem_schema().to_value();
+    let alone = schema["$defs"]["FromGallery"]["anyOf"][0]["enum"].as_array().expect("a list");
+    let alone: Vec<_> = alone.iter().filter_map(|name| name.as_str()).collect();
+    let metrics = names_and_parameters();
+    assert_eq!(metrics.len(), 22);
+    for (name, parameters) in &metrics {
+        let read = Question::read(&format!("dimension = 2\n[metric]\ngallery = \"{name}\"\n"));
+        assert_eq!(read.is_ok(), parameters.is_empty(), "{name}");
+        assert_eq!(alone.contains(&name.as_str()), parameters.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn the_guide_lists_the_gallery() {
+    let page = include_str!("../../../../guide/pages/gallery.md");
+    let rows: Vec<_> = page.lines().filter(|line| line.starts_with("| `")).collect();
+    let metrics = names_and_parameters();
+    assert_eq!(rows.len(), metrics.len());
+    for ((name, mut parameters), row) in metrics.into_iter().zip(rows) {
+        let cells: Vec<_> = row.split(" | ").collect();
+        assert_eq!(cells[0], format!("| `{name}`"));
+        let mut listed: Vec<_> = cells[1].split('`').skip(1).step_by(2).collect();
+        if name == "soft_obstacles" {
+            listed.truncate(1);
+        }
+        (listed.sort_unstable(), parameters.sort_unstable());
+        assert_eq!(listed, parameters, "{name}");
+    }
 }
