@@ -102,6 +102,7 @@ const ATTAINED: f64 = 1e-9;
 
 /// Says why nothing is proved, and what may help.
 fn no_proof(error: &ProofError) -> String {
+    let nearer = "ends that are closer or more chords may help";
     let more = "ends that are closer, more chords, or more `boxes` in [certify] may help";
     match error {
         ProofError::Constants(error @ CertifyError::BudgetSpent { .. }) => {
@@ -113,16 +114,10 @@ fn no_proof(error: &ProofError) -> String {
         }) => {
             let radius = Short(*radius);
             // Boxes cannot make an indefinite matrix definite.
-            let more = if reason.contains("not positive definite") {
-                "ends that are closer or more chords may help"
-            } else {
-                more
-            };
-            format!("they need constants on a ball of radius {radius}, and {reason}; {more}")
+            let may_help = if reason.contains("not positive definite") { nearer } else { more };
+            format!("they need constants on a ball of radius {radius}, and {reason}; {may_help}")
         }
-        ProofError::Competitors(error) => {
-            format!("{error}; ends that are closer or more chords may help")
-        }
+        ProofError::Competitors(error) => format!("{error}; {nearer}"),
         _ => error.to_string(),
     }
 }
@@ -164,7 +159,7 @@ mod tests {
         bounds::{Enclosure, FromAbove, FromBelow},
     };
 
-    use super::{Bounds, GlobalMinimum, UsedConstants, in_words};
+    use super::{Bounds, GlobalMinimum, NOTHING, UsedConstants, in_words};
 
     const ENCLOSURE: Enclosure = Enclosure {
         lower: 4.0,
@@ -214,5 +209,10 @@ mod tests {
         let refuted = beside(&[1.5]);
         assert_eq!((refuted.lower.value, refuted.upper.value), (0.0, 1.5));
         assert_eq!(refuted.global_minimum, GlobalMinimum::Refuted);
+        assert_eq!(refuted.lower_by, NOTHING);
+        // Nothing was assumed, so that there is no assumption to refute.
+        let proved = bounds(Enclosure { assumes_global_minimum: false, ..ENCLOSURE });
+        let beside = proved.clone().and_no_longer_than([1.5].into_iter());
+        assert_eq!((beside.global_minimum, beside.lower), (GlobalMinimum::Proved, proved.lower));
     }
 }

@@ -221,7 +221,7 @@ gallery! {
     }
     /// Hyperbolic space up to `r ≤ R`, and constant far outside.
     HyperbolicPatch {
-        /// The radius `R < 1` of the patch.
+        /// The radius `R < 0.86` of the patch.
         radius: Text,
     }
     /// Normal distributions up to `|t| ≤ T`, and constant far outside.

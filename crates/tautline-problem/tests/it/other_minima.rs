@@ -36,11 +36,11 @@ fn a_tie_is_a_tie_on_every_grid() {
         let [other] = &tie.other_minima[..] else { panic!("{} others", tie.other_minima.len()) };
         assert!(other.ties_with(&tie) && !other.is_shorter_than(&tie), "N = {n}");
     }
-    // The two channels differ by 1e-2 in length.
+    // The channels are at different heights: 7.08 and 7.53.
     let channels = answer("two_channels", "", 256);
     let [other] = &channels.other_minima[..] else { panic!("one other") };
     assert!(!other.ties_with(&channels) && !other.is_shorter_than(&channels));
-    assert!(other.length.value > channels.length.value * 1.001);
+    assert!(other.length.value > channels.length.value * 1.05);
 }
 
 #[test]

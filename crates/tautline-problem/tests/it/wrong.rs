@@ -189,6 +189,11 @@ fn claims_that_fail_on_the_curve_are_refused() {
         question.solve(&mut |_| ()).expect("solved").no_bounds
     };
     assert_eq!(answer(1.0, 9.0), None);
+    // H is I at the first end, so that c1 = 1 is attained; H = 4 I attains both.
+    let constant = "[metric]\nphi = 4\n[from]\npoint = [0, 0]\n[to]\npoint = [3, 1]\n\
+                    [certify.constants]\nc1 = 4\nc2 = 4\nl_h = 0\nm_h = 0\n";
+    let constant = Question::read(constant).expect("a problem").solve(&mut |_| ());
+    assert_eq!(constant.expect("solved").no_bounds, None);
     let why = answer(1.0, 8.0).expect("a reason");
     // The first point of the curve at which H exceeds 8.
     assert!(why.contains("c2 = 8 is wrong") && why.contains("a larger eigenvalue"), "{why}");
