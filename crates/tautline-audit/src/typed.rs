@@ -24,8 +24,11 @@ impl<const D: usize> Metric<D> for Typed<D> {
 impl<const D: usize> LocallyBounded<D> for Typed<D> {
     /// Returns the constants of the one ball that an audit asks for.
     fn constants_within(&self, _: &SVector<f64, D>, radius: f64) -> Result<Constants, LocalError> {
-        let reason = || "no constants are known".to_owned();
         let constants = self.in_ball.map(Constants::on_a_region);
-        constants.ok_or_else(|| LocalError::NotProved { radius, reason: reason() })
+        constants.ok_or_else(|| LocalError::NotProved {
+            radius,
+            reason: "no constants are known".to_owned(),
+            budget_spent: false,
+        })
     }
 }

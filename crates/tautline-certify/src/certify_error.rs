@@ -96,11 +96,16 @@ pub enum CertifyError {
 
 /// Says what is known of a constant.
 fn known(quantity: Quantity, lower: f64, upper: f64) -> String {
-    if lower.is_finite() && upper.is_finite() {
-        let (lower, upper) = (Short(lower), Short(upper));
-        return format!("{quantity} is known only to lie between {lower} and {upper}");
-    }
-    format!("{quantity} has no bound: the formula may be undefined or infinite somewhere")
+    let side = match (lower.is_finite(), upper.is_finite()) {
+        (true, true) => {
+            let (lower, upper) = (Short(lower), Short(upper));
+            return format!("{quantity} is known only to lie between {lower} and {upper}");
+        }
+        (true, false) => "upper bound",
+        (false, true) => "lower bound",
+        (false, false) => "bound",
+    };
+    format!("{quantity} has no {side}: the formula may be undefined or infinite somewhere")
 }
 
 /// Says how much a metric still changes, if that is known.

@@ -62,8 +62,8 @@ impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
         });
         // The constants hold only on the ball, even if the formula shows more.
         proved.map(Constants::on_a_region).map_err(|why| {
-            let reason = why.to_string();
-            LocalError::NotProved { radius, reason }
+            let budget_spent = matches!(why, crate::CertifyError::BudgetSpent { .. });
+            LocalError::NotProved { radius, reason: why.to_string(), budget_spent }
         })
     }
 }
@@ -129,7 +129,7 @@ mod tests {
         let proved = LocallyCertified::new(Hyperbolic, Accuracy::default());
         let error = proved.constants_within(&vector![0.0, 0.0], 1.5).expect_err("it leaves");
         match error {
-            LocalError::NotProved { radius: 1.5, reason } => {
+            LocalError::NotProved { radius: 1.5, reason, .. } => {
                 assert!(reason.contains("may be undefined at"), "{reason}");
             }
             other => panic!("{other}"),
@@ -143,7 +143,7 @@ mod tests {
     fn a_formula_with_branches_has_no_constants() {
         let proved = LocallyCertified::new(Branch, Accuracy::default());
         match proved.constants_within(&vector![0.3], 0.1) {
-            Err(LocalError::NotProved { radius: 0.1, reason }) => {
+            Err(LocalError::NotProved { radius: 0.1, reason, .. }) => {
                 assert!(reason.contains("cannot be recorded"), "{reason}");
             }
             other => panic!("{other:?}"),

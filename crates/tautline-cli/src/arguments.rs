@@ -7,7 +7,8 @@ use clap_complete::Shell;
 
 /// Shortest curves between two sets, under a metric that you type, with bounds on the distance.
 ///
-/// Exit codes: 0 done, 1 not converged or not proved, 2 bad input.
+/// Exit codes: 0 done; 1 not converged, too few chords for the metric or the tolerance, or not proved;
+/// 2 bad input.
 #[derive(Debug, Parser)]
 #[command(
     name = "tautline",

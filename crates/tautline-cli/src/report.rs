@@ -33,13 +33,19 @@ pub(crate) fn answer(answer: &Answer) -> String {
         line("", format!("from {} to {}", point(first, places), point(last, places)));
     }
     if let Some(Estimated { value, error }) = answer.extrapolated {
-        line("extrapolated", format!("{} ± {error:.0e}, an estimate", nearest(value)));
+        let printed = nearest(value);
+        // The printed digits are no closer than they are.
+        let rounding = printed.parse().map_or(0.0, |printed: f64| (printed - value).abs());
+        line("extrapolated", format!("{printed} ± {:.0e}, an estimate", error + rounding));
     }
     let others = &answer.other_minima;
     if let Some(shorter) = others.iter().find(|other| other.is_shorter_than(answer)) {
         let length = nearest(shorter.length.value);
-        line("warning", format!("another minimum is shorter, {length}: the rule orders them"));
-        line("", format!("otherwise; use more than {}", counted(chords)));
+        line(
+            "warning",
+            format!("another minimum is shorter, {length}, but has more energy by the"),
+        );
+        line("", format!("rule; use more than {}", counted(chords)));
     } else if !answer.resolved {
         let seen = nearest(answer.discrete_energy.sqrt());
         line(
@@ -47,6 +53,9 @@ pub(crate) fn answer(answer: &Answer) -> String {
             "the metric changes between the points of the rule, which sees a".to_owned(),
         );
         line("", format!("length of {seen}; use more than {}", counted(chords)));
+    }
+    if answer.within_tolerance == Some(false) {
+        line("warning", format!("the tolerance is not reached with {}", counted(chords)));
     }
     let search = &answer.search;
     if answer.length.value > 0.0 {
@@ -88,9 +97,8 @@ fn places(points: &[&[f64]]) -> i32 {
 /// Returns a point to some decimals.
 fn point(x: &[f64], places: i32) -> String {
     let coordinate = |x: &f64| {
-        let scale = 10_f64.powi(places);
-        // Adding 0 turns −0 into 0.
-        let x = (x * scale).round() / scale + 0.0;
+        // The text rounds where a scale would overflow. Adding 0 turns −0 into 0.
+        let x = format!("{x:.*}", places as usize).parse().unwrap_or(*x) + 0.0;
         if x != 0.0 && x.abs() < 1e-5 { format!("{x:e}") } else { x.to_string() }
     };
     format!("[{}]", x.iter().map(coordinate).collect::<Vec<_>>().join(", "))
@@ -108,8 +116,11 @@ fn note(bounds: &Bounds) -> Option<&'static str> {
         GlobalMinimum::Assumed => {
             Some("the lower bound assumes that the minimum found is the global one")
         }
+        GlobalMinimum::Refuted if bounds.constants.proved => {
+            Some("the minimum found is not the global one; the lower bound does without it")
+        }
         GlobalMinimum::Refuted => {
-            Some("the minimum found is not the global one: a shorter curve may exist")
+            Some("the minimum found is not the global one, or a claimed constant is wrong")
         }
     }
 }
@@ -153,6 +164,7 @@ mod tests {
         assert_eq!(print(&[-0.0, 1.0, -1e-17]), "[0, 1, 0]");
         assert_eq!(print(&[0.1 + 0.2, std::f64::consts::PI]), "[0.3, 3.141593]");
         assert_eq!(print(&[-2.5e8, 0.125]), "[-250000000, 0.125]");
+        assert_eq!(print(&[3e-308, 0.0]), "[3e-308, 0]");
         assert_eq!(print(&[3e-9, -1.234_567_89e-9, 1e-25]), "[3e-9, -1.234568e-9, 0]");
     }
 }

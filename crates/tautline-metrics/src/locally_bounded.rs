@@ -85,6 +85,8 @@ pub enum LocalError {
         radius: f64,
         /// The reason that the search reports.
         reason: String,
+        /// Whether a larger budget may prove them.
+        budget_spent: bool,
     },
     /// A constant is 0, infinite or NaN on the ball.
     #[error(transparent)]

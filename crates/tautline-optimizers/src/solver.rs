@@ -130,7 +130,8 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 
     /// Follows those candidates too that were left behind, but are lower on the finest grid than the
-    /// lowest one that was followed. Returns the rest.
+    /// lowest one that was followed. All are lower than one that failed, or along which there is no
+    /// metric. Returns the rest.
     fn catch_up<'e>(
         &mut self,
         candidates: &mut Vec<Candidate<'e, D>>,
@@ -139,17 +140,31 @@ impl<'a, const D: usize> Search<'a, D> {
     where
         'a: 'e,
     {
-        let Some(lowest) = candidates.first() else { return left_behind };
-        let bar = lowest.found.energy * (1.0 - DIFFERENT);
+        if left_behind.is_empty() {
+            return left_behind;
+        }
+        let counts = |candidate: &Candidate<'e, D>| {
+            !candidate.failed() && self.energy.check_between(&candidate.found.sequence).is_ok()
+        };
+        let lowest = candidates.first().filter(|lowest| counts(lowest));
+        let bar = lowest.map_or(f64::INFINITY, |lowest| lowest.found.energy * (1.0 - DIFFERENT));
         let is_lower = |candidate: &Candidate<'e, D>| {
-            let start = candidate.start(self.n, self.energy, Vec::new()).ok();
-            let energy = start.and_then(|start| self.energy.admissible(start.points()));
-            !candidate.failed()
-                && energy.is_some_and(|energy| energy < bar)
-                && self.energy.check_between(&candidate.found.sequence).is_ok()
+            counts(candidate) && {
+                let start = candidate.start(self.n, self.energy, Vec::new()).ok();
+                let energy = start.and_then(|start| self.energy.admissible(start.points()));
+                energy.is_some_and(|energy| energy < bar)
+            }
         };
         let (lower, rest): (Vec<_>, _) = left_behind.into_iter().partition(is_lower);
-        candidates.extend(lower.into_iter().filter_map(|lower| self.follow(lower, self.n)));
+        for candidate in lower {
+            let coarse = candidate.clone();
+            let followed = self.follow(candidate, self.n);
+            if followed.as_ref().is_none_or(Candidate::failed) {
+                // It is a minimum on its own grid.
+                self.ties.extend(coarse.into_other());
+            }
+            candidates.extend(followed);
+        }
         self.keep_ties(lowest_first(candidates));
         rest
     }

@@ -31,6 +31,9 @@ pub struct Answer {
     /// which the rule evaluates it, or another minimum is shorter than the curve; the distance may
     /// be any smaller number.
     pub resolved: bool,
+    /// Whether the relative error of the length is at most the tolerance, by extrapolation; absent if
+    /// no tolerance was given.
+    pub within_tolerance: Option<bool>,
     /// Bounds on the distance; absent if they were not asked for or time ran out.
     pub bounds: Option<Bounds>,
     /// Why there are no bounds.
@@ -92,7 +95,8 @@ pub enum GlobalMinimum {
     Proved,
     /// It is assumed.
     Assumed,
-    /// It is refuted: some sequence of points has less energy. The lower bound does not need it.
+    /// It is refuted: another curve is shorter, or by convexity some sequence of points has less energy.
+    /// The lower bound does not need it.
     Refuted,
 }
 

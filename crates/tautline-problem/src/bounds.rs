@@ -22,17 +22,9 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     if let Some(claimed) = question.claimed {
         check_claims(claimed, line.metric(), line.sequence())?;
         let enclosure = line.enclosure_given(claimed).map_err(|error| error.to_string())?;
-        if enclosure.lower > enclosure.upper {
-            // The upper bound is the length of a curve, so a claim is wrong.
-            let [lower, upper] = [enclosure.lower, enclosure.upper].map(f64::sqrt);
-            return Err(format!(
-                "the claimed constants are wrong: by them the distance is at least {lower}, but \
-                 the curve has length {upper}; `tautline audit` finds which one is wrong"
-            ));
-        }
         let found = in_words(enclosure, UsedConstants::new(claimed, false, None));
         let lengths = others.iter().map(|other| other.length().value + other.length().error);
-        return Ok(found.and_no_longer_than(lengths));
+        return found.without_contradiction()?.and_no_longer_than(lengths).without_contradiction();
     }
     // The compiler decides.
     if const { D > LARGEST_PROVED_DIMENSION } {
@@ -66,6 +58,21 @@ impl Bounds {
     }
 }
 
+impl Bounds {
+    /// Refuses bounds from claimed constants that contradict each other. The upper one is the length
+    /// of a curve, so that a claim is wrong.
+    fn without_contradiction(self) -> Result<Self, String> {
+        let [lower, upper] = [self.lower.value, self.upper.value];
+        if lower <= upper {
+            return Ok(self);
+        }
+        Err(format!(
+            "the claimed constants are wrong: by them the distance is at least {lower}, but a curve \
+             has length {upper}; `tautline audit` finds which one is wrong"
+        ))
+    }
+}
+
 /// What gives a lower bound of 0.
 const NOTHING: &str = "nothing: a distance is not negative";
 
@@ -75,8 +82,6 @@ fn check_claims<const D: usize>(
     metric: &Formula<D>,
     sequence: &PointSequence<D>,
 ) -> Result<(), String> {
-    // A claim that is attained may fail by a rounding.
-    let (c1, c2) = (claimed.c1() * (1.0 - ATTAINED), claimed.c2() * (1.0 + ATTAINED));
     let refuse = |name, claim: f64, x: &SVector<f64, D>, what| {
         let x = x.as_slice();
         Err(format!(
@@ -85,20 +90,27 @@ fn check_claims<const D: usize>(
         ))
     };
     for x in sequence.points() {
-        let h = metric.gram(x);
-        let identity = SMatrix::<f64, D, D>::identity();
-        if !is_gram(&(h - identity * c1)) {
-            return refuse("c1", claimed.c1(), x, "smaller");
+        let mut h = metric.gram(x);
+        // Entries that differ by a rounding are not symmetric relative to what remains of `h`.
+        h.fill_lower_triangle_with_upper_triangle();
+        let (c1, c2) = (claimed.c1(), claimed.c2());
+        let (least, most) = (c1 * (1.0 - ATTAINED), c2 * (1.0 + ATTAINED));
+        let (identity, rounding) = (SMatrix::<f64, D, D>::identity(), ROUNDING * h.norm());
+        if !is_gram(&(h - identity * (least - rounding))) {
+            return refuse("c1", c1, x, "smaller");
         }
-        if !is_gram(&(identity * c2 - h)) {
-            return refuse("c2", claimed.c2(), x, "larger");
+        if !is_gram(&(identity * (most + rounding) - h)) {
+            return refuse("c2", c2, x, "larger");
         }
     }
     Ok(())
 }
 
-/// How far an eigenvalue may be beyond a claim, relative to it.
+/// How far an eigenvalue may be beyond a claim that is meant to be attained: it was typed to so many
+/// digits, relative to itself, and computing an eigenvalue rounds by this much, relative to the
+/// matrix.
 const ATTAINED: f64 = 1e-9;
+const ROUNDING: f64 = 1e-14;
 
 /// Says why nothing is proved, and what may help.
 fn no_proof(error: &ProofError) -> String {
@@ -109,12 +121,11 @@ fn no_proof(error: &ProofError) -> String {
             format!("{error}; {more}")
         }
         ProofError::Competitors(LocalityError::NoConstants {
-            reason: LocalError::NotProved { radius, reason },
+            reason: LocalError::NotProved { radius, reason, budget_spent },
             ..
         }) => {
             let radius = Short(*radius);
-            // Boxes cannot make an indefinite matrix definite.
-            let may_help = if reason.contains("not positive definite") { nearer } else { more };
+            let may_help = if *budget_spent { more } else { nearer };
             format!("they need constants on a ball of radius {radius}, and {reason}; {may_help}")
         }
         ProofError::Competitors(error) => format!("{error}; {nearer}"),
@@ -155,11 +166,11 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
 #[cfg(test)]
 mod tests {
     use tautline::{
-        Constants,
+        Constants, Formula, PointSequence,
         bounds::{Enclosure, FromAbove, FromBelow},
     };
 
-    use super::{Bounds, GlobalMinimum, NOTHING, UsedConstants, in_words};
+    use super::{Bounds, GlobalMinimum, NOTHING, UsedConstants, check_claims, in_words};
 
     const ENCLOSURE: Enclosure = Enclosure {
         lower: 4.0,
@@ -195,6 +206,40 @@ mod tests {
         assert_eq!(known(true, false), GlobalMinimum::Assumed);
         assert_eq!(known(false, true), GlobalMinimum::Refuted);
         assert_eq!(known(false, false), GlobalMinimum::Proved);
+    }
+
+    #[test]
+    fn bounds_that_contradict_each_other_refute_the_claims() {
+        let good = bounds(ENCLOSURE);
+        assert_eq!(good.clone().without_contradiction(), Ok(good));
+        let reason = |bounds: Bounds| bounds.without_contradiction().expect_err("a contradiction");
+        let inverted = bounds(Enclosure { lower: 16.0, ..ENCLOSURE });
+        let says = "at least 3.9999999999999996, but a curve has length 3.0000000000000004;";
+        assert!(reason(inverted).contains(says));
+        // Another curve may be what contradicts them, if nothing is assumed of the minimum.
+        let proved = bounds(Enclosure { assumes_global_minimum: false, ..ENCLOSURE });
+        assert!(reason(proved.and_no_longer_than([1.5].into_iter())).contains("length 1.5;"));
+    }
+
+    /// The least eigenvalue of `(2 1; 1 2)` is 1, and that of `diag(1, 10⁹)` is 1 however it rounds.
+    #[test]
+    fn claims_that_are_attained_hold() {
+        let sequence = PointSequence::straight([0.0, 0.0], [1.0, 1.0], 4).expect("finite");
+        let check = |text: &str, c1, c2| {
+            let metric = Formula::<2>::parse(text, &[]).expect("a formula");
+            check_claims(Constants::new(c1, c2, 9.0).expect("constants"), &metric, &sequence)
+        };
+        let dense = "[2, 1; 1, 2]";
+        assert_eq!(check(dense, 1.0, 3.0), Ok(()));
+        assert!(check(dense, 1.0 + 1e-8, 3.0).is_err_and(|why| why.contains("the claim c1 = 1")));
+        assert!(check(dense, 1.0, 3.0 - 3e-8).is_err_and(|why| why.contains("the claim c2 = 2")));
+        // The entries beside the diagonal differ by a rounding.
+        let rounded = "[2, 0.1 + 0.2 + x1; 0.1 + (0.2 + x1), 2]";
+        assert_eq!(check(rounded, 0.7, 3.3), Ok(()));
+        // A rotation of diag(1, 10¹²): its least eigenvalue rounds to 1 − 1.2e−4.
+        let stretched = "s = 0.36 + 0.64e12; c = 0.48 - 0.48e12; [s, c; c, 0.64 + 0.36e12]";
+        assert_eq!(check(stretched, 1.0, 1e12), Ok(()));
+        assert!(check(stretched, 1.1, 1e12).is_err());
     }
 
     #[test]

@@ -1,8 +1,12 @@
-//! The sign of a cost or a speed, which the metric, a square, does not show.
+//! The signs of costs and speeds, which the metric, made of their squares, does not show.
 
 use tautline::{Metric, PointSequence, SVector};
 
-use crate::{Diagnostic, Question, file::metric::MetricFile, formula::formula_of};
+use crate::{
+    Diagnostic, Question,
+    file::{expression::Text, metric::MetricFile},
+    formula::formula_of,
+};
 
 impl Question {
     /// Refuses a cost or a speed that is not positive at a point of a curve or in the middle of a
@@ -11,11 +15,16 @@ impl Question {
         &self,
         sequence: &PointSequence<D>,
     ) -> Result<(), Diagnostic> {
-        let (name, text) = match self.problem.metric.get_ref() {
-            MetricFile::Cost(text) => ("cost", text),
-            MetricFile::Speed(text) => ("speed", text),
-            _ => return Ok(()),
-        };
+        let squared = squared(self.problem.metric.get_ref());
+        squared.into_iter().try_for_each(|(name, text)| self.check_positive(name, text, sequence))
+    }
+
+    fn check_positive<const D: usize>(
+        &self,
+        name: &str,
+        text: &Text,
+        sequence: &PointSequence<D>,
+    ) -> Result<(), Diagnostic> {
         // The entries of φ I are the function itself.
         let phi = MetricFile::Phi(text.clone());
         let phi = formula_of::<D>(&phi, &self.problem, &self.numbers())?;
@@ -26,5 +35,19 @@ impl Question {
         let Some((x, value)) = least.filter(|(_, value)| *value <= 0.0) else { return Ok(()) };
         let message = format!("the {name} is {value} at {:?}", x.as_slice());
         Err(Diagnostic::new(message, text.span()).label("expected a positive function"))
+    }
+}
+
+/// Returns the costs and speeds in a metric, with their names.
+fn squared(metric: &MetricFile) -> Vec<(&'static str, &Text)> {
+    match metric {
+        MetricFile::Cost(text) => vec![("cost", text)],
+        MetricFile::Speed(text) => vec![("speed", text)],
+        MetricFile::Sum(metrics) => metrics.get_ref().iter().flat_map(squared).collect(),
+        MetricFile::Scaled(scaled) => squared(&scaled.metric),
+        MetricFile::Product(blocks) => {
+            blocks.get_ref().iter().flat_map(|block| squared(&block.metric)).collect()
+        }
+        _ => Vec::new(),
     }
 }

@@ -1,8 +1,8 @@
 //! Solves the problem of a file.
 
 use tautline::{
-    Curvature, Ends, Formula, Integral, LARGEST_N, LeftEndpoint, Options, PointSequence, Problem,
-    Rule, SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
+    Curvature, Ends, Formula, Integral, LeftEndpoint, Options, PointSequence, Problem, Rule,
+    SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
 };
 
 use tautline_portrait::Shape;
@@ -16,8 +16,8 @@ use crate::{
 };
 
 impl Question {
-    /// Solves the problem. `solved` is told the answer when the curve is known, before any bound is
-    /// proved, which may take longer.
+    /// Solves the problem. `solved` is told the answer once, when the curve and the other minima are
+    /// known, before any bound is proved, which may take longer.
     ///
     /// # Errors
     ///
@@ -109,31 +109,29 @@ impl Question {
         rule: R,
         options: &Options<D>,
     ) -> Result<TautLine<Formula<D>, R, D>, Failure> {
-        let solve = |n| {
-            problem.solve_with(rule, n, options).map_err(|error| match error {
-                SolveError::Metric(_) => {
-                    let place = self.problem.metric.get_ref().span();
-                    let place = place.unwrap_or(self.problem.metric.span());
-                    Failure::BadInput(Diagnostic::new(error.to_string(), place))
-                }
-                _ => Failure::NotComputed(error.to_string()),
-            })
-        };
-        let tolerance = match self.grid {
-            Grid::Chords(n) => return solve(n),
-            Grid::Tolerance(tolerance) => tolerance,
-        };
-        // The excess falls like 1/N². A few rounds settle the rest.
-        let mut n = FIRST_GRID;
-        let mut line = solve(n)?;
-        for _ in 0..ROUNDS {
-            let Some(error) = relative_error(&line) else { break };
-            if error <= tolerance || n >= LARGEST_N {
-                break;
+        let failure = |error: SolveError| match error {
+            SolveError::Metric(_) => {
+                let place = self.problem.metric.get_ref().span();
+                let place = place.unwrap_or(self.problem.metric.span());
+                Failure::BadInput(Diagnostic::new(error.to_string(), place))
             }
-            let finer = n as f64 * (1.1 * error / tolerance).sqrt().max(1.5);
-            n = if finer < LARGEST_N as f64 { finer.ceil() as usize } else { LARGEST_N };
-            line = solve(n)?;
+            _ => Failure::NotComputed(error.to_string()),
+        };
+        let first = if let Grid::Chords(n) = self.grid { n } else { FIRST_GRID };
+        let mut line = problem.solve_with(rule, first, options).map_err(failure)?;
+        if let Grid::Tolerance(tolerance) = self.grid {
+            // A finer grid starts from the coarser one, and does not mend a search that failed.
+            while matches!(line.minimum().stop, Stop::Converged) {
+                let n = line.sequence().n().get();
+                let finer = finer_grid(&line, tolerance).map(|finer| finer.min(FINEST_GRID));
+                let Some(n) = finer.filter(|&finer| finer > n) else { break };
+                line = match problem.solve_with(rule, n, options) {
+                    Ok(line) => line,
+                    // The coarser line misses the tolerance, and says so.
+                    Err(SolveError::OutOfMemory { .. }) => break,
+                    Err(error) => return Err(failure(error)),
+                };
+            }
         }
         Ok(line)
     }
@@ -171,20 +169,26 @@ impl Question {
                 newton_steps: minimum.iterations,
             },
             resolved: line.is_resolved(),
+            within_tolerance: match self.grid {
+                Grid::Tolerance(tolerance) => Some(finer_grid(line, tolerance).is_none()),
+                Grid::Chords(_) => None,
+            },
             bounds: None,
             no_bounds: self.bound.then(|| "not finished".to_owned()),
             curve: points(&minimum.sequence),
             other_minima: Vec::new(),
         };
-        solved(&answer);
         let others = line.other_minima();
         let minima = others.iter().map(|other| OtherMinimum {
             length: estimated(other.length()),
             curve: points(other.sequence()),
         });
         answer.other_minima = minima.collect();
-        let is_shorter = |other: &OtherMinimum| other.is_shorter_than(&answer);
-        answer.resolved &= !answer.other_minima.iter().any(is_shorter);
+        if answer.other_minima.iter().any(|other| other.is_shorter_than(&answer)) {
+            // The distance is not what the energies of this line tend to.
+            (answer.resolved, answer.extrapolated) = (false, None);
+            answer.within_tolerance = answer.within_tolerance.and(Some(false));
+        }
         solved(&answer);
         if self.bound {
             match bounds(self, line, &others) {
@@ -199,14 +203,37 @@ impl Question {
 /// The grid from which a tolerance is judged. It needs coarser grids for the extrapolation.
 const FIRST_GRID: usize = 128;
 
-/// The largest number of finer grids that are tried for a tolerance.
-const ROUNDS: usize = 5;
+/// The finest grid that is tried for a tolerance. Twice as many chords gain nothing: what remains of
+/// the error of smooth metrics is rounding.
+const FINEST_GRID: usize = 1 << 22;
 
-/// Returns the relative error of the length, by extrapolation.
-fn relative_error<R: Rule, const D: usize>(line: &TautLine<Formula<D>, R, D>) -> Option<f64> {
-    let estimate = line.distance_squared_estimate()?.value;
-    let length = line.length().value;
-    (estimate > 0.0).then(|| ((length * length - estimate) / (2.0 * estimate)).max(0.0))
+/// How much finer the next grid is at most if little is known of the error of the length.
+const BLIND: f64 = 4.0;
+
+/// By how much the error of an extrapolation may exceed its estimate, as the kit allows too.
+const OPTIMISM: f64 = 10.0;
+
+/// Returns the next grid, or `None` if the relative error of the length is at most `tolerance`, by
+/// extrapolation.
+fn finer_grid<R: Rule, const D: usize>(
+    line: &TautLine<Formula<D>, R, D>,
+    tolerance: f64,
+) -> Option<usize> {
+    let length = line.length();
+    if length.value == 0.0 {
+        return None;
+    }
+    let estimate = line.distance_squared_estimate().filter(|estimate| estimate.value > 0.0);
+    let finer = estimate.map_or(Some(BLIND), |estimate| {
+        // The excess falls like 1/N². It is a guess only if the estimate is less certain.
+        let excess = (length.value * length.value - estimate.value).abs();
+        let doubt = OPTIMISM * estimate.error + 2.0 * length.value * length.error;
+        let error = (excess + doubt) / (2.0 * estimate.value);
+        let finer = (1.1 * error / tolerance).sqrt().max(1.5);
+        (error > tolerance).then_some(if doubt > excess { finer.min(BLIND) } else { finer })
+    })?;
+    // A conversion to an integer saturates.
+    Some((finer * line.sequence().n().get() as f64).ceil() as usize)
 }
 
 fn estimated(Integral { value, error, .. }: Integral) -> Estimated {

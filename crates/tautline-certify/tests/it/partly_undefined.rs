@@ -38,7 +38,7 @@ fn undefined_parts_are_found_though_the_first_point_has_no_value() {
     }
     let local = LocallyCertified::new(parsed::<1>(PARTLY[1]), accuracy);
     match local.constants_within(&vector![0.0], 2.0) {
-        Err(LocalError::NotProved { radius: 2.0, reason }) => {
+        Err(LocalError::NotProved { radius: 2.0, reason, .. }) => {
             assert!(reason.contains("may be undefined at"), "{reason}");
         }
         other => panic!("{other:?}"),

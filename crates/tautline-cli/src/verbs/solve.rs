@@ -51,7 +51,8 @@ pub(crate) fn solve(arguments: &Solve) -> Result<ExitCode, CommandError> {
         let picture = problem.question.picture(Some(&answer));
         write_picture(path, &picture.map_err(|failure| problem.explain(failure))?)?;
     }
-    let is_done = answer.search.converged && answer.resolved && answer.no_bounds.is_none();
+    let is_close = answer.resolved && answer.within_tolerance != Some(false);
+    let is_done = answer.search.converged && is_close && answer.no_bounds.is_none();
     Ok(if is_done { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 

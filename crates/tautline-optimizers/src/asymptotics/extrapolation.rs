@@ -7,9 +7,15 @@ use crate::Level;
 pub struct Estimate {
     /// The extrapolated value.
     pub value: f64,
-    /// The change that the last order of extrapolation made.
+    /// The change that the last order of extrapolation made, or what rounding may make if that is
+    /// more.
     pub error: f64,
 }
+
+/// The relative error of an extrapolated value by rounding. The absolute values of the weights of
+/// Neville's scheme add up to less than `∏ (2ᵏ + 1)/(2ᵏ − 1) < 8.3` for grids that are at least twice
+/// as fine as the one before, and an energy, a sum of positive terms, has a few roundings.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// Returns an estimate of `d²`, in `m²`, from the minima on several grids; `None` if there are
 /// fewer than two grids.
@@ -34,13 +40,16 @@ pub fn extrapolate(levels: &[Level], exponent: i32) -> Option<Estimate> {
             })
             .collect();
         let (value, before) = (*next.last()?, *column.last()?);
-        let estimate = Estimate { value, error: (value - before).abs() };
-        if best.is_none_or(|best| estimate.error <= best.error) {
-            best = Some(estimate);
+        let change = (value - before).abs();
+        if best.is_none_or(|best| change <= best.error) {
+            best = Some(Estimate { value, error: change });
         }
         column = next;
     }
-    best
+    best.map(|Estimate { value, error }| {
+        let rounding = ROUNDING * value.abs();
+        Estimate { value, error: error.max(rounding) }
+    })
 }
 
 #[cfg(test)]
@@ -84,6 +93,13 @@ mod tests {
         let three = extrapolate(&levels, 2).expect("three grids");
         // The quadratic term at 0 that a straight line through 1/4 and 1/16 misses.
         approx::assert_relative_eq!(three.error, 5.0 / 64.0, max_relative = 1e-13);
+    }
+
+    /// Equal energies agree to their roundings, and no better.
+    #[test]
+    fn the_error_is_at_least_that_of_rounding() {
+        let estimate = extrapolate(&levels(|_| 7.0), 2).expect("four grids");
+        assert_eq!((estimate.value, estimate.error), (7.0, 224.0 * f64::EPSILON));
     }
 
     #[test]

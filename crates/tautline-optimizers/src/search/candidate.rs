@@ -27,6 +27,7 @@ const COARSE: usize = 32;
 pub(crate) const DIFFERENT: f64 = 1e-9;
 
 /// A local minimiser, the pieces between which it runs, and its energies on coarser grids.
+#[derive(Clone)]
 pub(crate) struct Candidate<'a, const D: usize> {
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) found: Found<D>,

@@ -2,7 +2,10 @@
 
 use std::ops::Range;
 
-use tautline::formula::{self, Function, Problem as TextProblem, TextError};
+use tautline::{
+    Short,
+    formula::{self, Function, Problem as TextProblem, TextError},
+};
 
 use crate::{
     Diagnostic,
@@ -63,9 +66,9 @@ impl<'f> Numbers<'f> {
             return Ok(value);
         }
         let expected = if most.is_finite() {
-            format!("expected a number between {least} and {most}")
+            format!("expected a number between {} and {}", Short(least), Short(most))
         } else {
-            format!("expected a number above {least}")
+            format!("expected a number above {}", Short(least))
         };
         Err(Diagnostic::new(format!("{value} is out of range"), text.span()).label(expected))
     }
@@ -99,8 +102,9 @@ impl<'f> Numbers<'f> {
         let known = known.chain(parameters).filter(|word| word.len() > 1 || *word != "-");
         match &error.problem {
             TextProblem::Unexpected { found, expected } => {
-                let before = self.file.get(..at.start).and_then(|before| before.chars().last());
-                let is_product = before.is_some_and(|c| c.is_ascii_digit() || c == ')');
+                let ends = |c: char| c.is_alphanumeric() || c == ')';
+                let before = self.file.get(..at.start).map(str::trim_end);
+                let is_product = before.is_some_and(|before| before.ends_with(ends));
                 let begins = |c: char| c.is_alphabetic() || c == '(';
                 let diagnostic = Diagnostic::new(format!("found {found} in an expression"), at)
                     .label(format!("expected {expected}"));

@@ -1,5 +1,7 @@
 //! Reads a file word for word, and explains what TOML or the types refuse.
 
+use std::ops::Range;
+
 use crate::{
     Diagnostic,
     file::ProblemFile,
@@ -42,7 +44,9 @@ fn explain(error: &toml::de::Error, file: &str) -> Diagnostic {
         };
     }
     if message.starts_with("wanted exactly 1 element") {
-        return Diagnostic::new("several keys say what this is", at)
+        let keys = keys(file, &at);
+        let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
+        return Diagnostic::new(format!("{} say what this is", all(&keys)), at)
             .label("expected one key")
             .help("from, to and dimension belong above [metric], or in sections of their own");
     }
@@ -66,6 +70,20 @@ fn explain(error: &toml::de::Error, file: &str) -> Diagnostic {
     Diagnostic::new(message, at)
 }
 
+/// Returns the keys of a table of which this is the heading, or all in braces.
+fn keys(file: &str, at: &Range<usize>) -> Vec<String> {
+    let table = file.get(at.clone()).unwrap_or_default();
+    let text = if table.starts_with('{') {
+        format!("table = {table}")
+    } else {
+        let rest = file.get(at.end..).unwrap_or_default();
+        format!("[table]{}", rest.split("\n[").next().unwrap_or_default())
+    };
+    let table: Option<toml::Table> = text.parse().ok();
+    let inside = table.as_ref().and_then(|table| table.get("table")?.as_table());
+    inside.map_or_else(Vec::new, |inside| inside.keys().cloned().collect())
+}
+
 /// Returns a value without the name of its type in Rust.
 fn plain_value(found: &str) -> String {
     match found {
@@ -85,6 +103,7 @@ fn plain_type(expected: &str) -> &str {
         "usize" | "u32" | "u64" => "a whole number, at least 0",
         "a sequence" => "a list in brackets, such as [0, 1]",
         "a boolean" => "true or false",
+        _ if expected.starts_with("struct ") => "keys and values in braces",
         _ => expected,
     }
 }

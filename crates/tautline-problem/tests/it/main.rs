@@ -3,5 +3,6 @@
 mod gallery;
 mod other_minima;
 mod schema;
+mod tolerance;
 mod twins;
 mod wrong;

@@ -50,7 +50,13 @@ fn each_mistake_is_underlined() {
         ("matrix = [[\"f\", 0], [0, \"f\"]]", "pullback = [\"f\"]", "[\"f\"]", "1 function here"),
         ("matrix = [[\"f\", 0], [0, \"f\"]]", "sum = []", "[]", "a sum of no metrics"),
         ("matrix", "matrx", "matrx", "unknown key matrx"),
-        ("[0, \"f\"]]", "[0, \"f\"]]\nphi = 1", "", "several keys say what this is"),
+        ("[0, \"f\"]]", "[0, \"f\"]]\nphi = 1", "[metric]", "matrix and phi say what this is"),
+        (
+            "{ normal = [1, 0], at_least = 3 }",
+            "{ normal = [1, 0], at_least = 3 }\nempty = { point = [0, 0] }",
+            "[to]",
+            "empty and half_space say what this is",
+        ),
         ("radius = 0.5", "radius = -0.5", "-0.5", "radius -0.5 must be ≥ 0"),
         (", radius = 0.5", "", "{ centre = [0, 0] }", "radius is missing"),
         ("[0, 0], radius", "[0], radius", "[1, 0]", "2 coordinates in dimension 1"),
@@ -78,7 +84,13 @@ fn each_mistake_is_underlined() {
             "[from]\nball = { centre = [0, 0], radius = 0.5 }",
             "[from]\nball = \"x\"",
             "\"x\"",
-            "found",
+            "expected keys and values in braces",
+        ),
+        (
+            "matrix = [[\"f\", 0], [0, \"f\"]]",
+            "sum = [{ phi = 1 }, { phi = \"f\", graph = \"f\" }]",
+            "{ phi = \"f\", graph = \"f\" }",
+            "graph and phi say what this is",
         ),
     ] {
         assert!(GOOD.contains(from), "{from}");
@@ -166,8 +178,18 @@ fn a_cost_or_a_speed_that_is_negative_on_the_curve_is_refused() {
     for (metric, says) in [
         ("cost = \"1 - x1\"", "the cost is -2 at [3.0, 1.0]"),
         ("speed = \"1 - 2*exp(-(x1 - 3)^2)\"", "the speed is -1 at [3.0, 1.0]"),
+        ("sum = [{ phi = 1 }, { cost = \"1 - x1\" }]", "the cost is -2 at [3.0, 1.0]"),
+        ("scaled = { by = 2, metric = { cost = \"1 - x1\" } }", "the cost is -2 at [3.0, 1.0]"),
+        (
+            "product = [{ coordinates = [1], metric = { phi = 1 } }, \
+             { coordinates = [2], metric = { cost = \"x2 - 2\" } }]",
+            "the cost is -2 at [0.0, 0.0]",
+        ),
+        // One chord, whose ends are right.
+        ("cost = \"(x1 - 1.5)^2 - 1\"", "the cost is -1 at [1.5, 0.5]"),
     ] {
-        let file = file(metric);
+        let n = if metric.contains("- 1.5") { "n = 1" } else { "n = 64" };
+        let file = file(metric).replace("n = 64", n);
         let diagnostic = refused(&file);
         assert!(diagnostic.message.starts_with(says), "{diagnostic}");
         assert!(file[diagnostic.at].starts_with('"'));
