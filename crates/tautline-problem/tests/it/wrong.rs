@@ -103,6 +103,16 @@ fn each_mistake_is_underlined() {
     }
 }
 
+/// The end of a text is no factor.
+#[test]
+fn what_is_missing_at_the_end_is_no_product() {
+    let diagnostic = refused(&GOOD.replacen("cos(x1)", "cos(2*x1", 1));
+    assert_eq!(
+        (diagnostic.message.as_str(), diagnostic.help),
+        ("found the end in an expression", None)
+    );
+}
+
 /// The end of an expression is the place of what is missing.
 #[test]
 fn the_message_shows_the_line() {
@@ -137,6 +147,9 @@ fn what_was_meant_is_said() {
         ("a - cos", "a − cos", "the minus of a formula is -"),
         ("a = 2", "a = \"x1\"", "belongs in [metric] or in [let]"),
         ("f = \"a - cos(x1)\"", "f = a - cos(x1)", "an expression stands in quotes"),
+        ("a - cos", "2 x1 - cos", "a product has a sign"),
+        ("a - cos", "a x1 - cos", "a product has a sign"),
+        ("a - cos", "(a - 1)(x1 + 2) - cos", "a product has a sign"),
         ("[0, \"f\"]]", "[0, \"f\"]]\nphi = 1", "belong above [metric]"),
     ] {
         let diagnostic = refused(&GOOD.replacen(from, to, 1));
