@@ -40,6 +40,7 @@ mod reading;
 mod schema;
 mod sign;
 mod solve;
+mod tolerance;
 
 pub use answer::{
     Answer, BallAnswer, Bounds, Estimated, GlobalMinimum, OtherMinimum, Search, UsedConstants,

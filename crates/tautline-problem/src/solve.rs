@@ -13,11 +13,13 @@ use crate::{
     dimension::{InDimension, in_dimension},
     file::request::RuleFile,
     reading::shape::{Piece, union, vector},
+    tolerance::{FINEST_GRID, FIRST_GRID, finer_grid},
 };
 
 impl Question {
-    /// Solves the problem. `solved` is told the answer once, when the curve and the other minima are
-    /// known, before any bound is proved, which may take longer.
+    /// Solves the problem. `solved` is told the answer when the curve and the other minima are known,
+    /// before any bound is proved, which may take longer. With a tolerance it is told the curves of
+    /// coarser grids before, without other minima.
     ///
     /// # Errors
     ///
@@ -44,15 +46,15 @@ impl InDimension for Solve<'_> {
         let options = question.options::<D>()?;
         match question.rule {
             RuleFile::Trapezoidal => {
-                let line = question.line(&problem, Trapezoidal, &options)?;
+                let line = question.line(&problem, Trapezoidal, &options, solved)?;
                 question.answer(&line, bounds, solved)
             }
             RuleFile::LeftEndpoint => {
-                let line = question.line(&problem, LeftEndpoint, &options)?;
+                let line = question.line(&problem, LeftEndpoint, &options, solved)?;
                 question.answer(&line, bounds, solved)
             }
             RuleFile::TrueTrapezoid => {
-                let line = question.line(&problem, TrueTrapezoid, &options)?;
+                let line = question.line(&problem, TrueTrapezoid, &options, solved)?;
                 let no_theorem = |_: &_, _: &_, _: &[_]| {
                     Err("the paper has no theorem on the true trapezoid".to_owned())
                 };
@@ -108,6 +110,7 @@ impl Question {
         problem: &Problem<Formula<D>, D>,
         rule: R,
         options: &Options<D>,
+        solved: &mut dyn FnMut(&Answer),
     ) -> Result<TautLine<Formula<D>, R, D>, Failure> {
         let failure = |error: SolveError| match error {
             SolveError::Metric(_) => {
@@ -125,6 +128,7 @@ impl Question {
                 let n = line.sequence().n().get();
                 let finer = finer_grid(&line, tolerance).map(|finer| finer.min(FINEST_GRID));
                 let Some(n) = finer.filter(|&finer| finer > n) else { break };
+                solved(&self.on_its_own(&line)?);
                 line = match problem.solve_with(rule, n, options) {
                     Ok(line) => line,
                     // The coarser line misses the tolerance, and says so.
@@ -136,20 +140,15 @@ impl Question {
         Ok(line)
     }
 
-    fn answer<R: Rule, const D: usize>(
+    /// Returns the answer without other minima and without bounds.
+    fn on_its_own<R: Rule, const D: usize>(
         &self,
         line: &TautLine<Formula<D>, R, D>,
-        bounds: impl FnOnce(
-            &Self,
-            &TautLine<Formula<D>, R, D>,
-            &[TautLine<Formula<D>, R, D>],
-        ) -> Result<Bounds, String>,
-        solved: &mut dyn FnMut(&Answer),
-    ) -> Result<Answer, Failure> {
+    ) -> Result<Answer, Diagnostic> {
         self.check_sign(line.sequence())?;
         let minimum = line.minimum();
         let root = |square: f64| square.max(0.0).sqrt();
-        let mut answer = Answer {
+        Ok(Answer {
             dimension: D,
             rule: self.rule.name(),
             n: minimum.sequence.n().get(),
@@ -177,7 +176,20 @@ impl Question {
             no_bounds: self.bound.then(|| "not finished".to_owned()),
             curve: points(&minimum.sequence),
             other_minima: Vec::new(),
-        };
+        })
+    }
+
+    fn answer<R: Rule, const D: usize>(
+        &self,
+        line: &TautLine<Formula<D>, R, D>,
+        bounds: impl FnOnce(
+            &Self,
+            &TautLine<Formula<D>, R, D>,
+            &[TautLine<Formula<D>, R, D>],
+        ) -> Result<Bounds, String>,
+        solved: &mut dyn FnMut(&Answer),
+    ) -> Result<Answer, Failure> {
+        let mut answer = self.on_its_own(line)?;
         let others = line.other_minima();
         let minima = others.iter().map(|other| OtherMinimum {
             length: estimated(other.length()),
@@ -198,42 +210,6 @@ impl Question {
         }
         Ok(answer)
     }
-}
-
-/// The grid from which a tolerance is judged. It needs coarser grids for the extrapolation.
-const FIRST_GRID: usize = 128;
-
-/// The finest grid that is tried for a tolerance. Twice as many chords gain nothing: what remains of
-/// the error of smooth metrics is rounding.
-const FINEST_GRID: usize = 1 << 22;
-
-/// How much finer the next grid is at most if little is known of the error of the length.
-const BLIND: f64 = 4.0;
-
-/// By how much the error of an extrapolation may exceed its estimate, as the kit allows too.
-const OPTIMISM: f64 = 10.0;
-
-/// Returns the next grid, or `None` if the relative error of the length is at most `tolerance`, by
-/// extrapolation.
-fn finer_grid<R: Rule, const D: usize>(
-    line: &TautLine<Formula<D>, R, D>,
-    tolerance: f64,
-) -> Option<usize> {
-    let length = line.length();
-    if length.value == 0.0 {
-        return None;
-    }
-    let estimate = line.distance_squared_estimate().filter(|estimate| estimate.value > 0.0);
-    let finer = estimate.map_or(Some(BLIND), |estimate| {
-        // The excess falls like 1/N². It is a guess only if the estimate is less certain.
-        let excess = (length.value * length.value - estimate.value).abs();
-        let doubt = OPTIMISM * estimate.error + 2.0 * length.value * length.error;
-        let error = (excess + doubt) / (2.0 * estimate.value);
-        let finer = (1.1 * error / tolerance).sqrt().max(1.5);
-        (error > tolerance).then_some(if doubt > excess { finer.min(BLIND) } else { finer })
-    })?;
-    // A conversion to an integer saturates.
-    Some((finer * line.sequence().n().get() as f64).ceil() as usize)
 }
 
 fn estimated(Integral { value, error, .. }: Integral) -> Estimated {

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule};
 use tautline_formula::{Formula, Prepared};
 use tautline_metrics::Metric;
-use tautline_optimizers::{Estimate, Minimum, extrapolate};
+use tautline_optimizers::{Estimate, Minimum, Stop, extrapolate};
 use tautline_sets::Ends;
 
 /// A computed discrete minimiser and the curve `γᵖˡ` that joins its points.
@@ -136,11 +136,15 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// Returns an estimate of `d²`, in `m²`, by Richardson extrapolation over the grids of this
     /// line. It is not a bound. The result is `None` if there is a single grid: for `N ≤ 32`, for
     /// `N ≤ 64` with given starts only, if a grid of up to 512 chords led to another minimiser than
-    /// the coarser ones, if the chords do not [resolve](TautLine::is_resolved) the metric, or if the
-    /// ends touch.
+    /// the coarser ones, if the search did not converge, if the chords do not
+    /// [resolve](TautLine::is_resolved) the metric, or if the ends touch.
     #[must_use]
     pub fn distance_squared_estimate(&self) -> Option<Estimate> {
-        extrapolate(&self.minimum.levels, R::ERROR_EXPONENT).filter(|_| self.is_resolved())
+        let is_known = self.minimum.stop == Stop::Converged && self.is_resolved();
+        let estimate = extrapolate(&self.minimum.levels, R::ERROR_EXPONENT).filter(|_| is_known)?;
+        // The estimate is wrong at least by what it exceeds an upper bound on `d²`.
+        let above = estimate.value - (self.length().value + self.length().error).powi(2);
+        Some(Estimate { error: estimate.error.max(above), ..estimate })
     }
 }
 
@@ -150,7 +154,9 @@ mod tests {
     use tautline_metrics::gallery::Bump;
     use tautline_sets::Ends;
 
-    use crate::Problem;
+    use tautline_optimizers::Stop;
+
+    use crate::{Options, Problem};
 
     /// No node is on the bump until the chords are shorter than it is wide. The rule then sees the
     /// Euclidean plane, and all grids agree on a wrong distance.
@@ -173,6 +179,27 @@ mod tests {
         let wide = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
         let line = wide.solve(Trapezoidal, 256).expect("solved");
         assert!(line.is_resolved() && line.distance_squared_estimate().is_some());
+    }
+
+    #[test]
+    fn a_search_that_failed_leads_to_no_estimate() {
+        let ends = || Ends::points([-2.0, 0.1], [2.0, 0.0]).expect("finite");
+        let wide = || Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends());
+        let no_steps = Options { iterations: 0, ..Options::default() };
+        let line = wide().solve_with(Trapezoidal, 63, &no_steps).expect("a line");
+        assert!(line.minimum().levels.len() > 1 && line.minimum().stop == Stop::IterationLimit);
+        assert_eq!(line.distance_squared_estimate(), None);
+    }
+
+    /// A thin wall under half of the chords: the grids agree on more than the length of the curve.
+    #[test]
+    fn an_estimate_beyond_the_length_is_wrong_by_the_difference() {
+        let ends = Ends::points([-2.0031], [1.9969]).expect("finite");
+        let wall = Bump::new(5.0, 0.007).expect("a bump");
+        let line = Problem::new(wall, ends).solve(Trapezoidal, 512).expect("solved");
+        let estimate = line.distance_squared_estimate().expect("several grids");
+        let above = estimate.value - line.length().value.powi(2);
+        assert!(above > 1e-2 && estimate.error >= 0.99 * above, "{estimate:?} {above}");
     }
 
     /// The only node of the left-endpoint rule is the top of the hill, so that the discrete energy

@@ -34,6 +34,20 @@ search       converged, Hessian positive definite
 }
 
 #[test]
+fn a_tolerance_that_is_missed_is_said() {
+    let folder = folder("tolerance");
+    let file = "[metric]\nphi = \"2 - cos(x1)\"\n[from]\npoint = [0, 0]\n[to]\npoint = [3, 1]\n";
+    fs::write(folder.join("steps.toml"), format!("{file}[solve]\nsteps = 0\n")).expect("written");
+    fs::write(folder.join("good.toml"), file).expect("written");
+    let missed = tautline(&folder, &["solve", "steps.toml", "--tolerance", "1e-6"]);
+    assert_eq!(missed.status.code(), Some(1));
+    let warning = "warning      the tolerance is not reached with 128 chords\n";
+    assert!(text(&missed.stdout).contains(warning), "{}", text(&missed.stdout));
+    let kept = tautline(&folder, &["solve", "good.toml", "--tolerance", "1e-6"]);
+    assert!(kept.status.success() && !text(&kept.stdout).contains("warning"));
+}
+
+#[test]
 fn an_answer_is_one_json_document() {
     let folder = folder("json");
     for example in ["valleys", "two_channels", "counterexample"] {

@@ -74,3 +74,33 @@ fn ends_that_touch_are_within_any_tolerance() {
     assert_eq!((found.length.value, found.within_tolerance), (0.0, Some(true)));
     assert_eq!((found.search.stop, found.search.converged), ("the sets touch", true));
 }
+
+/// The curves of coarser grids are told on the way. Only the last one has the other minima.
+#[test]
+fn each_grid_is_told_on_the_way_to_the_tolerance() {
+    let hill = "metric = { cost = \"1 + 2*exp(-(x1^2 + x2^2))\" }\n\
+                from = { point = [-2, -0.2] }\nto = { point = [2, -0.2] }\n\
+                solve = { tolerance = 1e-8 }\n";
+    let mut told = Vec::new();
+    let question = Question::read(hill).expect("a problem");
+    let last = question.solve(&mut |answer| told.push(answer.clone())).expect("solved");
+    let [coarser @ .., finest] = &told[..] else { panic!("nothing was told") };
+    assert!(!coarser.is_empty() && told.is_sorted_by(|a, b| a.n < b.n));
+    for answer in coarser {
+        assert_eq!((answer.within_tolerance, answer.other_minima.len()), (Some(false), 0));
+    }
+    assert_eq!((finest.within_tolerance, finest.other_minima.len()), (Some(true), 1));
+    assert!(finest.bounds.is_none() && finest.no_bounds.is_some() && last.bounds.is_some());
+    assert_eq!(finest.curve, last.curve);
+}
+
+/// Without steps the search fails on every grid, and a finer one does not mend it.
+#[test]
+fn a_search_that_fails_misses_the_tolerance() {
+    let hill = "metric = { cost = \"1 + 2*exp(-(x1^2 + x2^2))\" }\n\
+                from = { point = [-2, -0.2] }\nto = { point = [2, -0.2] }\n\
+                solve = { tolerance = 1e-8, steps = 0 }\n";
+    let answer = Question::read(hill).expect("a problem").solve(&mut |_| ()).expect("a line");
+    assert_eq!((answer.n, answer.within_tolerance), (128, Some(false)));
+    assert_eq!((answer.extrapolated, answer.search.converged), (None, false));
+}
