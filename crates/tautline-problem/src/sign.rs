@@ -1,6 +1,6 @@
 //! The signs of costs and speeds, which the metric, made of their squares, does not show.
 
-use tautline::{Metric, PointSequence, SVector};
+use tautline::{Batch, Kind, PointSequence, Prepared, SVector};
 
 use crate::{
     Diagnostic, Question,
@@ -29,9 +29,23 @@ impl Question {
         let phi = MetricFile::Phi(text.clone());
         let phi = formula_of::<D>(&phi, &self.problem, &self.numbers())?;
         let middles = sequence.chords().map(|(x, d)| x + d * 0.5);
-        let points = sequence.points().iter().copied().chain(middles);
-        let values = points.map(|x: SVector<f64, D>| (x, phi.gram(&x)[(0, 0)]));
-        let least = values.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        let points: Vec<SVector<f64, D>> =
+            sequence.points().iter().copied().chain(middles).collect();
+        let phi = Prepared::new(&phi);
+        // The first unit vector e has eᵀ φI e = φ.
+        let mut unit = SVector::<f64, D>::zeros();
+        unit[0] = 1.0;
+        let mut batch = Batch::new(&phi, Kind::Square, 1, points.len());
+        let mut least = None;
+        for points in points.chunks(batch.lanes()) {
+            let mut inputs = batch.inputs(points.len());
+            points.iter().enumerate().for_each(|(lane, x)| inputs.set(lane, x, &unit));
+            // Its result says whether φ is positive, which the values say too.
+            let _ = batch.evaluate(points.len());
+            let values = batch.row(batch.layout().square[0]);
+            let values = points.iter().zip(values.iter().copied());
+            least = least.into_iter().chain(values).min_by(|(_, a), (_, b)| a.total_cmp(b));
+        }
         let Some((x, value)) = least.filter(|(_, value)| *value <= 0.0) else { return Ok(()) };
         let message = format!("the {name} is {value} at {:?}", x.as_slice());
         Err(Diagnostic::new(message, text.span()).label("expected a positive function"))
