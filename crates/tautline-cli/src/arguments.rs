@@ -7,8 +7,8 @@ use clap_complete::Shell;
 
 /// Shortest curves between two sets, under a metric that you type, with bounds on the distance.
 ///
-/// Exit codes: 0 done; 1 not converged, too few chords for the metric or the tolerance, or not proved;
-/// 2 bad input.
+/// Exit codes: 0 done; 1 no strict minimum, too few chords for the metric or the tolerance, or not
+/// proved; 2 bad input.
 #[derive(Debug, Parser)]
 #[command(
     name = "tautline",
@@ -51,10 +51,10 @@ pub(crate) struct Solve {
     #[arg(short, long = "chords", value_name = "N", conflicts_with = "tolerance")]
     pub(crate) n: Option<usize>,
     /// The relative error of the length, in place of a number of chords.
-    #[arg(long, value_name = "ERROR")]
+    #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
     /// Stop after this many seconds, with what is known by then.
-    #[arg(long, value_name = "SECONDS")]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
     /// Prove no bounds.
     #[arg(long)]
@@ -76,7 +76,7 @@ pub(crate) struct Constants {
     #[arg(long)]
     pub(crate) json: bool,
     /// Stop after this many seconds.
-    #[arg(long, value_name = "SECONDS")]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
 }
 

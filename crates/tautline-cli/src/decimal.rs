@@ -18,6 +18,17 @@ pub(crate) fn nearest(x: f64) -> String {
     if !x.is_finite() { x.to_string() } else { plain(x, places(x)) }
 }
 
+/// Returns a number to one significant digit, rounded up.
+pub(crate) fn one_digit_up(x: f64) -> String {
+    let nearest = format!("{x:.0e}");
+    let is_enough = nearest.parse().is_ok_and(|nearest: f64| nearest >= x);
+    if is_enough || !x.is_finite() {
+        return nearest;
+    }
+    // Half a unit of the digit more rounds to the next one.
+    format!("{:.0e}", x + 0.5 * 10.0_f64.powf(x.log10().floor()))
+}
+
 fn directed(x: f64, holds: impl Fn(f64) -> bool, step: i32) -> String {
     if !x.is_finite() {
         return x.to_string();
@@ -51,7 +62,7 @@ fn plain(x: f64, places: i32) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{nearest, rounded_down, rounded_up};
+    use super::{nearest, one_digit_up, rounded_down, rounded_up};
 
     #[test]
     fn a_printed_bound_is_a_bound() {
@@ -64,6 +75,18 @@ mod tests {
                 value
             });
             assert!(low <= x && x <= high, "{low} {x} {high}");
+            x *= 3.713_377;
+        }
+    }
+
+    #[test]
+    fn an_error_is_rounded_up() {
+        let printed = [1.28e-9, 2e-10, 9.01e-3, 9.99, 0.0, 1.0001e5].map(one_digit_up);
+        assert_eq!(printed, ["2e-9", "2e-10", "1e-2", "1e1", "0e0", "2e5"]);
+        let mut x = 1.3e-300;
+        while x < 1e300 {
+            let up: f64 = one_digit_up(x).parse().expect("a number");
+            assert!(x <= up && up <= 2.0 * x * (1.0 + 1e-12), "{x:e} {up:e}");
             x *= 3.713_377;
         }
     }

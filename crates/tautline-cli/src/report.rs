@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use tautline_problem::{Answer, Bounds, ConstantsAnswer, Estimated, GlobalMinimum, UsedConstants};
 
-use crate::decimal::{nearest, rounded_down, rounded_up};
+use crate::decimal::{nearest, one_digit_up, rounded_down, rounded_up};
 
 /// Returns the lines that describe an answer.
 pub(crate) fn answer(answer: &Answer) -> String {
@@ -16,7 +16,7 @@ pub(crate) fn answer(answer: &Answer) -> String {
     match (&answer.bounds, &answer.no_bounds) {
         (Some(bounds), _) => {
             line("distance", interval(bounds));
-            if let Some(note) = note(bounds) {
+            if let Some(note) = note(bounds, answer.search.converged) {
                 line("", note.to_owned());
             }
         }
@@ -34,9 +34,12 @@ pub(crate) fn answer(answer: &Answer) -> String {
     }
     if let Some(Estimated { value, error }) = answer.extrapolated {
         let printed = nearest(value);
-        // The printed digits are no closer than they are.
+        // What printing rounds off counts as an error too.
         let rounding = printed.parse().map_or(0.0, |printed: f64| (printed - value).abs());
-        line("extrapolated", format!("{printed} ± {:.0e}, an estimate", error + rounding));
+        line(
+            "extrapolated",
+            format!("{printed} ± {}, an estimate", one_digit_up(error + rounding)),
+        );
     }
     let others = &answer.other_minima;
     if let Some(shorter) = others.iter().find(|other| other.is_shorter_than(answer)) {
@@ -58,6 +61,9 @@ pub(crate) fn answer(answer: &Answer) -> String {
         line("warning", format!("the tolerance is not reached with {}", counted(chords)));
     }
     let search = &answer.search;
+    if !search.converged {
+        line("warning", "the search did not end at a strict minimum".to_owned());
+    }
     if answer.length.value > 0.0 {
         line("search", format!("{}, Hessian {}", search.stop, search.hessian));
     } else {
@@ -110,13 +116,13 @@ fn interval(bounds: &Bounds) -> String {
 }
 
 /// Returns what the bounds rest on.
-fn note(bounds: &Bounds) -> Option<&'static str> {
+fn note(bounds: &Bounds, converged: bool) -> Option<&'static str> {
     match bounds.global_minimum {
         GlobalMinimum::Proved => None,
         GlobalMinimum::Assumed => {
             Some("the lower bound assumes that the minimum found is the global one")
         }
-        GlobalMinimum::Refuted if bounds.constants.proved => {
+        GlobalMinimum::Refuted if bounds.constants.proved || !converged => {
             Some("the minimum found is not the global one; the lower bound does without it")
         }
         GlobalMinimum::Refuted => {

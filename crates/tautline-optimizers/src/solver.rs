@@ -130,8 +130,8 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 
     /// Follows those candidates too that were left behind, but are lower on the finest grid than the
-    /// lowest one that was followed. All are lower than one that failed, or along which there is no
-    /// metric. Returns the rest.
+    /// lowest one that was followed. If that one failed, or if there is no metric along it, every one
+    /// counts as lower. Returns the rest.
     fn catch_up<'e>(
         &mut self,
         candidates: &mut Vec<Candidate<'e, D>>,

@@ -31,8 +31,8 @@ pub struct Answer {
     /// which the rule evaluates it, or another minimum is shorter than the curve; the distance may
     /// be any smaller number.
     pub resolved: bool,
-    /// Whether the relative error of the length is at most the tolerance, by extrapolation; absent if
-    /// no tolerance was given.
+    /// Whether the length is within the tolerance of the length of the minimum that was found, by
+    /// extrapolation; absent if no tolerance was given. That no other minimum is shorter is assumed.
     pub within_tolerance: Option<bool>,
     /// Bounds on the distance; absent if they were not asked for or time ran out.
     pub bounds: Option<Bounds>,
@@ -42,6 +42,14 @@ pub struct Answer {
     pub curve: Vec<Vec<f64>>,
     /// Other local minima that were met, shortest first, with `n` chords or 512, whichever is less.
     pub other_minima: Vec<OtherMinimum>,
+}
+
+impl Answer {
+    /// Says that the distance is not what the energies of the curve tend to.
+    pub(crate) fn is_not_resolved(&mut self) {
+        (self.resolved, self.extrapolated) = (false, None);
+        self.within_tolerance = self.within_tolerance.and(Some(false));
+    }
 }
 
 /// A number, and an estimate of its error.
@@ -95,8 +103,8 @@ pub enum GlobalMinimum {
     Proved,
     /// It is assumed.
     Assumed,
-    /// It is refuted: another curve is shorter, or by convexity some sequence of points has less energy.
-    /// The lower bound does not need it.
+    /// It is refuted: another curve is shorter, or by convexity some sequence of points has less
+    /// energy. The lower bound does not need it.
     Refuted,
 }
 
@@ -152,7 +160,7 @@ pub struct OtherMinimum {
 
 /// Lengths that differ by less than this fraction count as equal: on a coarser grid a curve is a
 /// little longer.
-const TIE: f64 = 1e-5;
+pub(crate) const TIE: f64 = 1e-5;
 
 impl OtherMinimum {
     /// Returns whether the curve is as short as that of an answer.

@@ -9,8 +9,8 @@ use tautline::{
 };
 
 use crate::{
-    BallAnswer, Bounds, GlobalMinimum, Question, UsedConstants, constants::too_many_coordinates,
-    dimension::LARGEST_PROVED_DIMENSION,
+    BallAnswer, Bounds, Estimated, GlobalMinimum, Question, UsedConstants,
+    constants::too_many_coordinates, dimension::LARGEST_PROVED_DIMENSION,
 };
 
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
@@ -24,7 +24,7 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
         let enclosure = line.enclosure_given(claimed).map_err(|error| error.to_string())?;
         let found = in_words(enclosure, UsedConstants::new(claimed, false, None));
         let lengths = others.iter().map(|other| other.length().value + other.length().error);
-        return found.without_contradiction()?.and_no_longer_than(lengths).without_contradiction();
+        return found.and_no_longer_than(lengths).without_contradiction();
     }
     // The compiler decides.
     if const { D > LARGEST_PROVED_DIMENSION } {
@@ -40,7 +40,17 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     Ok(found.and_no_longer_than(curves.map(|curve| curve.length().hi())))
 }
 
+/// How much longer than its quadrature a curve may be by a bound with outward rounding, relative to
+/// it.
+const WIDTH: f64 = 1e-6;
+
 impl Bounds {
+    /// Returns whether the curve is longer than its quadrature says, which then has missed a part of
+    /// the metric.
+    pub(crate) fn exceed(&self, length: &Estimated) -> bool {
+        self.upper.value > length.value * (1.0 + WIDTH) + length.error
+    }
+
     /// Takes the lengths of other curves between the sets into account. One that is shorter than the
     /// lower bound refutes what that bound assumes.
     fn and_no_longer_than(mut self, lengths: impl Iterator<Item = f64>) -> Self {
@@ -59,8 +69,8 @@ impl Bounds {
 }
 
 impl Bounds {
-    /// Refuses bounds from claimed constants that contradict each other. The upper one is the length
-    /// of a curve, so that a claim is wrong.
+    /// Refuses bounds from claimed constants that contradict each other. The upper one is that of a
+    /// curve, so that a claim is wrong.
     fn without_contradiction(self) -> Result<Self, String> {
         let [lower, upper] = [self.lower.value, self.upper.value];
         if lower <= upper {
@@ -83,7 +93,8 @@ fn check_claims<const D: usize>(
     sequence: &PointSequence<D>,
 ) -> Result<(), String> {
     let refuse = |name, claim: f64, x: &SVector<f64, D>, what| {
-        let x = x.as_slice();
+        let (x, claim) = (x.as_slice(), format!("{claim:?}"));
+        let claim = claim.trim_end_matches(".0");
         Err(format!(
             "the claim {name} = {claim} is wrong: H({x:?}) has a {what} eigenvalue; \
              `tautline audit` tests all claims"
@@ -95,7 +106,7 @@ fn check_claims<const D: usize>(
         h.fill_lower_triangle_with_upper_triangle();
         let (c1, c2) = (claimed.c1(), claimed.c2());
         let (least, most) = (c1 * (1.0 - ATTAINED), c2 * (1.0 + ATTAINED));
-        let (identity, rounding) = (SMatrix::<f64, D, D>::identity(), ROUNDING * h.norm());
+        let (identity, rounding) = (SMatrix::<f64, D, D>::identity(), ROUNDING * h.amax());
         if !is_gram(&(h - identity * (least - rounding))) {
             return refuse("c1", c1, x, "smaller");
         }
@@ -106,10 +117,11 @@ fn check_claims<const D: usize>(
     Ok(())
 }
 
-/// How far an eigenvalue may be beyond a claim that is meant to be attained: it was typed to so many
-/// digits, relative to itself, and computing an eigenvalue rounds by this much, relative to the
-/// matrix.
+/// How far an eigenvalue may be beyond a claim that is meant to be attained, relative to the claim: it
+/// was typed to so many digits.
 const ATTAINED: f64 = 1e-9;
+
+/// How far rounding may move a computed eigenvalue, relative to the largest entry.
 const ROUNDING: f64 = 1e-14;
 
 /// Says why nothing is proved, and what may help.
@@ -221,7 +233,8 @@ mod tests {
         assert!(reason(proved.and_no_longer_than([1.5].into_iter())).contains("length 1.5;"));
     }
 
-    /// The least eigenvalue of `(2 1; 1 2)` is 1, and that of `diag(1, 10⁹)` is 1 however it rounds.
+    /// The least eigenvalue of `(2 1; 1 2)` is 1, and that of a rotation of
+    /// `diag(1, 10¹²)` is 1 however it rounds.
     #[test]
     fn claims_that_are_attained_hold() {
         let sequence = PointSequence::straight([0.0, 0.0], [1.0, 1.0], 4).expect("finite");
@@ -233,13 +246,16 @@ mod tests {
         assert_eq!(check(dense, 1.0, 3.0), Ok(()));
         assert!(check(dense, 1.0 + 1e-8, 3.0).is_err_and(|why| why.contains("the claim c1 = 1")));
         assert!(check(dense, 1.0, 3.0 - 3e-8).is_err_and(|why| why.contains("the claim c2 = 2")));
-        // The entries beside the diagonal differ by a rounding.
-        let rounded = "[2, 0.1 + 0.2 + x1; 0.1 + (0.2 + x1), 2]";
-        assert_eq!(check(rounded, 0.7, 3.3), Ok(()));
+        // The entries beside the diagonal differ by a rounding of 10⁶.
+        let rounded = "[1e6, x1*0 + (1e6 + 0.3) - 1e6; 0.3, 1e6]";
+        assert_eq!(check(rounded, 1e6 - 0.3, 1e6 + 0.3), Ok(()));
+        // The sum of the squares of the entries overflows.
+        assert_eq!(check("[1e160, 0; 0, 1e160]", 1e160, 1e160), Ok(()));
         // A rotation of diag(1, 10¹²): its least eigenvalue rounds to 1 − 1.2e−4.
         let stretched = "s = 0.36 + 0.64e12; c = 0.48 - 0.48e12; [s, c; c, 0.64 + 0.36e12]";
         assert_eq!(check(stretched, 1.0, 1e12), Ok(()));
         assert!(check(stretched, 1.1, 1e12).is_err());
+        assert!(check(stretched, 1.0, 1e12 * (1.0 - 1e-8)).is_err());
     }
 
     #[test]

@@ -63,14 +63,20 @@ pub struct Question {
 }
 
 /// The number of chords that is used unless the file has another.
-const CHORDS: usize = 256;
+pub(crate) const CHORDS: usize = 256;
 
 /// The relative error of a length that rounding leaves, so that no grid reaches less.
-pub const LEAST_TOLERANCE: f64 = 1e-14;
+pub const LEAST_TOLERANCE: f64 = 1e-13;
 
-/// The number of boxes for one constant that is used unless the file has another: some tenths of a
-/// second in the plane.
+/// The number of boxes for one constant in the plane, unless the file has another: some tenths of a
+/// second.
 const BOXES: usize = 100_000;
+
+/// Returns the number of boxes for one constant, unless the file has another. A box costs more in
+/// more dimensions, so that the time for all constants stays below about ten seconds.
+fn default_boxes(dimension: usize) -> usize {
+    BOXES / 5_usize.pow(dimension.saturating_sub(2) as u32)
+}
 
 impl Question {
     /// Reads a problem file.
@@ -96,7 +102,10 @@ impl Question {
         let claimed =
             certify.constants.as_ref().map(|claimed| constants(claimed, &numbers)).transpose()?;
         let within = region(certify, &numbers, dimension)?;
-        let boxes = certify.boxes.as_ref().map_or(BOXES, |boxes| *boxes.get_ref());
+        let boxes = certify
+            .boxes
+            .as_ref()
+            .map_or_else(|| default_boxes(dimension), |boxes| *boxes.get_ref());
         let accuracy =
             certify.tolerance.as_ref().map_or(Ok(1e-3), |text| numbers.between(text, 0.0, 1.0))?;
         let audit = &problem.audit;

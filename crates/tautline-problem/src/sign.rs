@@ -9,7 +9,7 @@ use crate::{
 };
 
 impl Question {
-    /// Refuses a cost or a speed that is not positive at a point of a curve or in the middle of a
+    /// Refuses a cost or a speed that is negative at a point of a curve or in the middle of a
     /// chord.
     pub(crate) fn check_sign<const D: usize>(
         &self,
@@ -40,13 +40,13 @@ impl Question {
         for points in points.chunks(batch.lanes()) {
             let mut inputs = batch.inputs(points.len());
             points.iter().enumerate().for_each(|(lane, x)| inputs.set(lane, x, &unit));
-            // Its result says whether φ is positive, which the values say too.
+            // The result is whether φ is positive, which the values say too.
             let _ = batch.evaluate(points.len());
             let values = batch.row(batch.layout().square[0]);
             let values = points.iter().zip(values.iter().copied());
             least = least.into_iter().chain(values).min_by(|(_, a), (_, b)| a.total_cmp(b));
         }
-        let Some((x, value)) = least.filter(|(_, value)| *value <= 0.0) else { return Ok(()) };
+        let Some((x, value)) = least.filter(|(_, value)| *value < 0.0) else { return Ok(()) };
         let message = format!("the {name} is {value} at {:?}", x.as_slice());
         Err(Diagnostic::new(message, text.span()).label("expected a positive function"))
     }

@@ -9,11 +9,12 @@ use tautline_portrait::Shape;
 
 use crate::{
     Answer, Bounds, Diagnostic, Estimated, Failure, Grid, OtherMinimum, Question, Search,
+    answer::TIE,
     bounds::bounds,
     dimension::{InDimension, in_dimension},
     file::request::RuleFile,
     reading::shape::{Piece, union, vector},
-    tolerance::{FINEST_GRID, FIRST_GRID, finer_grid},
+    tolerance::{FINEST_GRID, FIRST_GRID, PATIENCE, finer_grid},
 };
 
 impl Question {
@@ -122,22 +123,36 @@ impl Question {
         };
         let first = if let Grid::Chords(n) = self.grid { n } else { FIRST_GRID };
         let mut line = problem.solve_with(rule, first, options).map_err(failure)?;
-        if let Grid::Tolerance(tolerance) = self.grid {
-            // A finer grid starts from the coarser one, and does not mend a search that failed.
-            while matches!(line.minimum().stop, Stop::Converged) {
-                let n = line.sequence().n().get();
-                let finer = finer_grid(&line, tolerance).map(|finer| finer.min(FINEST_GRID));
-                let Some(n) = finer.filter(|&finer| finer > n) else { break };
-                solved(&self.on_its_own(&line)?);
-                line = match problem.solve_with(rule, n, options) {
-                    Ok(line) => line,
-                    // The coarser line misses the tolerance, and says so.
-                    Err(SolveError::OutOfMemory { .. }) => break,
-                    Err(error) => return Err(failure(error)),
-                };
+        let Grid::Tolerance(tolerance) = self.grid else { return Ok(line) };
+        let converged = |line: &TautLine<_, _, D>| line.minimum().stop == Stop::Converged;
+        let (mut options, mut failures, mut last_converged) = (options.clone(), 0, None);
+        loop {
+            // A search that fails twice on fine grids fails on finer ones.
+            let n = line.sequence().n().get();
+            failures = if converged(&line) { 0 } else { failures + 1 };
+            if failures >= 2 && n >= PATIENCE {
+                break;
+            }
+            let mut starts = vec![line.sequence().clone()];
+            let finer = finer_grid(&line, tolerance).or_else(|| {
+                // On a finer grid a minimum that is shorter should have less energy too.
+                let others = line.other_minima();
+                let shorter = others.iter().find(|other| is_shorter(other, &line))?;
+                starts.push(shorter.sequence().clone());
+                Some(2 * n)
+            });
+            let finer = finer.map(|finer| finer.min(FINEST_GRID / D));
+            let Some(finer) = finer.filter(|&finer| finer > n) else { break };
+            solved(&self.on_its_own(&line)?);
+            options.starts = also(options.starts, starts);
+            // Without a finer line, the coarser one misses the tolerance, and says so.
+            let Ok(finer) = problem.solve_with(rule, finer, &options) else { break };
+            let coarser = std::mem::replace(&mut line, finer);
+            if converged(&coarser) {
+                last_converged = Some(coarser);
             }
         }
-        Ok(line)
+        Ok(if converged(&line) { line } else { last_converged.unwrap_or(line) })
     }
 
     /// Returns the answer without other minima and without bounds.
@@ -147,7 +162,6 @@ impl Question {
     ) -> Result<Answer, Diagnostic> {
         self.check_sign(line.sequence())?;
         let minimum = line.minimum();
-        let root = |square: f64| square.max(0.0).sqrt();
         Ok(Answer {
             dimension: D,
             rule: self.rule.name(),
@@ -155,9 +169,11 @@ impl Question {
             length: estimated(line.length()),
             energy: estimated(line.energy()),
             discrete_energy: minimum.energy,
-            extrapolated: line.distance_squared_estimate().map(|square| Estimated {
-                value: root(square.value),
-                error: 0.5 * square.error / root(square.value),
+            extrapolated: line.distance_squared_estimate().and_then(|square| {
+                let value = square.value.max(0.0).sqrt();
+                // An estimate that may be 0 is none.
+                let is_known = square.error < square.value;
+                is_known.then(|| Estimated { value, error: 0.5 * square.error / value })
             }),
             search: Search {
                 converged: minimum.is_local_minimum(),
@@ -197,19 +213,42 @@ impl Question {
         });
         answer.other_minima = minima.collect();
         if answer.other_minima.iter().any(|other| other.is_shorter_than(&answer)) {
-            // The distance is not what the energies of this line tend to.
-            (answer.resolved, answer.extrapolated) = (false, None);
-            answer.within_tolerance = answer.within_tolerance.and(Some(false));
+            answer.is_not_resolved();
         }
         solved(&answer);
         if self.bound {
             match bounds(self, line, &others) {
-                Ok(bounds) => (answer.bounds, answer.no_bounds) = (Some(bounds), None),
+                Ok(bounds) => {
+                    if bounds.exceed(&answer.length) {
+                        answer.is_not_resolved();
+                    }
+                    (answer.bounds, answer.no_bounds) = (Some(bounds), None);
+                }
                 Err(reason) => answer.no_bounds = Some(reason),
             }
         }
         Ok(answer)
     }
+}
+
+/// Returns whether another minimum is shorter than a line.
+fn is_shorter<R: Rule, const D: usize>(
+    other: &TautLine<Formula<D>, R, D>,
+    line: &TautLine<Formula<D>, R, D>,
+) -> bool {
+    other.length().value <= line.length().value * (1.0 - TIE)
+}
+
+/// Returns starts with further ones. What was found on a coarse grid is then not lost on a finer one,
+/// which has other coarse grids of its own.
+fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Starts<D> {
+    let only = matches!(starts, Starts::Only(_));
+    let mut given = match starts {
+        Starts::Also(given) | Starts::Only(given) => given,
+        _ => Vec::new(),
+    };
+    given.extend(found);
+    if only { Starts::Only(given) } else { Starts::Also(given) }
 }
 
 fn estimated(Integral { value, error, .. }: Integral) -> Estimated {

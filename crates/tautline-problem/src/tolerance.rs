@@ -2,12 +2,16 @@
 
 use tautline::{Formula, Rule, TautLine};
 
-/// The grid from which a tolerance is judged. It needs coarser grids for the extrapolation.
-pub(crate) const FIRST_GRID: usize = 128;
+/// The grid from which a tolerance is judged: that of a problem without a tolerance, so that the
+/// search meets the same minima.
+pub(crate) const FIRST_GRID: usize = crate::question::CHORDS;
 
-/// The finest grid that is tried for a tolerance. Twice as many chords gain nothing: what remains of
-/// the error of smooth metrics is rounding.
+/// The finest grid that is tried for a tolerance, times the number of coordinates. Twice as many
+/// chords gain nothing: what remains of the error of smooth metrics is rounding.
 pub(crate) const FINEST_GRID: usize = 1 << 22;
+
+/// Up to this grid a search that failed is tried on a finer one.
+pub(crate) const PATIENCE: usize = 2048;
 
 /// How much finer the next grid is at most if little is known of the error of the length.
 const BLIND: f64 = 4.0;

@@ -41,7 +41,7 @@ fn a_tolerance_that_is_missed_is_said() {
     fs::write(folder.join("good.toml"), file).expect("written");
     let missed = tautline(&folder, &["solve", "steps.toml", "--tolerance", "1e-6"]);
     assert_eq!(missed.status.code(), Some(1));
-    let warning = "warning      the tolerance is not reached with 128 chords\n";
+    let warning = "warning      the tolerance is not reached with 4096 chords\n";
     assert!(text(&missed.stdout).contains(warning), "{}", text(&missed.stdout));
     let kept = tautline(&folder, &["solve", "good.toml", "--tolerance", "1e-6"]);
     assert!(kept.status.success() && !text(&kept.stdout).contains("warning"));

@@ -8,7 +8,7 @@ pub struct Estimate {
     /// The extrapolated value.
     pub value: f64,
     /// The change that the last order of extrapolation made, or what rounding may make if that is
-    /// more.
+    /// more. If the energies do not yet fall as expected, the change on the last grid.
     pub error: f64,
 }
 
@@ -47,9 +47,24 @@ pub fn extrapolate(levels: &[Level], exponent: i32) -> Option<Estimate> {
         column = next;
     }
     best.map(|Estimate { value, error }| {
-        let rounding = ROUNDING * value.abs();
-        Estimate { value, error: error.max(rounding) }
+        let least = (ROUNDING * value.abs()).max(unexpected(levels, &variable));
+        Estimate { value, error: error.max(least) }
     })
+}
+
+/// If the last two changes of the energy are in proportion, up to this factor, to those of `N⁻ᑫ`, the
+/// grids are fine enough for the expansion.
+const PROPORTION: f64 = 2.0;
+
+/// Returns the size of the last change if it does not follow from the change before it, and 0 if it
+/// does. Two grids show nothing.
+fn unexpected(levels: &[Level], variable: &[f64]) -> f64 {
+    let ([.., a, b, c], [.., x, y, z]) = (levels, variable) else { return 0.0 };
+    let last = c.energy - b.energy;
+    let expected = (b.energy - a.energy) * (z - y) / (y - x);
+    let agrees =
+        last * expected > 0.0 && (1.0 / PROPORTION..=PROPORTION).contains(&(last / expected));
+    if agrees { 0.0 } else { last.abs() }
 }
 
 #[cfg(test)]
@@ -87,12 +102,14 @@ mod tests {
     #[test]
     fn the_error_is_the_change_by_the_last_order() {
         let energy = |n: f64| 7.0 - 3.0 * n.powi(-2) + 5.0 * n.powi(-4);
-        let levels = [1, 2, 4].map(|n| Level { n, energy: energy(n as f64) });
+        let levels = [10, 20, 40].map(|n| Level { n, energy: energy(n as f64) });
         let two = extrapolate(&levels[..2], 2).expect("two grids");
-        approx::assert_relative_eq!(two.error, (energy(2.0) - energy(1.0)).abs() / 3.0);
+        let change = (energy(20.0) - energy(10.0)).abs();
+        approx::assert_relative_eq!(two.error, change / 3.0, max_relative = 1e-12);
         let three = extrapolate(&levels, 2).expect("three grids");
-        // The quadratic term at 0 that a straight line through 1/4 and 1/16 misses.
-        approx::assert_relative_eq!(three.error, 5.0 / 64.0, max_relative = 1e-13);
+        // The quadratic term at 0 that a straight line through 1/400 and 1/1600 misses. The energies
+        // are of size 7.
+        approx::assert_relative_eq!(three.error, 5.0 / 640_000.0, max_relative = 1e-8);
     }
 
     /// Equal energies agree to their roundings, and no better.
@@ -100,6 +117,24 @@ mod tests {
     fn the_error_is_at_least_that_of_rounding() {
         let estimate = extrapolate(&levels(|_| 7.0), 2).expect("four grids");
         assert_eq!((estimate.value, estimate.error), (7.0, 224.0 * f64::EPSILON));
+    }
+
+    /// A thin layer that only the finest grid begins to see.
+    #[test]
+    fn a_change_that_does_not_follow_from_the_one_before_is_the_error() {
+        let error = |energies: [f64; 4]| {
+            let levels = [16, 32, 64, 128].iter().zip(energies);
+            let levels: Vec<_> = levels.map(|(&n, energy)| Level { n, energy }).collect();
+            extrapolate(&levels, 2).expect("four grids").error
+        };
+        assert!(error([1.0, 1.0, 1.0, 1.25]) >= 0.25);
+        assert!(error([1.0, 1.0, 1.25, 1.25]) < 0.25);
+        assert!(error([2.0, 1.5, 1.25, 1.5]) >= 0.25);
+        // As expected, a quarter of the change before.
+        assert!(error([1.0, 1.75, 1.9375, 1.984375]) < 1e-12);
+        // Within a factor of 2.
+        assert!(error([1.0, 1.75, 1.9375, 2.0]) < 0.0625);
+        assert!(error([1.0, 1.75, 1.9375, 2.0625]) >= 0.125);
     }
 
     #[test]

@@ -56,7 +56,8 @@ pub(crate) struct CertifyFile {
     /// The region on which `tautline constants` proves constants: a ball or a box. Without it that
     /// is all of space, or the ball that contains all competitors of the curve.
     pub(crate) within: Option<Placed<SetFile>>,
-    /// The largest number of boxes for one constant; 100,000 unless said otherwise.
+    /// The largest number of boxes for one constant; unless said otherwise 100,000 in the plane, and a
+    /// fifth of that for each further dimension.
     pub(crate) boxes: Option<Placed<usize>>,
     /// The relative accuracy of a constant; 0.001 unless said otherwise.
     pub(crate) tolerance: Option<Text>,

@@ -45,10 +45,21 @@ fn explain(error: &toml::de::Error, file: &str) -> Diagnostic {
     }
     if message.starts_with("wanted exactly 1 element") {
         let keys = keys(file, &at);
-        let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
-        return Diagnostic::new(format!("{} say what this is", all(&keys)), at)
-            .label("expected one key")
-            .help("from, to and dimension belong above [metric], or in sections of their own");
+        let names: Vec<&str> = keys.iter().flatten().map(String::as_str).collect();
+        let message = match (&keys, &names[..]) {
+            (Some(_), []) => "no key says what this is".to_owned(),
+            // Other keys stand in sections of their own.
+            (_, [] | [_]) => "several keys say what this is".to_owned(),
+            (_, names) => format!("{} say what this is", all(names)),
+        };
+        let diagnostic = Diagnostic::new(message, at).label("expected one key");
+        let misplaced = ["from", "to", "dimension"].iter().any(|key| names.contains(key));
+        return if misplaced {
+            diagnostic
+                .help("from, to and dimension belong above [metric], or in sections of their own")
+        } else {
+            diagnostic
+        };
     }
     if message.starts_with("wanted string or table") {
         return Diagnostic::new("this is no set", at)
@@ -70,18 +81,17 @@ fn explain(error: &toml::de::Error, file: &str) -> Diagnostic {
     Diagnostic::new(message, at)
 }
 
-/// Returns the keys of a table of which this is the heading, or all in braces.
-fn keys(file: &str, at: &Range<usize>) -> Vec<String> {
-    let table = file.get(at.clone()).unwrap_or_default();
-    let text = if table.starts_with('{') {
-        format!("table = {table}")
-    } else {
-        let rest = file.get(at.end..).unwrap_or_default();
-        format!("[table]{}", rest.split("\n[").next().unwrap_or_default())
+/// Returns the keys of a table of which this is the heading, or all in braces; `None` for a table
+/// that is written in another way.
+fn keys(file: &str, at: &Range<usize>) -> Option<Vec<String>> {
+    let table = file.get(at.clone())?;
+    let text = match table.chars().next()? {
+        '{' => format!("table = {table}"),
+        '[' => format!("[table]{}", file.get(at.end..)?),
+        _ => return None,
     };
-    let table: Option<toml::Table> = text.parse().ok();
-    let inside = table.as_ref().and_then(|table| table.get("table")?.as_table());
-    inside.map_or_else(Vec::new, |inside| inside.keys().cloned().collect())
+    let table: toml::Table = text.parse().ok()?;
+    Some(table.get("table")?.as_table()?.keys().cloned().collect())
 }
 
 /// Returns a value without the name of its type in Rust.

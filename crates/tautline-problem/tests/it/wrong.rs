@@ -50,6 +50,8 @@ fn each_mistake_is_underlined() {
         ("matrix = [[\"f\", 0], [0, \"f\"]]", "pullback = [\"f\"]", "[\"f\"]", "1 function here"),
         ("matrix = [[\"f\", 0], [0, \"f\"]]", "sum = []", "[]", "a sum of no metrics"),
         ("matrix", "matrx", "matrx", "unknown key matrx"),
+        ("matrix = [[\"f\", 0], [0, \"f\"]]", "", "[metric]", "no key says what this is"),
+        ("[to]", "[metric.gallery]\n[to]", "", "several keys say what this is"),
         ("[0, \"f\"]]", "[0, \"f\"]]\nphi = 1", "[metric]", "matrix and phi say what this is"),
         (
             "{ normal = [1, 0], at_least = 3 }",
@@ -150,7 +152,7 @@ fn what_was_meant_is_said() {
         ("a - cos", "2 x1 - cos", "a product has a sign"),
         ("a - cos", "a x1 - cos", "a product has a sign"),
         ("a - cos", "(a - 1)(x1 + 2) - cos", "a product has a sign"),
-        ("[0, \"f\"]]", "[0, \"f\"]]\nphi = 1", "belong above [metric]"),
+        ("[0, \"f\"]]", "[0, \"f\"]]\nfrom = { point = [0, 0] }", "belong above [metric]"),
     ] {
         let diagnostic = refused(&GOOD.replacen(from, to, 1));
         let said = format!("{diagnostic} {}", diagnostic.help.clone().unwrap_or_default());
@@ -207,6 +209,9 @@ fn a_cost_or_a_speed_that_is_negative_on_the_curve_is_refused() {
         assert!(diagnostic.message.starts_with(says), "{diagnostic}");
         assert!(file[diagnostic.at].starts_with('"'));
     }
+    // In a sum a cost may vanish.
+    let sum = file("sum = [{ phi = 1 }, { cost = \"x1\" }]");
+    assert!(Question::read(&sum).is_ok_and(|question| question.solve(&mut |_| ()).is_ok()));
     // The same metric, whose formula does not claim to be a cost.
     let square = file("phi = \"(4 - x1)^2\"");
     assert!(Question::read(&square).is_ok_and(|question| question.solve(&mut |_| ()).is_ok()));
