@@ -1,6 +1,6 @@
 //! The grids on the way to a tolerance.
 
-use tautline::{Formula, Rule, TautLine};
+use tautline::{Estimate, Formula, Integral, Rule, TautLine};
 
 /// The grid from which a tolerance is judged: that of a problem without a tolerance, so that the
 /// search meets the same minima.
@@ -25,19 +25,67 @@ pub(crate) fn finer_grid<R: Rule, const D: usize>(
     line: &TautLine<Formula<D>, R, D>,
     tolerance: f64,
 ) -> Option<usize> {
-    let length = line.length();
+    let finer = factor(&line.length(), line.distance_squared_estimate(), tolerance)?;
+    // A conversion to an integer saturates.
+    Some((finer * line.sequence().n().get() as f64).ceil() as usize)
+}
+
+/// Returns by how much finer the next grid should be, or `None` if the relative error of the length
+/// is at most `tolerance`, given an estimate of its square.
+fn factor(length: &Integral, estimate: Option<Estimate>, tolerance: f64) -> Option<f64> {
     if length.value == 0.0 {
         return None;
     }
-    let estimate = line.distance_squared_estimate().filter(|estimate| estimate.value > 0.0);
-    let finer = estimate.map_or(Some(BLIND), |estimate| {
-        // The excess falls like 1/N². It is a guess only if the estimate is less certain.
-        let excess = (length.value * length.value - estimate.value).abs();
-        let doubt = OPTIMISM * estimate.error + 2.0 * length.value * length.error;
-        let error = (excess + doubt) / (2.0 * estimate.value);
-        let finer = (1.1 * error / tolerance).sqrt().max(1.5);
-        (error > tolerance).then_some(if doubt > excess { finer.min(BLIND) } else { finer })
-    })?;
-    // A conversion to an integer saturates.
-    Some((finer * line.sequence().n().get() as f64).ceil() as usize)
+    let Some(estimate) = estimate.filter(|estimate| estimate.value > 0.0) else {
+        return Some(BLIND);
+    };
+    // The excess falls like 1/N². It is a guess only if the estimate is less certain.
+    let excess = (length.value * length.value - estimate.value).abs();
+    let doubt = OPTIMISM * estimate.error + 2.0 * length.value * length.error;
+    let error = (excess + doubt) / (2.0 * estimate.value);
+    let finer = (1.1 * error / tolerance).sqrt().max(1.5);
+    (error > tolerance).then_some(if doubt > excess { finer.min(BLIND) } else { finer })
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline::{Estimate, Integral};
+
+    use super::{BLIND, OPTIMISM, factor};
+
+    /// Returns the factor for the length 2, of which the square and the errors are given.
+    fn finer(square: f64, error: f64, of_length: f64, tolerance: f64) -> Option<f64> {
+        let length = Integral { value: 2.0, error: of_length };
+        factor(&length, Some(Estimate { value: square, error }), tolerance)
+    }
+
+    /// A relative error of the length is an error of its square, divided by 8.
+    #[test]
+    fn the_excess_and_both_errors_count() {
+        assert_eq!(finer(4.0, 0.0, 0.0, 1e-6), None);
+        assert_eq!(finer(4.0 - 0.9 * 8e-6, 0.0, 0.0, 1e-6), None);
+        for (square, error, of_length) in [
+            (4.0 - 1.1 * 8e-6, 0.0, 0.0),
+            // The estimate is no less wrong above the length.
+            (4.0 + 1.1 * 8e-6, 0.0, 0.0),
+            (4.0, 1.1 * 8e-6 / OPTIMISM, 0.0),
+            (4.0, 0.0, 1.1 * 2e-6),
+        ] {
+            // A little finer does not pay off.
+            assert_eq!(finer(square, error, of_length, 1e-6), Some(1.5));
+        }
+        assert_eq!(finer(4.0, 0.9 * 8e-6 / OPTIMISM, 0.0, 1e-6), None);
+        assert_eq!(finer(4.0, 0.0, 0.9 * 2e-6, 1e-6), None);
+    }
+
+    #[test]
+    fn an_uncertain_estimate_does_not_lead_far() {
+        let certain = finer(4.0 - 8e-2, 0.0, 0.0, 1e-6).expect("finer");
+        // The excess falls by the square of the factor.
+        assert!((102.0..110.0).contains(&certain), "{certain}");
+        assert_eq!(finer(4.0 - 8e-2, 8e-2, 0.0, 1e-6), Some(BLIND));
+        let length = Integral { value: 2.0, error: 0.0 };
+        assert_eq!(factor(&length, None, 1e-6), Some(BLIND));
+        assert_eq!(factor(&Integral::default(), None, 1e-6), None);
+    }
 }
