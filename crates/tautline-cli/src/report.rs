@@ -162,7 +162,25 @@ pub(crate) fn proved_constants(answer: &ConstantsAnswer) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{places, point};
+    use tautline_problem::{GlobalMinimum, Question};
+
+    use super::{note, places, point};
+
+    #[test]
+    fn a_refuted_minimum_may_be_due_to_a_claim() {
+        let file = "[metric]\nphi = 1\n[from]\npoint = [0]\n[to]\npoint = [1]\n";
+        let answer = Question::read(file).expect("a problem").solve(&mut |_| ()).expect("a line");
+        let mut bounds = answer.bounds.expect("proved");
+        assert_eq!(note(&bounds, true), None);
+        bounds.global_minimum = GlobalMinimum::Refuted;
+        for (proved, converged, is_a_claim) in
+            [(true, true, false), (false, true, true), (false, false, false)]
+        {
+            bounds.constants.proved = proved;
+            let note = note(&bounds, converged).expect("a note");
+            assert_eq!(note.contains("a claimed constant is wrong"), is_a_claim, "{note}");
+        }
+    }
 
     #[test]
     fn points_are_printed_to_six_decimals_and_tiny_ones_to_as_many_digits() {

@@ -372,7 +372,7 @@ mod tests {
         assert_eq!(search.iterations, in_vain + damped);
     }
 
-    /// A lower energy of a search that failed means nothing, and neither does one without a metric.
+    /// A lower energy of a search that failed means nothing.
     #[test]
     fn what_was_left_behind_is_followed_if_nothing_better_counts() {
         let plane = Separable::new(vector![0.5, 0.0], vector![1.0, 1.0]).expect("below one");

@@ -51,9 +51,13 @@ pub(crate) fn solve(arguments: &Solve) -> Result<ExitCode, CommandError> {
         let picture = problem.question.picture(Some(&answer));
         write_picture(path, &picture.map_err(|failure| problem.explain(failure))?)?;
     }
+    Ok(if is_done(&answer) { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+/// Returns whether an answer is what was asked for.
+fn is_done(answer: &Answer) -> bool {
     let is_close = answer.resolved && answer.within_tolerance != Some(false);
-    let is_done = answer.search.converged && is_close && answer.no_bounds.is_none();
-    Ok(if is_done { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    answer.search.converged && is_close && answer.no_bounds.is_none()
 }
 
 /// Returns the answer, or the part that is known when time runs out.
@@ -70,4 +74,30 @@ pub(crate) fn solved(
     })?;
     let too_late = || Failure::NotComputed("no curve was found within the time limit".to_owned());
     reported.unwrap_or_else(|| Err(too_late())).map_err(|failure| problem.explain(failure))
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_problem::{Answer, Question};
+
+    use super::is_done;
+
+    #[test]
+    fn everything_that_was_asked_for_counts() {
+        let file = "[metric]\nphi = 1\n[from]\npoint = [0]\n[to]\npoint = [1]\n";
+        let answer = Question::read(file).expect("a problem").solve(&mut |_| ()).expect("a line");
+        assert!(is_done(&answer));
+        let changes: [fn(&mut Answer); 4] = [
+            |answer| answer.search.converged = false,
+            |answer| answer.resolved = false,
+            |answer| answer.within_tolerance = Some(false),
+            |answer| answer.no_bounds = Some("not finished".to_owned()),
+        ];
+        for change in changes {
+            let mut changed = answer.clone();
+            change(&mut changed);
+            assert!(!is_done(&changed));
+        }
+        assert!(is_done(&Answer { within_tolerance: Some(true), ..answer }));
+    }
 }

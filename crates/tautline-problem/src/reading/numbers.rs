@@ -132,7 +132,16 @@ impl<'f> Numbers<'f> {
                          for max(u, v)",
                     ),
                     ("log", _) => diagnostic.help("the natural logarithm is ln"),
-                    ("x", _) => diagnostic.help("the coordinates are x1, x2 and so on"),
+                    ("x" | "X" | "y", _) => diagnostic.help("the coordinates are x1, x2 and so on"),
+                    (name, _) if Function::NAMES.contains(&name) => {
+                        diagnostic.help(format!("a function has parentheses, such as {name}(x1)"))
+                    }
+                    (name, _) if names.contains(&name) => {
+                        diagnostic.help(format!("{name} is not defined before this"))
+                    }
+                    (name, _) if is_coordinate(&name.to_lowercase()) => {
+                        diagnostic.help(format!("did you mean {}?", name.to_lowercase()))
+                    }
                     (_, Some(meant)) => diagnostic.help(format!("did you mean {meant}?")),
                     (_, None) if matches!(problem, TextProblem::UnknownFunction { .. }) => {
                         let names: Vec<&str> =
@@ -148,6 +157,11 @@ impl<'f> Numbers<'f> {
             problem => Diagnostic::new(problem.to_string(), at),
         }
     }
+}
+
+/// Returns whether a name is that of a coordinate, such as `x1`.
+fn is_coordinate(name: &str) -> bool {
+    name.strip_prefix('x').is_some_and(|number| number.parse::<usize>().is_ok())
 }
 
 /// Returns the number with its noun.

@@ -30,6 +30,11 @@ fn explain(error: &toml::de::Error, file: &str) -> Diagnostic {
         if (word, known.contains(&"trapezoidal")) == ("midpoint", true) {
             return diagnostic.help("most books call trapezoidal the midpoint rule");
         }
+        if ["rule", "n", "tolerance", "starts", "steps", "time_limit"].contains(&word)
+            && known.contains(&"solve")
+        {
+            return diagnostic.help(format!("{word} belongs in [solve]"));
+        }
         return match probably_meant(word, known) {
             Some(meant) => diagnostic.help(format!("did you mean {meant}?")),
             None => diagnostic,
