@@ -160,7 +160,12 @@ pub struct OtherMinimum {
 
 /// Lengths that differ by less than this fraction count as equal: on a coarser grid a curve is a
 /// little longer.
-pub(crate) const TIE: f64 = 1e-5;
+const TIE: f64 = 1e-5;
+
+/// Returns whether a length is shorter than another one by more than a tie.
+pub(crate) fn is_shorter(length: f64, than: f64) -> bool {
+    length <= than * (1.0 - TIE)
+}
 
 impl OtherMinimum {
     /// Returns whether the curve is as short as that of an answer.
@@ -172,6 +177,6 @@ impl OtherMinimum {
     /// Returns whether the curve is shorter than that of an answer.
     #[must_use]
     pub fn is_shorter_than(&self, answer: &Answer) -> bool {
-        self.length.value <= answer.length.value * (1.0 - TIE)
+        is_shorter(self.length.value, answer.length.value)
     }
 }

@@ -73,7 +73,7 @@ pub const LEAST_TOLERANCE: f64 = 1e-13;
 const BOXES: usize = 100_000;
 
 /// Returns the number of boxes for one constant, unless the file has another. A box costs more in
-/// more dimensions, so that the time for all constants stays below about ten seconds.
+/// more dimensions, so that a proof takes seconds, not minutes.
 fn default_boxes(dimension: usize) -> usize {
     BOXES / 5_usize.pow(dimension.saturating_sub(2) as u32)
 }

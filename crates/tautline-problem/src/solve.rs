@@ -9,7 +9,7 @@ use tautline_portrait::Shape;
 
 use crate::{
     Answer, Bounds, Diagnostic, Estimated, Failure, Grid, OtherMinimum, Question, Search,
-    answer::TIE,
+    answer::is_shorter,
     bounds::bounds,
     dimension::{InDimension, in_dimension},
     file::request::RuleFile,
@@ -18,9 +18,9 @@ use crate::{
 };
 
 impl Question {
-    /// Solves the problem. `solved` is told the answer when the curve and the other minima are known,
-    /// before any bound is proved, which may take longer. With a tolerance it is told the curves of
-    /// coarser grids before, without other minima.
+    /// Solves the problem, and calls `solved` with the answer as soon as the curve and the other minima
+    /// are known, before it proves any bound, which may take longer. With a tolerance it first calls
+    /// `solved` with the curve of each coarser grid, without other minima.
     ///
     /// # Errors
     ///
@@ -137,7 +137,9 @@ impl Question {
             let finer = finer_grid(&line, tolerance).or_else(|| {
                 // On a finer grid a minimum that is shorter should have less energy too.
                 let others = line.other_minima();
-                let shorter = others.iter().find(|other| is_shorter(other, &line))?;
+                let length = line.length().value;
+                let shorter =
+                    others.iter().find(|other| is_shorter(other.length().value, length))?;
                 starts.push(shorter.sequence().clone());
                 Some(2 * n)
             });
@@ -229,14 +231,6 @@ impl Question {
         }
         Ok(answer)
     }
-}
-
-/// Returns whether another minimum is shorter than a line.
-fn is_shorter<R: Rule, const D: usize>(
-    other: &TautLine<Formula<D>, R, D>,
-    line: &TautLine<Formula<D>, R, D>,
-) -> bool {
-    other.length().value <= line.length().value * (1.0 - TIE)
 }
 
 /// Returns starts with further ones. What was found on a coarse grid is then not lost on a finer one,

@@ -40,7 +40,7 @@ fn travel_time() -> f64 {
     integral(|y| 1.0 / (speed(y) * cosine(low, y)))
 }
 
-/// On 128 chords the extrapolation is above the length, by far more than the tolerance.
+/// On coarse grids the error of the extrapolation is far above the tolerance.
 #[test]
 fn a_tolerance_is_kept_across_a_thin_layer() {
     let time = travel_time();
@@ -53,13 +53,13 @@ fn a_tolerance_is_kept_across_a_thin_layer() {
     }
 }
 
-/// On 128 chords the wall is between the nodes, and there is no estimate to go by.
+/// On 256 chords the wall is between the nodes, and there is no estimate to go by.
 #[test]
 fn a_line_that_is_not_resolved_is_refined() {
-    let wall = "metric = { cost = \"1 + 5*exp(-(x1 - 0.0031)^2*1e4)\" }\n\
+    let wall = "metric = { cost = \"1 + 5*exp(-(x1 - 0.0031)^2*1e5)\" }\n\
                 from = { point = [-2] }\nto = { point = [2] }\n";
-    // 4 + 5 √π 10⁻²
-    let distance = 4.0 + 0.05 * std::f64::consts::PI.sqrt();
+    // 4 + 5 √(π 10⁻⁵)
+    let distance = 4.0 + 5.0 * (std::f64::consts::PI * 1e-5).sqrt();
     let found = answer(wall, 1e-6);
     let estimate = found.extrapolated.expect("several grids");
     let error = estimate.value / distance - 1.0;
@@ -75,9 +75,9 @@ fn ends_that_touch_are_within_any_tolerance() {
     assert_eq!((found.search.stop, found.search.converged), ("the sets touch", true));
 }
 
-/// The curves of coarser grids are told on the way. Only the last one has the other minima.
+/// The solver reports the curve of each coarser grid. It looks for other minima on the last one only.
 #[test]
-fn each_grid_is_told_on_the_way_to_the_tolerance() {
+fn the_solver_reports_each_grid_on_the_way_to_the_tolerance() {
     let hill = "metric = { cost = \"1 + 2*exp(-(x1^2 + x2^2))\" }\n\
                 from = { point = [-2, -0.2] }\nto = { point = [2, -0.2] }\n\
                 solve = { tolerance = 1e-8 }\n";
@@ -103,17 +103,6 @@ fn a_search_that_fails_misses_the_tolerance() {
     let answer = Question::read(hill).expect("a problem").solve(&mut |_| ()).expect("a line");
     assert_eq!((answer.n, answer.within_tolerance), (4096, Some(false)));
     assert_eq!((answer.extrapolated, answer.search.converged), (None, false));
-}
-
-/// On 128 chords, the extrapolation happens to agree with the length to far less than its error.
-#[test]
-fn the_error_of_an_estimate_counts() {
-    let layers = "metric = { cost = \"1.5 + 0.8594*tanh((x2+0.1424)/0.013954)\" }\n\
-                  from = { point = [0, -1] }\nto = { point = [1.0981, 1] }\n";
-    let (distance, tolerance) = (3.532_747_367, 3.24e-4);
-    let found = answer(layers, tolerance);
-    let error = found.length.value / distance - 1.0;
-    assert!(error < tolerance && found.within_tolerance == Some(true), "{error:e}, {}", found.n);
 }
 
 /// The wall is between all nodes of the rule and of the quadrature. Only the bound sees it.
@@ -145,7 +134,7 @@ fn a_minimum_of_a_coarse_grid_is_kept_on_finer_ones() {
     assert!(found.n > 256 && alone.length.value > 12.0, "{} chords", found.n);
 }
 
-/// 0.07 % below the curve that the rule prefers on 128 chords, there is a shorter one.
+/// On a coarse grid the rule prefers a curve that is 0.07 % longer than another one.
 #[test]
 fn a_shorter_minimum_is_followed_to_finer_grids() {
     let hills = "metric = { cost = \"1 + 4*exp(-2*(x1^2+x2^2)) + 3*exp(-1e6*(x1-0.0125)^2 - 4*(x2+1)^2)\" }\n\
