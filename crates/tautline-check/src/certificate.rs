@@ -77,19 +77,7 @@ impl<const D: usize> Certificate<D> {
             }
             chain.add(level, self.hi)?;
         }
-        let lower = chain.lower();
-        if let Some(upper) = upper
-            && (chain.is_closed() || lower > upper)
-        {
-            return Err(CheckError::Contradiction { lower, upper });
-        }
-        let declared = match self.region {
-            Region::Declared { c1 } => Some(c1),
-            _ => None,
-        };
-        let Chain { kept, levels, .. } = chain;
-        let corridor = kept.ok_or(CheckError::Empty)?;
-        Ok(Proved { lower, upper, declared, corridor, levels })
+        chain.proved(upper)
     }
 }
 
@@ -115,7 +103,7 @@ impl<'c, const D: usize> Chain<'c, D> {
     /// # Errors
     ///
     /// [`CheckError::Bound`] unless `hi` is positive and finite, [`CheckError::Dimension`] in more
-    /// than four dimensions.
+    /// than four dimensions, and the errors of [`Region::prove`].
     pub fn new(
         formula: &'c Formula<D>,
         sets: &'c [Shape<D>; 2],
@@ -128,6 +116,7 @@ impl<'c, const D: usize> Chain<'c, D> {
         if !(hi > 0.0 && hi.is_finite()) {
             return Err(CheckError::Bound { hi });
         }
+        region.prove(formula, sets.each_ref(), hi)?;
         Ok(Self { formula, sets, hi, region, lower: 0.0, kept: None, levels: Vec::new() })
     }
 
@@ -159,7 +148,7 @@ impl<'c, const D: usize> Chain<'c, D> {
         match &self.kept {
             None => {
                 let sets = self.sets.each_ref();
-                self.region.required(self.formula, sets, self.hi, exponent)
+                self.region.required(sets, self.hi, exponent)
             }
             Some(kept) if exponent == kept.exponent() => Ok(kept.clone()),
             Some(kept) if exponent == kept.exponent() - 1 => kept.halved(),
@@ -195,5 +184,26 @@ impl<'c, const D: usize> Chain<'c, D> {
         self.kept = Some(Cubes::new(cubes.exponent(), kept)?);
         self.levels.push((cubes.places().len(), self.lower));
         Ok(())
+    }
+
+    /// Returns what is proved, given an upper bound on the length of a curve, if there is one.
+    ///
+    /// # Errors
+    ///
+    /// [`CheckError::Contradiction`] if no curve as short as this one can exist;
+    /// [`CheckError::Empty`] before the first level.
+    pub fn proved(self, upper: Option<f64>) -> Result<Proved<D>, CheckError> {
+        let lower = self.lower;
+        if let Some(upper) = upper
+            && (self.is_closed() || lower > upper)
+        {
+            return Err(CheckError::Contradiction { lower, upper });
+        }
+        let declared = match self.region {
+            Region::Declared { c1 } => Some(c1),
+            _ => None,
+        };
+        let corridor = self.kept.ok_or(CheckError::Empty)?;
+        Ok(Proved { lower, upper, declared, corridor, levels: self.levels })
     }
 }

@@ -14,8 +14,11 @@ use crate::{
     vertex_test::{Decomposed, gram},
 };
 
-/// The most cubes of the first level, and the most boxes on which `c₁` is proved.
+/// The most cubes of the first level.
 const MOST: usize = 1 << 23;
+
+/// The most boxes on which `c₁` is proved.
+const BOXES: usize = 1 << 20;
 
 /// Why curves from the first set `X⁽⁰⁾` to the second set `X⁽¹⁾` that are shorter than `hi` stay in
 /// the cubes of the first level.
@@ -45,16 +48,30 @@ pub enum Region {
 }
 
 impl Region {
-    /// Returns the cubes of side `2^exponent` that the first level has to contain, in lexicographic
-    /// order, after proving the constant.
+    /// Proves the constant of tubes.
     ///
     /// # Errors
     ///
-    /// [`CheckError`] if the tubes are too thin, `c₁` is not proved, a set is unbounded that must be
-    /// bounded, or there are too many cubes.
-    pub fn required<const D: usize>(
+    /// [`CheckError`] if the tubes are too thin, or `c₁` is not proved.
+    pub fn prove<const D: usize>(
         &self,
         formula: &Formula<D>,
+        sets: [&Shape<D>; 2],
+        hi: f64,
+    ) -> Result<(), CheckError> {
+        match *self {
+            Region::Tubes { radius, c1 } => prove_tubes(formula, sets, hi, radius, c1),
+            _ => Ok(()),
+        }
+    }
+
+    /// Returns the cubes of side `2^exponent` that the first level has to contain.
+    ///
+    /// # Errors
+    ///
+    /// [`CheckError`] if a set is unbounded that must be bounded, or there are too many cubes.
+    pub fn required<const D: usize>(
+        &self,
         sets: [&Shape<D>; 2],
         hi: f64,
         exponent: i32,
@@ -70,9 +87,6 @@ impl Region {
                 cubes
             }
             Region::Tubes { c1, .. } | Region::Declared { c1 } => {
-                if let Region::Tubes { radius, c1 } = *self {
-                    prove_tubes(formula, sets, hi, radius, c1)?;
-                }
                 let reach = div_up(hi, sqrt_down(c1));
                 let near = |cube: &SVector<Interval, D>| {
                     let both =
@@ -175,7 +189,7 @@ fn prove_tubes<const D: usize>(
         let reach = Interval::new(-radius, radius).map_err(|_| CheckError::Unbounded)?;
         let around = bounding_box(tube).ok_or(CheckError::Unbounded)?.map(|side| side + reach);
         let mut left = vec![around];
-        for _ in 0..MOST {
+        for _ in 0..BOXES {
             let Some(part) = left.pop() else { break };
             if distance_below(tube, &part) > radius || is_at_least(formula, &part, c1) {
                 continue;

@@ -34,7 +34,7 @@ pub(crate) fn one_level<const D: usize>(
     exponent: i32,
     functions: [Function<'_, D>; 2],
 ) -> Certificate<D> {
-    let cubes = region.required(&formula, sets.each_ref(), hi, exponent).expect("a region");
+    let cubes = region.required(sets.each_ref(), hi, exponent).expect("a region");
     let levels = vec![level(0, &cubes, functions)];
     Certificate { formula, sets, hi, region, curve: None, levels }
 }
