@@ -214,3 +214,11 @@ pub(crate) fn gram<const D: usize>(
     let h = formula.gram(x);
     SMatrix::from_fn(|i, j| h[(i.min(j), i.max(j))])
 }
+
+/// Returns the nodes that are corners of the cube at a place.
+pub(crate) fn corners<const D: usize>(
+    place: &Place<D>,
+) -> impl Iterator<Item = Place<D>> + use<D> {
+    let place = *place;
+    (0..1 << D).map(move |at: usize| std::array::from_fn(|i| 2 * (place[i] + (at >> i & 1) as i32)))
+}

@@ -164,7 +164,7 @@ impl<const D: usize> Search<'_, D> {
         let scale = 1.0 + 0.3 * before.min(0.01);
         let mut best: Option<(Level<D>, Chain<'c, D>)> = None;
         let mut attempt = |values: [Vec<f64>; 2], what: &str| -> Result<f64, DistanceError> {
-            let values = values.map(|values| values.into_iter().map(|v| v * scale).collect());
+            let values = values.map(|values| scaled(values, scale));
             let level = Level::new(number, cubes.clone(), values).map_err(DistanceError::Refused)?;
             let mut next = chain.clone();
             next.add(&level, self.hi * (1.0 + KEPT)).map_err(DistanceError::Refused)?;
@@ -177,42 +177,72 @@ impl<const D: usize> Search<'_, D> {
             }
             Ok((self.length - lower) / self.length)
         };
+        let spacing = 0.5 * cubes.side();
         if let Some(pencil) = &self.pencil {
-            let spacing = 0.5 * cubes.side();
             let values = pencil.from.each_ref().map(|side| {
                 cubes.nodes().iter().map(|place| side.value(&point(place, spacing))).collect()
             });
-            if attempt(values, "C")? < 0.6 * before {
+            if attempt(values, "C")? < 0.5 * before {
                 return best.ok_or(DistanceError::Stopped);
             }
         }
         let wide = dilated(&cubes, 4)?;
         let nodes = Nodes::new(self.formula, &wide);
-        for behind in [0.0, 0.05, 0.2] {
-            let sides = [0, 1].map(|side| self.marched(&nodes, side, behind * self.length));
-            let values = sides.map(|all| {
+        for source in [Source::Calibration, Source::Set] {
+            let values = [0, 1].map(|side| {
+                let all = nodes.march(self.seeds(&nodes, side, source));
                 let value = |place: &Place<D>| nodes.value(&all, place).unwrap_or(0.0);
                 cubes.nodes().iter().map(value).collect()
             });
-            attempt(values, &format!("B {behind}"))?;
+            if attempt(values, &format!("B {source:?}"))? < 0.5 * before {
+                break;
+            }
         }
         best.ok_or(DistanceError::Stopped)
     }
 
-    /// Returns the distances of nodes from a set, or from the place this far behind a point.
-    pub(crate) fn marched(&self, nodes: &Nodes<D>, side: usize, behind: f64) -> Vec<f64> {
+    /// Returns the values from which the distance from a set spreads over the nodes.
+    pub(crate) fn seeds<'s>(
+        &'s self,
+        nodes: &Nodes<D>,
+        side: usize,
+        source: Source,
+    ) -> Box<dyn Fn(&SVector<f64, D>) -> Option<f64> + 's> {
         let band = 4.0 * nodes.spacing();
-        let is_point = matches!(self.sets[side], Shape::Point(_));
-        let source = self.geodesic.as_ref().filter(|_| is_point && behind > 0.0);
-        let source = source.and_then(|geodesic| geodesic.behind(self.formula, side, behind));
-        match source.and_then(|(x, _)| tautline_sets::Point::new(x).ok()) {
-            Some(point) => {
-                let point = Shape::Point(point);
-                nodes.march(|x| seed(self.formula, &point, band, x))
+        let set = &self.sets[side];
+        let end = if side == 0 { self.curve[0] } else { self.curve[self.curve.len() - 1] };
+        match &self.pencil {
+            Some(pencil) if source == Source::Calibration && matches!(set, Shape::Point(_)) => {
+                let calibration = &pencil.from[side];
+                let band = band.max(SOURCE * self.euclidean());
+                Box::new(move |x| ((x - end).norm() <= band).then(|| calibration.value(x)))
             }
-            None => nodes.march(|x| seed(self.formula, &self.sets[side], band, x)),
+            _ => Box::new(move |x| seed(self.formula, set, band, x)),
         }
     }
+
+    /// Returns the Euclidean length of the curve.
+    pub(crate) fn euclidean(&self) -> f64 {
+        self.curve.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
+    }
+}
+
+/// How far from a point its calibration is used as a source, relative to the length of the curve.
+const SOURCE: f64 = 0.03;
+
+/// Where a marched distance starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Source {
+    /// The set.
+    Set,
+    /// For a point, the calibration near it, whose rays meet behind the point. A distance from the
+    /// point itself is not smooth there, which costs an order.
+    Calibration,
+}
+
+/// Returns the values times a factor.
+pub(crate) fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
+    values.into_iter().map(|value| value * factor).collect()
 }
 
 /// Returns the cubes within `by` cubes of these, along the axes.
