@@ -18,7 +18,7 @@ use crate::{
 const MOST: usize = 1 << 23;
 
 /// The most boxes on which `c₁` is proved.
-const BOXES: usize = 1 << 20;
+const BOXES: usize = 1 << 18;
 
 /// Why curves from the first set `X⁽⁰⁾` to the second set `X⁽¹⁾` that are shorter than `hi` stay in
 /// the cubes of the first level.

@@ -76,9 +76,14 @@ impl<'l, const D: usize> Sweep<'l, D> {
             .map_init(Scratch::default, |scratch, place| {
                 let shift = shift(formula, exponent, place);
                 numbers(&corners, place, 1, &mut scratch.numbers);
-                let decomposed: Vec<_> = corner_order(D)
+                let mut decomposed: Vec<_> = corner_order(D)
                     .map(|at| Decomposed::new(grams[scratch.numbers[at]], shift))
                     .collect();
+                if decomposed.iter().any(Option::is_none) {
+                    // The cube is too large for the vertex test, but H may still have bounds on it.
+                    let whole = gram(formula, &lattice::cube(exponent, place));
+                    decomposed.fill(Decomposed::new(whole, Interval::point(0.0)));
+                }
                 let values = scratch.values(level, place);
                 let test = |simplex| tested(simplex, &values, &decomposed, 1.0 / cubes.side());
                 simplices.iter().map(test).collect()

@@ -38,14 +38,14 @@ const STRIDE: usize = 24;
 
 impl<const D: usize> Calibration<D> {
     /// Integrates from `x` along the momentum `p`, which is made to have length 1, with `steps` steps
-    /// of arc length `step`. The first sample has arc length `start`, and its `S` is the one with the
-    /// curvature `w ≥ 0` across the geodesic.
+    /// of arc length `step`. The first sample has arc length `start`. On vectors across the geodesic,
+    /// its `S` is the form that `across` returns, given `H` and the momentum.
     ///
     /// Returns `None` if the metric is undefined on the way or `S` leaves every bound.
     pub(crate) fn integrate(
         formula: &Formula<D>,
         (x, p): (SVector<f64, D>, SVector<f64, D>),
-        w: f64,
+        across: impl Fn(&SMatrix<f64, D, D>, &SVector<f64, D>) -> SMatrix<f64, D, D>,
         start: f64,
         step: f64,
         steps: usize,
@@ -53,12 +53,12 @@ impl<const D: usize> Calibration<D> {
         let at = Hamiltonian::at(formula, &x, &p)?;
         let p = p / p.dot(&at.velocity).sqrt();
         let at = Hamiltonian::at(formula, &x, &p)?;
-        // Across the geodesic, H − ppᵀ measures lengths.
-        let (along, force) = (p * p.transpose(), at.force);
+        let (velocity, force) = (at.velocity, at.force);
+        let projector = SMatrix::<f64, D, D>::identity() - velocity * p.transpose();
         let s = force * p.transpose() + p * force.transpose()
-            - along * force.dot(&at.velocity)
-            + (at.h - along) * w;
-        let bound = 1e6 * (w + s.amax() + at.h.amax() / step);
+            - p * p.transpose() * force.dot(&velocity)
+            + projector.transpose() * across(&at.h, &p) * projector;
+        let bound = 1e6 * (s.amax() + at.h.amax() / step);
         let mut state = (x, p, s);
         let mut samples = Vec::with_capacity(steps + 1);
         for taken in 0..=steps {
@@ -75,15 +75,20 @@ impl<const D: usize> Calibration<D> {
         Some(Self { start, step, samples })
     }
 
+    /// Returns the place at a sample.
+    pub(crate) fn place(&self, sample: usize) -> &SVector<f64, D> {
+        &self.samples[sample].x
+    }
+
     /// Returns `S` at the sample nearest to this arc length.
     pub(crate) fn curvature(&self, s: f64) -> SMatrix<f64, D, D> {
         let at = ((s - self.start) / self.step).round().max(0.0) as usize;
         self.samples[at.min(self.samples.len() - 1)].s
     }
 
-    /// Returns the value of the function at `x`, up to the third order in the distance from the
-    /// geodesic. Beyond its ends the geodesic is continued straight.
-    pub(crate) fn value(&self, x: &SVector<f64, D>) -> f64 {
+    /// Returns where on the geodesic `p(s)·(x − c(s)) = 0`, in steps from the start, near the sample
+    /// that is nearest to `x`.
+    pub(crate) fn foot(&self, x: &SVector<f64, D>) -> f64 {
         let distance = |at: usize| (self.samples[at].x - x).norm_squared();
         let nearest = |range: &mut dyn Iterator<Item = usize>| {
             range.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
@@ -91,50 +96,75 @@ impl<const D: usize> Calibration<D> {
         let last = self.samples.len() - 1;
         let coarse = nearest(&mut (0..=last).step_by(STRIDE));
         let near = coarse.saturating_sub(STRIDE)..=(coarse + STRIDE).min(last);
-        let mut at = nearest(&mut near.into_iter()) as f64;
-        for _ in 0..5 {
-            let (c, p, _, dc, dp) = self.between(at);
-            let away = x - c;
-            let slope = dp.dot(&away) - p.dot(&dc);
-            let correction = p.dot(&away) / slope;
-            if !(correction.abs() <= self.step * (2 * STRIDE) as f64) {
-                break;
-            }
-            at -= correction / self.step;
-        }
-        let (c, p, s, ..) = self.between(at);
-        let away = x - c;
-        self.start + at * self.step + p.dot(&away) + 0.5 * away.dot(&(s * away))
+        self.foot_near(x, nearest(&mut near.into_iter()) as f64)
     }
 
-    /// Returns `c`, `p`, `S`, `c'` and `p'` at `at` steps from the start, by cubic interpolation.
-    #[allow(clippy::type_complexity)]
-    fn between(
-        &self,
-        at: f64,
-    ) -> (SVector<f64, D>, SVector<f64, D>, SMatrix<f64, D, D>, SVector<f64, D>, SVector<f64, D>)
-    {
-        let last = self.samples.len() - 1;
-        let cell = (at.floor().max(0.0) as usize).min(last - 1);
-        let t = (at - cell as f64).clamp(0.0, 1.0);
-        let (a, b) = (&self.samples[cell], &self.samples[cell + 1]);
+    /// Returns the same, near `at` steps from the start.
+    pub(crate) fn foot_near(&self, x: &SVector<f64, D>, mut at: f64) -> f64 {
+        for _ in 0..6 {
+            let [c, p, dc, dp] = self.line(at);
+            let away = x - c;
+            let slope = dp.dot(&away) - p.dot(&dc);
+            let correction = p.dot(&away) / slope / self.step;
+            if !(correction.abs() <= (4 * STRIDE) as f64) {
+                break;
+            }
+            at -= correction;
+            if correction.abs() < 1e-7 {
+                break;
+            }
+        }
+        at
+    }
+
+    /// Returns the value of the function at `x`, up to the third order in the distance from the
+    /// geodesic, given the [`foot`](Calibration::foot). Beyond its ends the geodesic is continued
+    /// straight.
+    pub(crate) fn value(&self, x: &SVector<f64, D>, foot: f64) -> f64 {
+        let [c, p, ..] = self.line(foot);
+        let away = x - c;
+        let (cell, t) = self.cell(foot);
+        let [a, b] = [&self.samples[cell], &self.samples[cell + 1]];
+        let form = |s: &SMatrix<f64, D, D>| away.dot(&(s * away));
+        let [w, v, ..] = hermite(t);
+        let bend = form(&a.s) * w[0]
+            + form(&b.s) * w[1]
+            + (form(&a.slopes.2) * v[0] + form(&b.slopes.2) * v[1]) * self.step;
+        self.start + foot * self.step + p.dot(&away) + 0.5 * bend
+    }
+
+    /// Returns the step that contains `at`, and the part of it before `at`.
+    fn cell(&self, at: f64) -> (usize, f64) {
+        let cell = (at.floor().max(0.0) as usize).min(self.samples.len() - 2);
+        (cell, (at - cell as f64).clamp(0.0, 1.0))
+    }
+
+    /// Returns `c`, `p`, `c'` and `p'` at `at` steps from the start, by cubic interpolation.
+    fn line(&self, at: f64) -> [SVector<f64, D>; 4] {
+        let (cell, t) = self.cell(at);
+        let [a, b] = [&self.samples[cell], &self.samples[cell + 1]];
         let h = self.step;
-        let (t2, t3) = (t * t, t * t * t);
-        let value = [2.0 * t3 - 3.0 * t2 + 1.0, t3 - 2.0 * t2 + t, 3.0 * t2 - 2.0 * t3, t3 - t2];
-        let slope =
-            [(6.0 * t2 - 6.0 * t) / h, 3.0 * t2 - 4.0 * t + 1.0, (6.0 * t - 6.0 * t2) / h, 3.0 * t2 - 2.0 * t];
+        let [w, v, dw, dv] = hermite(t);
+        let x = a.x * w[0] + b.x * w[1] + (a.slopes.0 * v[0] + b.slopes.0 * v[1]) * h;
+        let p = a.p * w[0] + b.p * w[1] + (a.slopes.1 * v[0] + b.slopes.1 * v[1]) * h;
+        let dx = (a.x * dw[0] + b.x * dw[1]) / h + a.slopes.0 * dv[0] + b.slopes.0 * dv[1];
+        let dp = (a.p * dw[0] + b.p * dw[1]) / h + a.slopes.1 * dv[0] + b.slopes.1 * dv[1];
         // Beyond the ends of the geodesic.
         let beyond = (at - cell as f64 - t) * h;
-        let x = |w: [f64; 4], k: f64| {
-            a.x * w[0] + a.slopes.0 * (k * w[1]) + b.x * w[2] + b.slopes.0 * (k * w[3])
-        };
-        let p = |w: [f64; 4], k: f64| {
-            a.p * w[0] + a.slopes.1 * (k * w[1]) + b.p * w[2] + b.slopes.1 * (k * w[3])
-        };
-        let s = a.s * value[0] + a.slopes.2 * (h * value[1]) + b.s * value[2] + b.slopes.2 * (h * value[3]);
-        let (dx, dp) = (x(slope, 1.0), p(slope, 1.0));
-        (x(value, h) + dx * beyond, p(value, h) + dp * beyond, s, dx, dp)
+        [x + dx * beyond, p + dp * beyond, dx, dp]
     }
+}
+
+/// Returns the weights of cubic interpolation at a part `t` of a step: of values, of slopes times the
+/// step, and their derivatives.
+fn hermite(t: f64) -> [[f64; 2]; 4] {
+    let (t2, t3) = (t * t, t * t * t);
+    [
+        [2.0 * t3 - 3.0 * t2 + 1.0, 3.0 * t2 - 2.0 * t3],
+        [t3 - 2.0 * t2 + t, t3 - t2],
+        [6.0 * t2 - 6.0 * t, 6.0 * t - 6.0 * t2],
+        [3.0 * t2 - 4.0 * t + 1.0, 3.0 * t2 - 2.0 * t],
+    ]
 }
 
 type State<const D: usize> = (SVector<f64, D>, SVector<f64, D>, SMatrix<f64, D, D>);
@@ -147,11 +177,8 @@ fn slopes<const D: usize>(
 ) -> Option<State<D>> {
     let at = Hamiltonian::at(formula, x, p)?;
     let mixed = at.xp * s;
-    let riccati = if bends {
-        -(at.xx + mixed + mixed.transpose() + s * at.pp * s)
-    } else {
-        SMatrix::zeros()
-    };
+    let riccati =
+        if bends { -(at.xx + mixed + mixed.transpose() + s * at.pp * s) } else { SMatrix::zeros() };
     Some((at.velocity, at.force, riccati))
 }
 
@@ -163,9 +190,8 @@ fn runge_kutta<const D: usize>(
     step: f64,
     bends: bool,
 ) -> Option<State<D>> {
-    let moved = |k: &State<D>, by: f64| {
-        (state.0 + k.0 * by, state.1 + k.1 * by, state.2 + k.2 * by)
-    };
+    let moved =
+        |k: &State<D>, by: f64| (state.0 + k.0 * by, state.1 + k.1 * by, state.2 + k.2 * by);
     let second = slopes(formula, &moved(&first, 0.5 * step), bends)?;
     let third = slopes(formula, &moved(&second, 0.5 * step), bends)?;
     let fourth = slopes(formula, &moved(&third, step), bends)?;

@@ -4,6 +4,7 @@
 
 mod calibration;
 mod error;
+mod fan;
 mod first_level;
 mod geodesic;
 mod hamiltonian;
@@ -11,6 +12,7 @@ mod marching;
 mod reduction;
 mod search;
 mod seed;
+mod tubes;
 
 pub use error::DistanceError;
 pub use search::{Ended, Found, Progress, Wanted, search};

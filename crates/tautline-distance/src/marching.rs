@@ -5,7 +5,11 @@
 //! in increasing order solves all equations. Where two nodes in a row are known, the difference is
 //! that of second order.
 
-use std::{cmp::Reverse, collections::{BinaryHeap, HashMap}};
+use std::{
+    cmp::Reverse,
+    collections::{BinaryHeap, HashMap},
+    hash::{BuildHasherDefault, Hasher},
+};
 
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
@@ -14,6 +18,39 @@ use tautline_formula::Formula;
 use tautline_metrics::Metric;
 
 use crate::reduction::selling;
+
+/// The numbers of the nodes.
+type Index<const D: usize> = HashMap<Place<D>, u32, BuildHasherDefault<PlaceHasher>>;
+
+/// A hasher for places, whose coordinates need no protection from an adversary.
+#[derive(Debug, Default)]
+struct PlaceHasher(u64);
+
+impl Hasher for PlaceHasher {
+    fn write(&mut self, bytes: &[u8]) {
+        for chunk in bytes.chunks(4) {
+            let mut word = [0; 4];
+            word[..chunk.len()].copy_from_slice(chunk);
+            self.write_u32(u32::from_le_bytes(word));
+        }
+    }
+
+    fn write_u32(&mut self, word: u32) {
+        self.0 = (self.0.rotate_left(5) ^ u64::from(word)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    }
+
+    fn write_i32(&mut self, word: i32) {
+        self.write_u32(word as u32);
+    }
+
+    fn write_usize(&mut self, _: usize) {
+        // The length of an array says nothing.
+    }
+
+    fn finish(&self) -> u64 {
+        self.0 ^ (self.0 >> 32)
+    }
+}
 
 /// No node.
 const NONE: u32 = u32::MAX;
@@ -30,7 +67,7 @@ struct Direction {
 pub(crate) struct Nodes<const D: usize> {
     spacing: f64,
     places: Vec<Place<D>>,
-    index: HashMap<Place<D>, u32>,
+    index: Index<D>,
     /// The directions of a node are those from `first[node]` to `first[node + 1]`.
     directions: Vec<Direction>,
     first: Vec<u32>,
@@ -44,7 +81,7 @@ impl<const D: usize> Nodes<D> {
     pub(crate) fn new(formula: &Formula<D>, cubes: &Cubes<D>) -> Self {
         let places = cubes.nodes();
         let spacing = 0.5 * cubes.side();
-        let index: HashMap<Place<D>, u32> =
+        let index: Index<D> =
             places.iter().enumerate().map(|(n, place)| (*place, n as u32)).collect();
         let of_node = |place: &Place<D>| -> Vec<Direction> {
             let h = gram(formula, &point(place, spacing));
@@ -67,7 +104,8 @@ impl<const D: usize> Nodes<D> {
         }
         let mut first_dependent = vec![0; places.len() + 1];
         let neighbours = |directions: &[Direction]| -> Vec<u32> {
-            let near = directions.iter().flat_map(|direction| [direction.nodes[0], direction.nodes[1]]);
+            let near =
+                directions.iter().flat_map(|direction| [direction.nodes[0], direction.nodes[1]]);
             near.filter(|&node| node != NONE).collect()
         };
         for directions in &found {
@@ -95,17 +133,18 @@ impl<const D: usize> Nodes<D> {
         self.spacing
     }
 
-    /// Returns the distances from a set whose own values at nodes near it and in it are given by
-    /// `seed`. Nodes that the set does not reach have the largest value.
-    pub(crate) fn march(&self, seed: impl Fn(&SVector<f64, D>) -> Option<f64>) -> Vec<f64> {
-        let mut values = vec![f64::INFINITY; self.places.len()];
+    /// Returns the points of the nodes.
+    pub(crate) fn points(&self) -> Vec<SVector<f64, D>> {
+        self.places.iter().map(|place| point(place, self.spacing)).collect()
+    }
+
+    /// Returns the distances from a set, given the values at nodes near it and in it. All other nodes
+    /// have infinite values; those that are not reached get the largest one.
+    pub(crate) fn march(&self, mut values: Vec<f64>) -> Vec<f64> {
         let mut is_known = vec![false; self.places.len()];
         let mut heap = BinaryHeap::new();
-        for (n, place) in self.places.iter().enumerate() {
-            if let Some(value) = seed(&point(place, self.spacing)).filter(|v| v.is_finite()) {
-                values[n] = value;
-                heap.push(Reverse((Ordered(value), n as u32)));
-            }
+        for (n, &value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {
+            heap.push(Reverse((Ordered(value), n as u32)));
         }
         // The values of the seeds are final.
         let is_seed: Vec<bool> = values.iter().map(|v| v.is_finite()).collect();
@@ -117,7 +156,8 @@ impl<const D: usize> Nodes<D> {
             }
             is_known[node] = true;
             largest = largest.max(value);
-            let dependents = self.first_dependent[node] as usize..self.first_dependent[node + 1] as usize;
+            let dependents =
+                self.first_dependent[node] as usize..self.first_dependent[node + 1] as usize;
             for &other in &self.dependents[dependents] {
                 let n = other as usize;
                 if is_known[n] || is_seed[n] {
@@ -143,16 +183,14 @@ impl<const D: usize> Nodes<D> {
 
     /// Solves the equation of a node for its value.
     fn update(&self, node: usize, values: &[f64], is_known: &[bool]) -> f64 {
-        let known = |node: u32| {
-            (node != NONE && is_known[node as usize]).then(|| values[node as usize])
-        };
+        let known =
+            |node: u32| (node != NONE && is_known[node as usize]).then(|| values[node as usize]);
         let directions = self.first[node] as usize..self.first[node + 1] as usize;
         // The terms w (u − m)².
         let mut terms: Vec<(f64, f64)> = Vec::with_capacity(6);
         for direction in &self.directions[directions] {
-            let sides = [(0, 2), (1, 3)].map(|(near, far)| {
-                (known(direction.nodes[near]), known(direction.nodes[far]))
-            });
+            let sides = [(0, 2), (1, 3)]
+                .map(|(near, far)| (known(direction.nodes[near]), known(direction.nodes[far])));
             let smaller = sides
                 .into_iter()
                 .filter_map(|(near, far)| Some((near?, far)))
@@ -216,9 +254,7 @@ pub(crate) fn gram<const D: usize>(
 }
 
 /// Returns the nodes that are corners of the cube at a place.
-pub(crate) fn corners<const D: usize>(
-    place: &Place<D>,
-) -> impl Iterator<Item = Place<D>> + use<D> {
+pub(crate) fn corners<const D: usize>(place: &Place<D>) -> impl Iterator<Item = Place<D>> + use<D> {
     let place = *place;
     (0..1 << D).map(move |at: usize| std::array::from_fn(|i| 2 * (place[i] + (at >> i & 1) as i32)))
 }

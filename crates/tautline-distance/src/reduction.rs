@@ -16,8 +16,9 @@ const STEPS: usize = 200;
 /// Returns the terms with positive weights. In more than three dimensions only the diagonal of `M`
 /// counts.
 pub(crate) fn selling<const D: usize>(m: &SMatrix<f64, D, D>) -> Vec<Term<D>> {
+    let is_diagonal = (0..D * D).all(|at| at / D == at % D || m[(at / D, at % D)] == 0.0);
     let mut terms = match D {
-        2 | 3 => obtuse(m),
+        2 | 3 if !is_diagonal => obtuse(m),
         _ => (0..D).map(|i| (axis(i), m[(i, i)])).collect(),
     };
     terms.retain(|&(_, weight)| weight > 0.0);
@@ -58,7 +59,13 @@ fn obtuse<const D: usize>(m: &SMatrix<f64, D, D>) -> Vec<Term<D>> {
         let rest: Vec<&[i32; D]> =
             (0..=D).filter(|&k| k != i && k != j).map(|k| &base[k]).collect();
         let entry = |c: usize| match rest[..] {
-            [a] => if c == 0 { -a[1] } else { a[0] },
+            [a] => {
+                if c == 0 {
+                    -a[1]
+                } else {
+                    a[0]
+                }
+            }
             [a, b] => {
                 let (c1, c2) = ((c + 1) % 3, (c + 2) % 3);
                 a[c1] * b[c2] - a[c2] * b[c1]

@@ -3,16 +3,16 @@
 use std::ops::ControlFlow;
 
 use nalgebra::SVector;
-use tautline_check::{
-    Certificate, Chain, Cubes, Level, Place, Proved, length_above,
-};
+use rayon::prelude::*;
+use tautline_check::{Certificate, Chain, Cubes, Level, Place, Proved, length_above};
 use tautline_formula::Formula;
 use tautline_sets::Shape;
 
 use crate::{
     DistanceError,
-    geodesic::{Geodesic, Pencil},
-    marching::{Nodes, point},
+    fan::Pencil,
+    geodesic::Geodesic,
+    marching::{Nodes, gram, point},
     seed::seed,
 };
 
@@ -78,8 +78,7 @@ pub(crate) struct Search<'f, const D: usize> {
     pub(crate) curve: &'f [SVector<f64, D>],
     pub(crate) length: f64,
     pub(crate) hi: f64,
-    pub(crate) geodesic: Option<Geodesic<D>>,
-    pub(crate) pencil: Option<Pencil<D>>,
+    pub(crate) pencil: Option<(Geodesic<D>, Pencil<D>)>,
 }
 
 /// Searches for a certificate of the distance between two sets, given a polygon between them.
@@ -100,10 +99,10 @@ pub fn search<const D: usize>(
     if !(length > 0.0 && length.is_finite()) {
         return Err(DistanceError::Length { length });
     }
-    let geodesic = Geodesic::near(formula, curve, length);
-    let pencil = geodesic.as_ref().and_then(|geodesic| Pencil::along(formula, sets, geodesic));
+    let pencil = Geodesic::near(formula, curve, length)
+        .and_then(|geodesic| Some((geodesic, Pencil::along(formula, sets, &geodesic)?)));
     let hi = length * (1.0 + LONGER);
-    Search { formula, sets, curve, length, hi, geodesic, pencil }.run(wanted, observe)
+    Search { formula, sets, curve, length, hi, pencil }.run(wanted, observe)
 }
 
 impl<const D: usize> Search<'_, D> {
@@ -165,12 +164,18 @@ impl<const D: usize> Search<'_, D> {
         let mut best: Option<(Level<D>, Chain<'c, D>)> = None;
         let mut attempt = |values: [Vec<f64>; 2], what: &str| -> Result<f64, DistanceError> {
             let values = values.map(|values| scaled(values, scale));
-            let level = Level::new(number, cubes.clone(), values).map_err(DistanceError::Refused)?;
+            let level =
+                Level::new(number, cubes.clone(), values).map_err(DistanceError::Refused)?;
             let mut next = chain.clone();
             next.add(&level, self.hi * (1.0 + KEPT)).map_err(DistanceError::Refused)?;
             let lower = next.lower();
             if std::env::var("TRACE").is_ok() {
-                eprintln!("  {what}: {:e} {} -> {}", 1.0 - lower / self.length, cubes.places().len(), next.kept().map_or(0, |k| k.places().len()));
+                eprintln!(
+                    "  {what}: {:e} {} -> {}",
+                    1.0 - lower / self.length,
+                    cubes.places().len(),
+                    next.kept().map_or(0, |k| k.places().len())
+                );
             }
             if best.as_ref().is_none_or(|(_, best)| lower > best.lower()) {
                 best = Some((level, next));
@@ -178,11 +183,13 @@ impl<const D: usize> Search<'_, D> {
             Ok((self.length - lower) / self.length)
         };
         let spacing = 0.5 * cubes.side();
-        if let Some(pencil) = &self.pencil {
-            let values = pencil.from.each_ref().map(|side| {
-                cubes.nodes().iter().map(|place| side.value(&point(place, spacing))).collect()
-            });
-            if attempt(values, "C")? < 0.5 * before {
+        let nodes: Vec<SVector<f64, D>> =
+            cubes.nodes().iter().map(|place| point(place, spacing)).collect();
+        let by = |value: &(dyn Fn(usize, &SVector<f64, D>) -> f64 + Sync)| {
+            [0, 1].map(|side| nodes.par_iter().map(|x| value(side, x)).collect())
+        };
+        if let Some((geodesic, pencil)) = &self.pencil {
+            if attempt(by(&|side, x| pencil.fans[side].value_near(x)), "C")? < 0.4 * before {
                 return best.ok_or(DistanceError::Stopped);
             }
         }
@@ -201,24 +208,33 @@ impl<const D: usize> Search<'_, D> {
         best.ok_or(DistanceError::Stopped)
     }
 
-    /// Returns the values from which the distance from a set spreads over the nodes.
-    pub(crate) fn seeds<'s>(
-        &'s self,
-        nodes: &Nodes<D>,
-        side: usize,
-        source: Source,
-    ) -> Box<dyn Fn(&SVector<f64, D>) -> Option<f64> + 's> {
+    /// Returns the values from which the distance from a set spreads over the nodes, and infinity at
+    /// all other nodes.
+    pub(crate) fn seeds(&self, nodes: &Nodes<D>, side: usize, source: Source) -> Vec<f64> {
+        let points = nodes.points();
         let band = 4.0 * nodes.spacing();
         let set = &self.sets[side];
-        let end = if side == 0 { self.curve[0] } else { self.curve[self.curve.len() - 1] };
-        match &self.pencil {
-            Some(pencil) if source == Source::Calibration && matches!(set, Shape::Point(_)) => {
-                let calibration = &pencil.from[side];
-                let band = band.max(SOURCE * self.euclidean());
-                Box::new(move |x| ((x - end).norm() <= band).then(|| calibration.value(x)))
-            }
-            _ => Box::new(move |x| seed(self.formula, set, band, x)),
+        if let Some((geodesic, pencil)) = &self.pencil
+            && source == Source::Calibration
+            && matches!(set, Shape::Point(_))
+        {
+            // Everything behind a front a little beyond the point.
+            let end = if side == 0 { self.curve[0] } else { self.curve[self.curve.len() - 1] };
+            let reach = SOURCE * self.euclidean();
+            let front = band * gram(self.formula, &end).trace().sqrt();
+            let is_behind = |x: &&SVector<f64, D>| {
+                (*x - end).norm() <= reach && pencil.fans[side].value_near(x) <= front
+            };
+            let behind: Vec<SVector<f64, D>> = points.iter().filter(is_behind).copied().collect();
+            let rings = if D == 2 { 6 } else { 3 };
+            let wide = pencil.reaching(self.formula, self.sets, geodesic, rings, &behind);
+            let fan = wide.as_ref().map_or(&pencil.fans[side], |wide| &wide.fans[side]);
+            let value =
+                |x: &SVector<f64, D>| if is_behind(&x) { fan.value(x) } else { f64::INFINITY };
+            return points.par_iter().map(value).collect();
         }
+        let value = |x: &SVector<f64, D>| seed(self.formula, set, band, x).unwrap_or(f64::INFINITY);
+        points.par_iter().map(value).collect()
     }
 
     /// Returns the Euclidean length of the curve.
@@ -228,7 +244,7 @@ impl<const D: usize> Search<'_, D> {
 }
 
 /// How far from a point its calibration is used as a source, relative to the length of the curve.
-const SOURCE: f64 = 0.03;
+const SOURCE: f64 = 0.25;
 
 /// Where a marched distance starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -246,7 +262,10 @@ pub(crate) fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
 }
 
 /// Returns the cubes within `by` cubes of these, along the axes.
-pub(crate) fn dilated<const D: usize>(cubes: &Cubes<D>, by: i32) -> Result<Cubes<D>, DistanceError> {
+pub(crate) fn dilated<const D: usize>(
+    cubes: &Cubes<D>,
+    by: i32,
+) -> Result<Cubes<D>, DistanceError> {
     let mut cubes = cubes.clone();
     for axis in 0..D {
         let moved = cubes.places().iter().flat_map(|place| {

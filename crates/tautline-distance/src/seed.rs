@@ -26,9 +26,13 @@ fn away<const D: usize>(piece: &Shape<D>, x: &SVector<f64, D>) -> (f64, SVector<
                 Some(unit) => (outside.norm(), unit),
                 None => {
                     let nearest = (1..D).fold(0, |a, b| if beyond(b) > beyond(a) { b } else { a });
-                    let up = x[nearest] - side.upper()[nearest] >= side.lower()[nearest] - x[nearest];
+                    let up =
+                        x[nearest] - side.upper()[nearest] >= side.lower()[nearest] - x[nearest];
                     let sign = if up { 1.0 } else { -1.0 };
-                    (beyond(nearest), SVector::from_fn(|i, _| if i == nearest { sign } else { 0.0 }))
+                    (
+                        beyond(nearest),
+                        SVector::from_fn(|i, _| if i == nearest { sign } else { 0.0 }),
+                    )
                 }
             }
         }
