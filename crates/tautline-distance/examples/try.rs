@@ -32,6 +32,18 @@ fn run<const D: usize>(name: &str, text: &str, a: [f64; D], b: [f64; D], gap: f6
                 t.elapsed().as_secs_f64()
             );
             let t = std::time::Instant::now();
+            let text = f.certificate.to_string();
+            std::fs::write(format!("/tmp/certs/{name}"), &text).unwrap();
+            println!("  bytes {} written {:.2}", text.len(), t.elapsed().as_secs_f64());
+            let r = tautline_check::AnyCertificate::read(&text).unwrap();
+            match &r {
+                tautline_check::AnyCertificate::Plane(c) => {
+                    println!("  same text {}", c.to_string() == text)
+                }
+                _ => {}
+            };
+            println!("  read {:.2}", t.elapsed().as_secs_f64());
+            let t = std::time::Instant::now();
             let p = f.certificate.check().unwrap();
             println!("  check {:.2} same {}", t.elapsed().as_secs_f64(), p == f.proved);
         }
