@@ -193,7 +193,7 @@ impl<const D: usize> Search<'_, D> {
                 return best.ok_or(DistanceError::Stopped);
             }
         }
-        let wide = dilated(&cubes, 4)?;
+        let wide = dilated(&cubes, if D == 2 { 4 } else { 3 })?;
         let nodes = Nodes::new(self.formula, &wide);
         for source in [Source::Calibration, Source::Set] {
             let values = [0, 1].map(|side| {
