@@ -51,7 +51,7 @@ impl<const D: usize> Bernstein<D> {
     pub(crate) fn plus(&self, other: &Self) -> Self {
         let mut sum = *self;
         for (a, b) in sum.coefficients.iter_mut().zip(other.used()) {
-            *a = *a + *b;
+            *a += *b;
         }
         sum
     }

@@ -100,7 +100,7 @@ impl<const D: usize> Decomposed<D> {
         let mut sum = Interval::point(0.0);
         for i in 0..D {
             for j in 0..i {
-                y[i] = y[i] - self.factors[(i, j)] * y[j];
+                y[i] -= self.factors[(i, j)] * y[j];
             }
             sum += y[i].sqr() * self.factors[(i, i)];
         }

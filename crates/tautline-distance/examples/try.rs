@@ -4,25 +4,37 @@ use std::ops::ControlFlow;
 use tautline_distance::*;
 use tautline_formula::Formula;
 use tautline_sets::{Point, Shape};
-fn run<const D: usize>(name:&str, text: &str, a: [f64; D], b: [f64; D], gap: f64, n: usize) {
+fn run<const D: usize>(name: &str, text: &str, a: [f64; D], b: [f64; D], gap: f64, n: usize) {
     let sets = [Shape::Point(Point::new(a).unwrap()), Shape::Point(Point::new(b).unwrap())];
     let formula = Formula::<D>::parse(text, &[]).unwrap();
     let ends = tautline::Ends::points(a, b).unwrap();
-    let line = tautline::Problem::new(formula.clone(), ends).solve(tautline::Trapezoidal, n).unwrap();
-    let pts: Vec<SVector<f64,D>> = line.sequence().points().to_vec();
+    let line =
+        tautline::Problem::new(formula.clone(), ends).solve(tautline::Trapezoidal, n).unwrap();
+    let pts: Vec<SVector<f64, D>> = line.sequence().points().to_vec();
     go(name, formula, sets, pts, gap)
 }
-fn runs<const D: usize>(name:&str, text: &str, ends: tautline::Ends<D>, gap: f64, n: usize) {
+fn runs<const D: usize>(name: &str, text: &str, ends: tautline::Ends<D>, gap: f64, n: usize) {
     let formula = Formula::<D>::parse(text, &[]).unwrap();
     let sets = [ends.first().shape().unwrap(), ends.second().shape().unwrap()];
-    let line = tautline::Problem::new(formula.clone(), ends).solve(tautline::Trapezoidal, n).unwrap();
-    let mut pts: Vec<SVector<f64,D>> = line.sequence().points().to_vec();
-    let l = pts.len()-1;
-    let c = pts[l]; let e = pts[l-1]; pts[l] += (c - e)*1e-6;
-    let c = pts[0]; let e = pts[1]; pts[0] += (c - e)*1e-6;
+    let line =
+        tautline::Problem::new(formula.clone(), ends).solve(tautline::Trapezoidal, n).unwrap();
+    let mut pts: Vec<SVector<f64, D>> = line.sequence().points().to_vec();
+    let l = pts.len() - 1;
+    let c = pts[l];
+    let e = pts[l - 1];
+    pts[l] += (c - e) * 1e-6;
+    let c = pts[0];
+    let e = pts[1];
+    pts[0] += (c - e) * 1e-6;
     go(name, formula, sets, pts, gap)
 }
-fn go<const D: usize>(name:&str, formula: Formula<D>, sets: [Shape<D>;2], pts: Vec<SVector<f64,D>>, gap: f64) {
+fn go<const D: usize>(
+    name: &str,
+    formula: Formula<D>,
+    sets: [Shape<D>; 2],
+    pts: Vec<SVector<f64, D>>,
+    gap: f64,
+) {
     let t = std::time::Instant::now();
     let f = search(&formula, &sets, &pts, Wanted { gap, cubes: 2_000_000 }, &mut |p: Progress| {
         eprintln!(
@@ -92,12 +104,68 @@ fn main() {
             n,
         );
     }
-    use tautline::{Ball, HalfSpace, Ends};
+    use tautline::{Ball, Ends, HalfSpace};
     let hill = "sqr(1 + 4*exp(-2*(x1^2+x2^2))) I";
-    if on("hillsets") { runs("hillsets", hill, Ends::new(Ball::new([-2.0,0.0],0.5).unwrap(), HalfSpace::at_least([1.0,0.0],2.0).unwrap()).unwrap(), gap, n); }
-    if on("hillsetsoff") { runs("hillsetsoff", hill, Ends::new(Ball::new([-2.0,0.3],0.5).unwrap(), HalfSpace::at_least([1.0,0.0],2.0).unwrap()).unwrap(), gap, n); }
-    if on("p1") { runs("p1", "sqr(2 - cos(x1)) I", Ends::new(Ball::new([-2.0,0.0],0.5).unwrap(), HalfSpace::at_least([1.0,0.0],2.0).unwrap()).unwrap(), gap, n); }
-    if on("rot") { run("rot", "c = cos(x1); s = sin(x1); [1 + 3*c^2, 3*c*s; 3*c*s, 1 + 3*s^2]", [-1.0, -0.5], [1.0, 0.7], gap, n); }
-    if on("aniso3") { run("aniso3", "pullback(x1 + 0.3*sin(2*x2), x2 + 0.2*sin(x3), x3 + 0.2*sin(x1))", [-0.5,0.2,0.0],[0.6,0.4,0.3], gap, n);}
-    if on("long") { run("long", "(1.5 + 0.4*sin(2*x1)*cos(3*x2)) I", [0.0,0.0],[8.0,1.0], gap, n);}
+    if on("hillsets") {
+        runs(
+            "hillsets",
+            hill,
+            Ends::new(
+                Ball::new([-2.0, 0.0], 0.5).unwrap(),
+                HalfSpace::at_least([1.0, 0.0], 2.0).unwrap(),
+            )
+            .unwrap(),
+            gap,
+            n,
+        );
+    }
+    if on("hillsetsoff") {
+        runs(
+            "hillsetsoff",
+            hill,
+            Ends::new(
+                Ball::new([-2.0, 0.3], 0.5).unwrap(),
+                HalfSpace::at_least([1.0, 0.0], 2.0).unwrap(),
+            )
+            .unwrap(),
+            gap,
+            n,
+        );
+    }
+    if on("p1") {
+        runs(
+            "p1",
+            "sqr(2 - cos(x1)) I",
+            Ends::new(
+                Ball::new([-2.0, 0.0], 0.5).unwrap(),
+                HalfSpace::at_least([1.0, 0.0], 2.0).unwrap(),
+            )
+            .unwrap(),
+            gap,
+            n,
+        );
+    }
+    if on("rot") {
+        run(
+            "rot",
+            "c = cos(x1); s = sin(x1); [1 + 3*c^2, 3*c*s; 3*c*s, 1 + 3*s^2]",
+            [-1.0, -0.5],
+            [1.0, 0.7],
+            gap,
+            n,
+        );
+    }
+    if on("aniso3") {
+        run(
+            "aniso3",
+            "pullback(x1 + 0.3*sin(2*x2), x2 + 0.2*sin(x3), x3 + 0.2*sin(x1))",
+            [-0.5, 0.2, 0.0],
+            [0.6, 0.4, 0.3],
+            gap,
+            n,
+        );
+    }
+    if on("long") {
+        run("long", "(1.5 + 0.4*sin(2*x1)*cos(3*x2)) I", [0.0, 0.0], [8.0, 1.0], gap, n);
+    }
 }

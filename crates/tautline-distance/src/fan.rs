@@ -101,8 +101,8 @@ impl<const D: usize> Fan<D> {
                     .zip(offset)
                     .fold(SVector::zeros(), |sum, (t, &by)| sum + t * (by * spacing));
                 match kind {
-                    End::Point => launch.from_point(formula, &offset, step, behind),
-                    _ => launch.from_boundary(formula, &offset, step),
+                    End::Point => launch.ray_from_point(formula, &offset, step, behind),
+                    _ => launch.ray_from_boundary(formula, &offset, step),
                 }
             })
             .collect();
@@ -237,7 +237,7 @@ impl<const D: usize> Pencil<D> {
 impl<const D: usize> Launch<D> {
     /// Returns the ray from the point with another direction. Its first sample is a little way off,
     /// where `S` is about `1/s` across the ray.
-    fn from_point(
+    fn ray_from_point(
         &self,
         formula: &Formula<D>,
         offset: &SVector<f64, D>,
@@ -251,7 +251,7 @@ impl<const D: usize> Launch<D> {
     }
 
     /// Returns the ray that leaves the boundary at another place.
-    fn from_boundary(
+    fn ray_from_boundary(
         &self,
         formula: &Formula<D>,
         offset: &SVector<f64, D>,

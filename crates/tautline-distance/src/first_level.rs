@@ -7,7 +7,8 @@ use tautline_sets::Shape;
 use crate::{
     DistanceError,
     marching::Nodes,
-    search::{KEPT, Search, Source, dilated, scaled},
+    proposal::{Source, dilated, scaled},
+    search::{KEPT, Search},
     tubes::tubes,
 };
 
@@ -32,7 +33,7 @@ pub(crate) type First<'s, const D: usize> = (Region, Level<D>, Chain<'s, D>);
 impl<const D: usize> Search<'_, D> {
     /// Returns a region, the first level and the proof so far.
     pub(crate) fn first_level(&self) -> Result<First<'_, D>, DistanceError> {
-        if let Some(region) = tubes(self.formula, self.sets, self.curve, self.hi) {
+        if let Some(region) = tubes(self.formula, self.sets, &self.curve, self.hi) {
             let (few, many) = COUNTS[D - 1];
             let mut exponent = (self.euclidean() / ALONG[D - 1]).log2().floor() as i32;
             let cubes = loop {
@@ -97,7 +98,7 @@ impl<const D: usize> Search<'_, D> {
     fn on(&self, region: Region, cubes: &Cubes<D>) -> Result<First<'_, D>, DistanceError> {
         let nodes = Nodes::new(self.formula, cubes);
         let values =
-            [0, 1].map(|side| scaled(nodes.march(self.seeds(&nodes, side, Source::Set)), SCALE));
+            [0, 1].map(|side| scaled(nodes.march(self.seeds(&nodes, side, Source::March)), SCALE));
         let refused = DistanceError::Refused;
         let level = Level::new(0, cubes.clone(), values).map_err(refused)?;
         let mut chain = Chain::new(self.formula, self.sets, self.hi, region).map_err(refused)?;
@@ -123,7 +124,7 @@ impl<const D: usize> Search<'_, D> {
         let mut wide = dilated(&near, DILATION)?;
         for _ in 0..12 {
             let nodes = Nodes::new(self.formula, &wide);
-            let values = [0, 1].map(|side| nodes.march(self.seeds(&nodes, side, Source::Set)));
+            let values = [0, 1].map(|side| nodes.march(self.seeds(&nodes, side, Source::March)));
             let least = |all: &[f64], place: &Place<D>| {
                 let corners = crate::marching::corners(place);
                 let values = corners.filter_map(|corner| nodes.value(all, &corner));

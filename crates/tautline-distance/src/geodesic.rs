@@ -18,14 +18,15 @@ pub(crate) struct Geodesic<const D: usize> {
 }
 
 impl<const D: usize> Geodesic<D> {
-    /// Returns the geodesic near a polygon of the given length.
-    pub(crate) fn near(
-        formula: &Formula<D>,
-        points: &[SVector<f64, D>],
-        length: f64,
-    ) -> Option<Self> {
-        let (middle, momentum, before) = middle(formula, points)?;
-        Some(Self { middle, momentum, reach: [before, length - before] })
+    /// Returns the geodesic near a polygon.
+    pub(crate) fn near(formula: &Formula<D>, points: &[SVector<f64, D>]) -> Option<Self> {
+        let (middle, momentum, reach) = middle(formula, points)?;
+        Some(Self { middle, momentum, reach })
+    }
+
+    /// Returns the middle of the polygon.
+    pub(crate) fn middle(&self) -> &SVector<f64, D> {
+        &self.middle
     }
 
     /// Returns the length of the geodesic.
@@ -46,11 +47,11 @@ impl<const D: usize> Geodesic<D> {
     }
 }
 
-/// Returns the middle of a polygon, the momentum there, and the length up to it.
+/// Returns the middle of a polygon, the momentum there, and the lengths from it to both ends.
 fn middle<const D: usize>(
     formula: &Formula<D>,
     points: &[SVector<f64, D>],
-) -> Option<(SVector<f64, D>, SVector<f64, D>, f64)> {
+) -> Option<(SVector<f64, D>, SVector<f64, D>, [f64; 2])> {
     let length = |pair: &[SVector<f64, D>]| {
         let chord = pair[1] - pair[0];
         let h = gram(formula, &((pair[0] + pair[1]) * 0.5));
@@ -66,5 +67,6 @@ fn middle<const D: usize>(
     let step = points.get(chord + 1)? - points[chord];
     let x = (points[chord] + points[chord + 1]) * 0.5;
     let p = gram(formula, &x) * step;
-    Some((x, p, before + 0.5 * lengths[chord]))
+    let before = before + 0.5 * lengths[chord];
+    Some((x, p, [before, total - before]))
 }

@@ -6,13 +6,17 @@ mod calibration;
 mod error;
 mod fan;
 mod first_level;
+mod found;
 mod geodesic;
 mod hamiltonian;
+mod inside;
 mod marching;
+mod proposal;
 mod reduction;
 mod search;
 mod seed;
 mod tubes;
 
 pub use error::DistanceError;
-pub use search::{Ended, Found, Progress, Wanted, search};
+pub use found::{Ended, Found, Progress, Wanted};
+pub use search::search;
