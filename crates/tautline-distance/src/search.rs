@@ -3,7 +3,9 @@
 use std::ops::ControlFlow;
 
 use nalgebra::SVector;
-use tautline_check::{Certificate, Chain, Cubes, Level, length_above};
+use tautline_check::{
+    Certificate, Chain, CheckError, Cubes, LARGEST_DIMENSION, Level, length_above,
+};
 use tautline_formula::Formula;
 use tautline_sets::Shape;
 
@@ -81,7 +83,9 @@ pub fn search<const D: usize>(
     wanted: Wanted,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Found<D>, DistanceError> {
-    const { assert!(D > 0 && D <= tautline_check::LARGEST_DIMENSION, "1 to 4 dimensions") }
+    if !(1..=LARGEST_DIMENSION).contains(&D) {
+        return Err(DistanceError::Refused(CheckError::Dimension { dimension: D }));
+    }
     if is_unbounded(&sets[0]) {
         if is_unbounded(&sets[1]) {
             return Err(DistanceError::Unbounded);

@@ -1,8 +1,8 @@
 //! try
 use nalgebra::SVector;
 use std::ops::ControlFlow;
-use tautline_distance::*;
-use tautline_formula::Formula;
+use tautline::distance::*;
+use tautline::Formula;
 use tautline_sets::{Point, Shape};
 fn run<const D: usize>(name: &str, text: &str, a: [f64; D], b: [f64; D], gap: f64, n: usize) {
     let sets = [Shape::Point(Point::new(a).unwrap()), Shape::Point(Point::new(b).unwrap())];
@@ -36,7 +36,7 @@ fn go<const D: usize>(
     gap: f64,
 ) {
     let t = std::time::Instant::now();
-    let f = search(&formula, &sets, &pts, Wanted { gap, cubes: 2_000_000 }, &mut |p: Progress| {
+    let f = search(&formula, &sets, &[pts], Wanted::gap(gap), &mut |p: Progress| {
         eprintln!(
             "{:?} {:.2} {:e}",
             (p.levels, p.cubes),
@@ -59,9 +59,9 @@ fn go<const D: usize>(
             let text = f.certificate.to_string();
             std::fs::write(format!("/tmp/certs/{name}"), &text).unwrap();
             println!("  bytes {} written {:.2}", text.len(), t.elapsed().as_secs_f64());
-            let r = tautline_check::AnyCertificate::read(&text).unwrap();
+            let r = tautline::check::AnyCertificate::read(&text).unwrap();
             match &r {
-                tautline_check::AnyCertificate::Plane(c) => {
+                tautline::check::AnyCertificate::Plane(c) => {
                     println!("  same text {}", c.to_string() == text)
                 }
                 _ => {}
