@@ -37,6 +37,7 @@ mod region;
 mod rounding;
 mod set;
 mod sweep;
+mod verdict;
 mod vertex_test;
 mod writer;
 
@@ -48,3 +49,4 @@ pub use level::Level;
 pub use polygon::length_above;
 pub use reader::AnyCertificate;
 pub use region::Region;
+pub use verdict::Verdict;

@@ -29,7 +29,7 @@ pub(crate) const KEPT: f64 = 1e-12;
 const GOOD: f64 = 0.5;
 
 /// After this many levels that each leave more than `SLOW` of the gap, the search ends.
-const SLOW_LEVELS: usize = 3;
+const SLOW_LEVELS: usize = 2;
 const SLOW: f64 = 0.7;
 
 /// A search.

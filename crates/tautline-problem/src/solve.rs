@@ -91,7 +91,7 @@ impl Question {
         })
     }
 
-    fn options<const D: usize>(&self) -> Result<Options<D>, Failure> {
+    pub(crate) fn options<const D: usize>(&self) -> Result<Options<D>, Failure> {
         let start = |start: &Vec<Vec<f64>>| {
             PointSequence::new(start.iter().map(|x| vector::<D>(x)).collect())
                 .map_err(|error| Failure::NotComputed(error.to_string()))
@@ -106,7 +106,7 @@ impl Question {
         Ok(Options { starts, iterations: self.steps.unwrap_or(default.iterations), ..default })
     }
 
-    fn line<R: Rule, const D: usize>(
+    pub(crate) fn line<R: Rule, const D: usize>(
         &self,
         problem: &Problem<Formula<D>, D>,
         rule: R,
