@@ -7,22 +7,20 @@
 //!
 //! # The proof
 //!
-//! Let `φ` be continuous and piecewise quadratic on cubes, and let `f(φ)` grow along every curve by
-//! at most the length of the curve; [`level_sets`] makes such an `f` from bounds on the gradient of
-//! `φ`, which [`vertex_test`] proves. If `f(φ)` is 0 on the first set, the distance is at least its
-//! infimum on the second set. If another such function `g(ψ)` is 0 on the second set, a curve through
-//! `x` has at least the length `f(φ(x)) + g(ψ(x))`. So curves shorter than `hi` miss all simplices on
-//! which this is at least `hi`. The next level uses smaller cubes on what is left. That curves do not
-//! leave the first cubes is proved by a [`Region`].
+//! Let `φ` be continuous and piecewise quadratic on cubes. From bounds on its gradient one makes a
+//! function `f` of its values, such that `f(φ)` grows along every curve by at most the length of the
+//! curve (`level_sets.rs`); the bounds come from values of `H` at the corners of cubes
+//! (`vertex_test.rs`). If `f(φ)` is 0 on the first set, the distance is at least its infimum on the
+//! second set. If another such function `g(ψ)` is 0 on the second set, a curve through `x` has at
+//! least the length `f(φ(x)) + g(ψ(x))`. So curves shorter than `hi` miss all simplices on which this
+//! is at least `hi` (`sweep.rs`). The next level uses smaller cubes on what is left
+//! (`certificate.rs`). That curves do not leave the first cubes is proved by a [`Region`].
 //!
 //! # Trust base
 //!
 //! * the theorems, whose proofs are in the comments and in `paper/CERTIFICATE.md`, and this crate;
 //! * [`Interval`](tautline_scalar::Interval)s and jets, and the formula, evaluated as written;
 //! * the compiler and the processor.
-//!
-//! [`level_sets`]: https://en.wikipedia.org/wiki/Level_set
-//! [`vertex_test`]: https://en.wikipedia.org/wiki/Concave_function
 
 mod certificate;
 mod error;

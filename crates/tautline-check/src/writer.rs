@@ -6,28 +6,23 @@ use tautline_sets::Shape;
 
 use crate::{Certificate, Level, Place, Region};
 
-/// The bits of a double as 16 hexadecimal digits.
-struct Bits(f64);
+/// How doubles are written, each after a space.
+type Written = fn(&[f64]) -> String;
 
-impl Display for Bits {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{:016x}", self.0.to_bits())
-    }
+/// The bits of each double as 16 hexadecimal digits.
+fn bits(numbers: &[f64]) -> String {
+    numbers.iter().map(|number| format!(" {:016x}", number.to_bits())).collect()
 }
 
-/// Numbers, each after a space.
-struct All<'n>(&'n [f64]);
-
-impl Display for All<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.0.iter().try_for_each(|&number| write!(f, " {}", Bits(number)))
-    }
+/// The shortest decimals that are read as these doubles.
+fn decimals(numbers: &[f64]) -> String {
+    numbers.iter().map(|number| format!(" {number:?}")).collect()
 }
 
 impl<const D: usize> Display for Certificate<D> {
     /// Writes the file that [`AnyCertificate::read`](crate::AnyCertificate::read) reads.
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.write_statement(f)?;
+        self.write_statement(f, bits)?;
         if let Some(points) = &self.curve {
             writeln!(f, "curve {}", points.len())?;
             points.iter().try_for_each(|x| write_row(f, x.as_slice()))?;
@@ -39,31 +34,31 @@ impl<const D: usize> Display for Certificate<D> {
 
 impl<const D: usize> Certificate<D> {
     /// Writes what the certificate is about: the metric, the sets, `hi` and the region.
-    fn write_statement(&self, f: &mut impl fmt::Write) -> fmt::Result {
+    fn write_statement(&self, f: &mut impl fmt::Write, numbers: Written) -> fmt::Result {
         let formula = self.formula.to_string();
         writeln!(f, "tautline-distance 1")?;
         writeln!(f, "dimension {D}")?;
         writeln!(f, "metric {}", formula.lines().count())?;
         formula.lines().try_for_each(|line| writeln!(f, "{line}"))?;
         for (name, set) in ["from", "to"].into_iter().zip(&self.sets) {
-            set.pieces().into_iter().try_for_each(|piece| write_piece(f, name, piece))?;
+            set.pieces().into_iter().try_for_each(|piece| write_piece(f, name, piece, numbers))?;
         }
-        writeln!(f, "hi {}", Bits(self.hi))?;
+        writeln!(f, "hi{}", numbers(&[self.hi]))?;
         match self.region {
-            Region::Tubes { radius, c1 } => writeln!(f, "region tubes{}", All(&[radius, c1])),
-            Region::Declared { c1 } => writeln!(f, "region declared {}", Bits(c1)),
+            Region::Tubes { radius, c1 } => writeln!(f, "region tubes{}", numbers(&[radius, c1])),
+            Region::Declared { c1 } => writeln!(f, "region declared{}", numbers(&[c1])),
             Region::ExitOne => writeln!(f, "region exit-one"),
             Region::ExitTwo => writeln!(f, "region exit-two"),
         }
     }
 
-    /// Returns the text of what the certificate is about: the metric, the sets, `hi` and the region.
-    /// Two certificates with the same text make statements about the same distance.
+    /// Returns the first lines of the certificate, with decimals: the metric, the sets, `hi` and the
+    /// region. Two certificates with the same lines make statements about the same distance.
     #[must_use]
     pub fn statement(&self) -> String {
         let mut text = String::new();
         // Writing to a string does not fail.
-        let _ = self.write_statement(&mut text);
+        let _ = self.write_statement(&mut text, decimals);
         text
     }
 }
@@ -72,15 +67,17 @@ fn write_piece<const D: usize>(
     f: &mut impl fmt::Write,
     name: &str,
     piece: &Shape<D>,
+    numbers: Written,
 ) -> fmt::Result {
-    let of = |vector: &nalgebra::SVector<f64, D>| All(vector.as_slice()).to_string();
+    let of = |vector: &nalgebra::SVector<f64, D>| numbers(vector.as_slice());
+    let one = |number: f64| numbers(&[number]);
     match piece {
         Shape::Point(point) => writeln!(f, "{name} point{}", of(point.position())),
-        Shape::Ball(ball) => writeln!(f, "{name} ball{} {}", of(ball.centre()), Bits(ball.r())),
+        Shape::Ball(ball) => writeln!(f, "{name} ball{}{}", of(ball.centre()), one(ball.r())),
         Shape::AxisBox(side) => writeln!(f, "{name} box{}{}", of(side.lower()), of(side.upper())),
         Shape::HalfSpace(wall) => {
             let (normal, offset) = wall.given();
-            writeln!(f, "{name} half-space{} {}", of(normal), Bits(offset))
+            writeln!(f, "{name} half-space{}{}", of(normal), one(offset))
         }
         // Its pieces are written, each on its own line.
         Shape::Union(_) => Ok(()),
@@ -100,8 +97,7 @@ fn write_level<const D: usize>(f: &mut Formatter<'_>, level: &Level<D>) -> fmt::
 }
 
 fn write_row(f: &mut Formatter<'_>, numbers: &[f64]) -> fmt::Result {
-    let (first, rest) = numbers.split_first().ok_or(fmt::Error)?;
-    writeln!(f, "{}{}", Bits(*first), All(rest))
+    writeln!(f, "{}", bits(numbers).trim_start())
 }
 
 /// Returns the runs of cubes along the last axis: the first place and the number of cubes.

@@ -1,5 +1,6 @@
 //! The command `tautline`, run as a user runs it.
 
+mod certificates;
 mod malformed;
 mod verbs;
 

@@ -233,7 +233,17 @@ fn bad_arguments_have_the_exit_code_2() {
 fn every_verb_has_an_example_in_its_help() {
     let folder = folder("help");
     let help = text(&tautline(&folder, &["--help"]).stdout);
-    for verb in ["solve", "constants", "audit", "plot", "schema", "examples", "completions"] {
+    for verb in [
+        "solve",
+        "constants",
+        "certify",
+        "check",
+        "audit",
+        "plot",
+        "schema",
+        "examples",
+        "completions",
+    ] {
         assert!(help.contains(&format!("\n  {verb}")), "{verb}");
         let own = text(&tautline(&folder, &[verb, "--help"]).stdout);
         assert!(own.contains(&format!("$ tautline {verb}")), "{own}");
@@ -242,7 +252,7 @@ fn every_verb_has_an_example_in_its_help() {
         let script = tautline(&folder, &["completions", shell]);
         assert!(script.status.success() && text(&script.stdout).contains("constants"), "{shell}");
     }
-    for of in ["problem", "answer", "constants"] {
+    for of in ["problem", "answer", "constants", "certified"] {
         let schema = tautline(&folder, &["schema", of]);
         let schema: serde_json::Value = serde_json::from_slice(&schema.stdout).expect("JSON");
         assert!(schema["$schema"].is_string(), "{of}");

@@ -1,0 +1,100 @@
+//! The verbs `certify` and `check`.
+
+use std::{
+    fs,
+    time::{Duration, Instant},
+};
+
+use crate::{folder, tautline, text};
+
+const VALLEYS: &str =
+    "[metric]\ncost = \"2 - cos(x1)\"\n[from]\npoint = [0, 0]\n[to]\npoint = [3, 0]\n";
+
+#[test]
+fn a_certificate_is_written_and_checked() {
+    let folder = folder("certify");
+    fs::write(folder.join("v.toml"), VALLEYS).expect("written");
+    let made = tautline(&folder, &["certify", "v.toml", "--gap", "1e-4", "-o", "v.cert", "--json"]);
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    let answer: serde_json::Value = serde_json::from_slice(&made.stdout).expect("JSON");
+    let number = |name: &str| answer[name]["value"].as_f64().expect("a number");
+    // ∫ (2 − cos x) dx from 0 to 3.
+    let d = 6.0 - 3.0_f64.sin();
+    assert!(number("lower") <= d && d <= number("upper") && number("gap") <= 1e-4);
+    let checked = tautline(&folder, &["check", "v.cert"]);
+    assert!(checked.status.success(), "{}", text(&checked.stderr));
+    let verdict = text(&checked.stdout);
+    assert!(verdict.contains("\nto point 3.0 0.0\n"), "{verdict}");
+    let lower = format!("lower bound  {:.17e}", number("lower"));
+    assert!(verdict.contains(&lower), "{lower} {verdict}");
+}
+
+/// A value is a proposal; a changed one proves less, or nothing, but the file is read.
+#[test]
+fn a_certificate_that_is_no_proof_is_refused() {
+    let folder = folder("refused");
+    fs::write(folder.join("v.toml"), VALLEYS).expect("written");
+    tautline(&folder, &["certify", "v.toml", "--gap", "1e-2", "-o", "v.cert"]);
+    let certificate = fs::read_to_string(folder.join("v.cert")).expect("written");
+    let cases = [
+        ("a number", certificate.replacen("\nhi ", "\nhi x", 1), "hi BITS"),
+        ("the end", certificate.replace("\nend\n", "\n"), "\"level\" or \"end\""),
+        ("the levels", cut(&certificate, "level ") + "end\n", "no levels"),
+        ("a problem file", VALLEYS.to_owned(), "line 1"),
+    ];
+    for (what, changed, reason) in cases {
+        fs::write(folder.join("changed.cert"), changed).expect("written");
+        let checked = tautline(&folder, &["check", "changed.cert"]);
+        assert_eq!(checked.status.code(), Some(1), "{what}");
+        assert!(text(&checked.stderr).contains(reason), "{what}: {}", text(&checked.stderr));
+    }
+    let missing = tautline(&folder, &["check", "missing.cert"]);
+    assert_eq!(missing.status.code(), Some(2));
+}
+
+/// Returns the part before the first line that begins with this word.
+fn cut(text: &str, word: &str) -> String {
+    text.lines()
+        .take_while(|line| !line.starts_with(word))
+        .map(|line| format!("{line}\n"))
+        .collect()
+}
+
+#[test]
+fn what_cannot_be_certified_is_said() {
+    let folder = folder("uncertified");
+    fs::write(folder.join("v.toml"), VALLEYS).expect("written");
+    let sphere =
+        VALLEYS.replace("[to]\npoint = [3, 0]", "[to]\nsphere = { centre = [3, 0], radius = 1 }");
+    fs::write(folder.join("sphere.toml"), sphere).expect("written");
+    let five = VALLEYS.replace("[0, 0]", "[0, 0, 0, 0, 0]").replace("[3, 0]", "[3, 0, 0, 0, 0]");
+    fs::write(folder.join("five.toml"), five).expect("written");
+    let touching = VALLEYS.replace("[3, 0]", "[0, 0]");
+    fs::write(folder.join("touching.toml"), touching).expect("written");
+    let cases: [(&[&str], i32, &str); 4] = [
+        (&["v.toml", "--gap", "0"], 2, "not between 0 and 1"),
+        (&["sphere.toml"], 2, "the second set is no point"),
+        (&["five.toml"], 1, "up to 4 dimensions, not 5"),
+        (&["touching.toml"], 1, "the sets touch"),
+    ];
+    for (arguments, code, reason) in cases {
+        let output = tautline(&folder, &[&["certify"], arguments].concat());
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}");
+        assert!(text(&output.stderr).contains(reason), "{}", text(&output.stderr));
+    }
+}
+
+/// What is proved by then is printed.
+#[test]
+fn certify_keeps_a_time_limit() {
+    let folder = folder("time");
+    let hill = VALLEYS.replace("2 - cos(x1)", "1 + 4*exp(-2*((x1 - 1.5)^2 + x2^2))");
+    fs::write(folder.join("hill.toml"), hill).expect("written");
+    let start = Instant::now();
+    let arguments = ["certify", "hill.toml", "--gap", "1e-9", "--time-limit", "6"];
+    let output = tautline(&folder, &arguments);
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
+    assert_eq!(output.status.code(), Some(1));
+    let answer = text(&output.stdout);
+    assert!(answer.starts_with("distance    between "), "{answer} {}", text(&output.stderr));
+}
