@@ -31,7 +31,7 @@ pub(crate) fn inside<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> SVe
 #[cfg(test)]
 mod tests {
     use nalgebra::{SVector, vector};
-    use tautline_chance::Random;
+    use tautline_chance::{Random, seed};
     use tautline_check::length_above;
     use tautline_formula::Formula;
     use tautline_sets::{Ball, HalfSpace, Shape};
@@ -42,7 +42,7 @@ mod tests {
     #[test]
     fn moved_ends_are_members() {
         let flat = Formula::<2>::parse("1 I", &[]).expect("a formula");
-        let mut random = Random(1);
+        let mut random = Random(seed(1));
         for _ in 0..500 {
             let mut number = |size: f64| random.between(-size, size);
             let centre = vector![number(100.0), number(1.0)];

@@ -80,12 +80,12 @@ fn obtuse<const D: usize>(m: &SMatrix<f64, D, D>) -> Vec<Term<D>> {
 #[cfg(test)]
 mod tests {
     use nalgebra::SMatrix;
-    use tautline_chance::Random;
+    use tautline_chance::{Random, seed};
 
     use super::selling;
 
-    fn check<const D: usize>(seed: u64) {
-        let mut random = Random(seed);
+    fn check<const D: usize>(number: u64) {
+        let mut random = Random(seed(number));
         for _ in 0..200 {
             let a: SMatrix<f64, D, D> = SMatrix::from_fn(|_, _| random.between(-1.0, 1.0));
             let m = a.transpose() * a + SMatrix::identity() * 1e-3;

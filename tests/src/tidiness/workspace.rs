@@ -4,7 +4,7 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 20] = [
+const BELOW: [(&str, &str); 22] = [
     ("drawing", ""),
     ("chance", ""),
     ("scalar", "chance"),
@@ -14,8 +14,13 @@ const BELOW: [(&str, &str); 20] = [
     ("bounds", "chance metrics"),
     ("discretizations", "chance formula metrics scalar"),
     ("certify", "chance discretizations formula metrics scalar sets"),
+    ("check", "chance formula metrics scalar sets"),
+    ("distance", "chance check formula metrics scalar sets"),
     ("optimizers", "chance discretizations formula metrics sets"),
-    ("tautline", "bounds certify discretizations formula metrics optimizers scalar sets"),
+    (
+        "tautline",
+        "bounds certify check discretizations distance formula metrics optimizers scalar sets",
+    ),
     ("portrait", "chance drawing tautline"),
     ("page", "drawing tautline"),
     ("problem", "chance portrait tautline"),
