@@ -52,8 +52,10 @@ impl LevelSets {
         let mut run = 0.0_f64;
         while let Some((&level, &q)) = bins.next() {
             run = run.max(q);
-            // Bins with nearly the same bound are one, since every sum is rounded down.
-            if bins.peek().is_some_and(|&(_, &next)| (next - run).abs() <= SAME * run) {
+            // Bins with nearly the same bound are one, since every sum is rounded down. No bound is
+            // near an infinite one.
+            let tolerance = if run.is_finite() { SAME * run } else { 0.0 };
+            if bins.peek().is_some_and(|&(_, &next)| (next - run).abs() <= tolerance) {
                 continue;
             }
             let last = heights[heights.len() - 1];
