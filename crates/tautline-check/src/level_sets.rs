@@ -135,3 +135,6 @@ pub(crate) fn least_sum(
     // If one is NaN, the other remains.
     apart.max(together)
 }
+
+#[cfg(test)]
+mod tests;
