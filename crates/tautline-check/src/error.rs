@@ -32,6 +32,12 @@ pub enum CheckError {
         /// Its place along one axis, in sides.
         place: i32,
     },
+    /// A set is too far from the origin for cubes of this size.
+    #[error("cubes of side 2^{exponent} near the sets are too far from the origin")]
+    TooFar {
+        /// The exponent.
+        exponent: i32,
+    },
     /// A list of numbers does not have one number for each node.
     #[error("{found} numbers for {nodes} nodes of level {level}")]
     Values {

@@ -52,8 +52,10 @@ impl LevelSets {
         let mut run = 0.0_f64;
         while let Some((&level, &q)) = bins.next() {
             run = run.max(q);
-            // Bins with nearly the same bound are one, since every sum is rounded down.
-            if bins.peek().is_some_and(|&(_, &next)| (next - run).abs() <= SAME * run) {
+            // Bins with nearly the same bound are one, since every sum is rounded down. No bound is
+            // near an infinite one.
+            let tolerance = if run.is_finite() { SAME * run } else { 0.0 };
+            if bins.peek().is_some_and(|&(_, &next)| (next - run).abs() <= tolerance) {
                 continue;
             }
             let last = heights[heights.len() - 1];
@@ -65,7 +67,7 @@ impl LevelSets {
         Self { levels: kept, heights }
     }
 
-    /// Returns a lower bound on `f(t)`. `t` may be infinite.
+    /// Returns a lower bound on `f(t)`, not NaN. `t` may be infinite.
     pub(crate) fn below(&self, t: f64) -> f64 {
         let (levels, heights) = (&self.levels, &self.heights);
         let past = levels.partition_point(|&level| level <= t);
@@ -77,7 +79,8 @@ impl LevelSets {
         }
         let (t0, t1, f0, f1) = (levels[past - 1], levels[past], heights[past - 1], heights[past]);
         let rise = mul_down(add_down(f1, -f0), add_down(t, -t0));
-        add_down(f0, div_down(rise, add_up(t1, -t0))).clamp(f0, f1)
+        // A rise that is unknown counts as none, so that the result is never NaN.
+        add_down(f0, div_down(rise, add_up(t1, -t0))).max(f0).min(f1)
     }
 
     /// Returns an upper bound on `e(t) = t − f(t)`, which does not decrease.
@@ -109,7 +112,8 @@ fn levels(start: f64, end: f64) -> Vec<f64> {
     let mut levels = vec![start];
     for b in 1..=BINS {
         let level = start + step * b as f64;
-        if level > levels[levels.len() - 1] {
+        // Near the largest double the last levels overflow.
+        if level > levels[levels.len() - 1] && level.is_finite() {
             levels.push(level);
         }
     }
@@ -131,3 +135,6 @@ pub(crate) fn least_sum(
     // If one is NaN, the other remains.
     apart.max(together)
 }
+
+#[cfg(test)]
+mod tests;

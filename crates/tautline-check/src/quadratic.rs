@@ -129,3 +129,6 @@ pub(crate) fn gradient<const D: usize>(
     }
     gradient
 }
+
+#[cfg(test)]
+mod tests;

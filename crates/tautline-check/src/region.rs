@@ -148,8 +148,11 @@ fn cubes_in<const D: usize>(
         }
     }
     let first = |i: usize| (around[i].lo() / lattice::side(largest)).floor() - 1.0;
-    if (0..D).any(|i| !(first(i).abs() < 1e9)) {
-        return Err(CheckError::TooLarge { most: MOST });
+    // All places down to the smallest cubes are integers of 32 bits. Places that wrap around would be
+    // lost, and with them the proof.
+    let farthest = lattice::side(30 - (largest - exponent)) - 4.0;
+    if (0..D).any(|i| !(first(i).abs() <= farthest)) {
+        return Err(CheckError::TooFar { exponent });
     }
     let mut left: Vec<Place<D>> = (0..4_usize.pow(D as u32))
         .map(|at| std::array::from_fn(|i| first(i) as i32 + (at >> (2 * i) & 3) as i32))

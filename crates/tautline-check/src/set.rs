@@ -246,3 +246,6 @@ fn dot<const D: usize>(n: &SVector<f64, D>, x: &SVector<Interval, D>) -> Interva
 fn norm<const D: usize>(x: &SVector<Interval, D>) -> Interval {
     x.iter().fold(Interval::point(0.0), |sum, &x| sum + x.sqr()).sqrt()
 }
+
+#[cfg(test)]
+mod tests;

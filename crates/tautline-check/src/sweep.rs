@@ -274,3 +274,6 @@ impl Scratch {
         [&self.values[0], &self.values[1]]
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -108,3 +108,6 @@ impl<const D: usize> Decomposed<D> {
         if sum.is_undefined() { f64::INFINITY } else { sum.hi() }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,142 @@
+//! `f` for known bounds on gradients.
+
+use tautline_chance::{Random, cases, seed};
+
+use super::{BINS, Growth, LevelSets, least_sum};
+
+/// A bin, relative to the distance between the ends, with some room.
+const BIN: f64 = 1.2 / BINS as f64;
+
+fn level_sets(growths: &[(f64, f64, f64)], start: f64, end: f64) -> LevelSets {
+    let growths = growths.iter().map(|&(low, high, q)| Growth { range: (low, high), q });
+    LevelSets::new(growths, start, end)
+}
+
+/// Asserts that `f(1)` is at most, and nearly, this number.
+fn assert_at_end(growths: &[(f64, f64, f64)], exact: f64) {
+    let found = level_sets(growths, 0.0, 1.0).below(1.0);
+    assert!(found <= exact && found >= exact - 4.0 * BIN, "{found} is not {exact}: {growths:?}");
+}
+
+/// A bound counts in all bins that its range meets, not in the middle one alone.
+#[test]
+fn a_bound_counts_on_its_whole_range() {
+    assert_at_end(&[(0.0, 1.0, 4.0)], 0.5);
+    assert_at_end(&[(0.25, 0.75, 4.0)], 0.75);
+    assert_at_end(&[(0.2, 0.6, 4.0), (0.4, 0.7, 16.0)], 0.675);
+}
+
+#[test]
+fn a_range_that_straddles_the_start_counts_from_there() {
+    assert_at_end(&[(-1.0, 0.5, 4.0)], 0.75);
+    assert_at_end(&[(-1.0, 1.5, 4.0)], 0.5);
+    assert_at_end(&[(f64::NEG_INFINITY, f64::INFINITY, 4.0)], 0.5);
+    // What lies below the start, or touches it, does not count.
+    assert_at_end(&[(-1.0, 0.0, 1e9)], 1.0);
+}
+
+#[test]
+fn slopes_are_at_most_one() {
+    assert_at_end(&[(0.0, 1.0, 0.25)], 1.0);
+    assert_at_end(&[(0.0, 1.0, 0.0)], 1.0);
+    assert_at_end(&[], 1.0);
+}
+
+/// A missing bound costs its own range, and no more.
+#[test]
+fn where_no_bound_is_known_the_function_is_constant() {
+    for unknown in [f64::INFINITY, f64::NAN] {
+        assert_at_end(&[(0.0, 0.125, unknown), (0.0, 1.0, 1.0)], 0.875);
+        assert_at_end(&[(0.25, 0.5, unknown), (0.75, 0.8, unknown), (0.0, 1.0, 4.0)], 0.35);
+        assert_at_end(&[(f64::NEG_INFINITY, f64::INFINITY, unknown)], 0.0);
+    }
+}
+
+#[test]
+fn without_an_interval_of_levels_the_function_is_zero() {
+    let ends = [0.0, 1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN];
+    for start in ends {
+        for end in ends {
+            let f = level_sets(&[(-5.0, 5.0, 1.0)], start, end);
+            for t in ends {
+                let bound = f.below(t);
+                let most = if t > start { t - start } else { 0.0 };
+                assert!(bound >= 0.0 && bound <= most, "{start} {end} {t}: {bound}");
+            }
+            if !(end > start) {
+                assert_eq!(f.below(1.0), 0.0);
+            }
+        }
+    }
+}
+
+/// Beyond the last level nothing is extrapolated.
+#[test]
+fn beyond_the_last_level_the_function_is_constant() {
+    let f = level_sets(&[], 0.0, 1.0);
+    assert!(f.below(1.09) > 1.08);
+    for t in [1.2, 100.0, f64::MAX, f64::INFINITY] {
+        assert!(f.below(t) <= 1.1 + 1e-12 && f.below(t) >= 1.09);
+    }
+}
+
+/// `f` rises between any two levels by at most the integral of the least slope that the bounds allow,
+/// whatever the bins.
+#[test]
+fn the_function_rises_as_little_as_the_bounds_demand() {
+    let mut random = Random(seed(21));
+    for _ in 0..cases(200) {
+        let growths: Vec<(f64, f64, f64)> = (0..8)
+            .map(|_| {
+                let low = random.between(-0.5, 1.2);
+                let high = low + random.unit().powi(3);
+                (low, high, 10.0_f64.powf(random.between(-2.0, 3.0)))
+            })
+            .collect();
+        let (start, end) = (random.between(-0.2, 0.3), random.between(0.4, 1.5));
+        let f = level_sets(&growths, start, end);
+        let slope = |t: f64| {
+            let q = growths.iter().filter(|g| g.0 < t && t < g.1).fold(1.0, |q: f64, g| q.max(g.2));
+            if t < start { 0.0 } else { 1.0 / q.sqrt() }
+        };
+        let (mut a, mut b) = (random.between(-0.6, 1.6), random.between(-0.6, 1.6));
+        (a, b) = (a.min(b), a.max(b));
+        let mut breaks: Vec<f64> = growths.iter().flat_map(|g| [g.0, g.1]).collect();
+        breaks.extend([a, b, start]);
+        breaks.retain(|t| (a..=b).contains(t));
+        breaks.sort_by(f64::total_cmp);
+        let most: f64 = breaks.windows(2).map(|w| (w[1] - w[0]) * slope(0.5 * (w[0] + w[1]))).sum();
+        // Values are rounded down by some 4096 roundings.
+        let rise = f.below(b) - f.below(a);
+        assert!(rise <= most + 1e-11, "{rise} > {most}: {growths:?} {start} {end} {a} {b}");
+        assert!(f.excess_above(b) >= f.excess_above(a) - 1e-11);
+        assert!(f.excess_above(b) >= b - f.below(b));
+    }
+}
+
+/// With slopes of one half, `f(φ) + g(ψ)` is `1/2` wherever `φ + ψ = 1`. The sum without the excess,
+/// or with the excess at the least values, would be 1.
+#[test]
+fn the_sum_counts_the_excess_at_the_greatest_values() {
+    let half = || level_sets(&[(-1.0, 2.0, 4.0)], 0.0, 1.0);
+    let (f, g) = (half(), half());
+    let found = least_sum([&f, &g], [(0.0, 1.0), (0.0, 1.0)], 1.0);
+    assert!(found <= 0.5, "{found}");
+    // On a small simplex the sum is sharp, and better than the two functions apart.
+    let found = least_sum([&f, &g], [(0.4, 0.45), (0.55, 0.6)], 1.0);
+    assert!(found <= 0.5 && found >= 0.5 - 0.05 - 1e-9, "{found}");
+    let whole = || level_sets(&[(-1.0, 2.0, 1.0)], 0.0, 1.0);
+    let found = least_sum([&whole(), &whole()], [(0.0, 1.0), (0.0, 1.0)], 1.0);
+    assert!((0.999_999..=1.0).contains(&found), "{found}");
+}
+
+/// A range without an end makes the excess unknown, which is no bound.
+#[test]
+fn an_unknown_sum_leaves_the_bound_of_the_two_functions_apart() {
+    let f = level_sets(&[], 0.0, 1.0);
+    let apart = f.below(0.25) + f.below(0.5);
+    for (high, sum) in [(f64::INFINITY, 1.0), (1.0, f64::NEG_INFINITY), (1.0, f64::NAN)] {
+        let found = least_sum([&f, &f], [(0.25, high), (0.5, high)], sum);
+        assert!(found <= apart && found >= apart - 1e-12, "{found}");
+    }
+}
