@@ -2,7 +2,7 @@
 
 An interval has two arrays of doubles, its ends. NaN ends mean "undefined", and no comparison with
 NaN holds. The processor rounds + - * / sqrt to nearest, so the next double outward is a bound. An
-exact sum is kept: Knuth's two-sum has the exact error. Elementary functions are enclosed at the ends
+exact sum is kept: Knuth's two-sum has the exact error. Elementary functions are enclosed at ends
 by arb (python-flint); between the ends they are monotone, or reach 1 or -1.
 """
 
