@@ -59,9 +59,9 @@ def flat(n):
 
 def required(hi, ends, exponent, c1=1.0):
     sets = [[(kind, np.array(x))] for kind, *x in ends]
-    return np.unique(
-        required_cubes(("declared", c1), sets, hi, exponent, min(map(len, ends)) - 1), axis=0
-    )
+    sizes = {"point": 0, "ball": 1, "half-space": 1}
+    dimension = min(len(x) - sizes[kind] for kind, *x in ends if kind in sizes)
+    return np.unique(required_cubes(("declared", c1), sets, hi, exponent, dimension), axis=0)
 
 
 def along(x, y):
@@ -220,21 +220,23 @@ class Bounds(unittest.TestCase):
             self.assertEqual(check(Certificate(file))[0], 0)
 
     def test_curves_do_not_leave_cubes_with_an_exit(self):
-        # The boundary of the cubes has distance 0.97 from one point, and 0.97 from the other.
+        # The boundary has distance 0.97 or more from each point; with a side moved, 0.5 from one.
         x, y = (0.0, 0.03), (0.5, 0.03)
-        ends, functions = (
-            [("point", *x), ("point", *y)],
-            [lambda z: math.dist(z, x), lambda z: math.dist(z, y)],
-        )
-        cubes = list(itertools.product(range(-8, 12), range(-8, 8)))
+        ends = [("point", *x), ("point", *y)]
+        functions = [lambda z: math.dist(z, x), lambda z: math.dist(z, y)]
+
+        def bound(hi, region, low, high):
+            cubes = list(itertools.product(*map(range, low, high)))
+            file = text(flat(2), ends, hi, region, [level(-3, cubes, functions)])
+            return check(Certificate(file))[0]
+
         for hi, region in ((0.8, "exit-one"), (1.6, "exit-two")):
-            file = text(flat(2), ends, hi, region, [level(-3, cubes, functions)])
-            lower, _ = check(Certificate(file))
-            self.assertTrue(0.4 < lower <= 0.5)
-        for hi, region in ((1.01, "exit-one"), (2.1, "exit-two")):
-            file = text(flat(2), ends, hi, region, [level(-3, cubes, functions)])
-            with self.assertRaises(Refused):
-                check(Certificate(file))
+            self.assertTrue(0.4 < bound(hi, region, (-8, -8), (12, 8)) <= 0.5)
+            for low, high in (((-4, -8), (12, 8)), ((-8, -4), (12, 8)), ((-8, -8), (12, 4))):
+                with self.assertRaises(Refused):
+                    bound(hi, region, low, high)
+        with self.assertRaises(Refused):
+            bound(0.8, "exit-one", (-8, -8), (6, 8))
 
     def test_a_formula_that_is_undefined_in_a_cube_proves_nothing_there(self):
         # 1 + 0/x: each of two cubes touches 0, and the values cost nothing in them.
@@ -282,6 +284,20 @@ class Refusals(unittest.TestCase):
     def test_tubes_that_are_thin_or_have_no_such_constant(self):
         for numbers in ((0.25, 0.999), (0.5, 0.999), (0.51, 1.001), (math.inf, 0.999), (-1, 0.999)):
             self.refuses(self.changed("region", [f"region tubes {bits(*numbers)}"]))
+
+    def test_a_single_tube_as_thin_as_two(self):
+        ends, hi = [("ball", 0.0, 0.03, 0.1), ("half-space", -1.0, 0.0, -1.0)], 1.0
+        functions = [lambda z: math.dist(z, (0.0, 0.03)) - 0.1, lambda z: 1 - z[0]]
+        levels = [level(-4, required(hi, ends, -4, 0.999), functions)]
+        lower, _ = self.accepts(lines(flat(2), ends, hi, f"tubes {bits(1.01, 0.999)}", levels))
+        self.assertTrue(0.88 < lower <= 0.9)
+        self.refuses(lines(flat(2), ends, hi, f"tubes {bits(0.51, 0.999)}", levels))
+
+    def test_a_cube_given_twice(self):
+        at = next(i for i, line in enumerate(self.lines) if line.startswith("level"))
+        word, exponent, runs, nodes = self.lines[at].split()
+        head = f"{word} {exponent} {int(runs) + 1} {nodes}"
+        self.refuses([*self.lines[:at], head, self.lines[at + 1], *self.lines[at + 1 :]])
 
     def test_a_region_without_a_constant(self):
         for c1 in (0.0, -1.0, math.nan, math.inf, 0.5):
