@@ -19,11 +19,10 @@ def prove_tubes(formula, sets, hi, radius, c1):
     n = formula.dimension
     bounded = [pieces for pieces in sets if bounding_box(pieces, n)]
     require(bounded, "no set is bounded")
-    needed = hi / 2 if len(bounded) == 2 else hi
-    wide = (of(c1).sqrt() * radius).lo >= needed
-    require(
-        wide, f"tubes of radius {radius} with c1 = {c1} do not hold all curves shorter than {hi}"
-    )
+    # Two tubes have to be as wide together as the curves are long.
+    wide = (of(c1).sqrt() * radius * len(bounded)).lo >= hi
+    short = f"tubes of radius {radius} with c1 = {c1} do not hold all curves shorter than {hi}"
+    require(wide, short)
     for pieces in bounded:
         x = [side + Interval(-radius, radius) for side in bounding_box(pieces, n)]
         lo, hi_ = (np.array([[float(getattr(xi, end))] for xi in x]) for end in ("lo", "hi"))
