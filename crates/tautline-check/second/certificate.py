@@ -1,0 +1,123 @@
+"""Reads a certificate, as `../FORMAT.md` describes it; whatever it does not name is refused."""
+
+import itertools
+import re
+import struct
+
+import numpy as np
+
+from formula import Formula
+from level import Level
+from refused import require
+
+# The greatest coordinate of a cube, in sides.
+FARTHEST = 1 << 28
+
+
+class Lines:
+    def __init__(self, text):
+        require(text.isascii() and text.endswith("\n"), "the file is no text of whole lines")
+        self.lines, self.at = text[:-1].split("\n"), 0
+
+    def peek(self):
+        return self.lines[self.at] if self.at < len(self.lines) else ""
+
+    def next(self, pattern):
+        """The groups of the next line, which has to have this form."""
+        line = self.peek()
+        match = re.fullmatch(pattern, line, re.ASCII)
+        require(match, f"line {self.at + 1}: {line[:60]!r} where {pattern[:60]!r} should be")
+        self.at += 1
+        return match.groups()
+
+    def words(self, first):
+        return self.next(f"{first} (.+)")[0].split(" ")
+
+
+def integer(word):
+    require(re.fullmatch(r"0|-?[1-9]\d{0,17}", word, re.ASCII), f"{word[:60]!r} is no integer")
+    return int(word)
+
+
+def doubles(words):
+    for word in words:
+        require(re.fullmatch("[0-9a-f]{16}", word), f"{word[:60]!r} is not the bits of a double")
+    values = np.array([struct.unpack(">d", bytes.fromhex(word))[0] for word in words])
+    require(np.isfinite(values).all(), "a number is not finite")
+    return values
+
+
+class Certificate:
+    def __init__(self, text):
+        lines = Lines(text)
+        lines.next("tautline-distance 1")
+        self.dimension = integer(lines.next(r"dimension (\S+)")[0])
+        require(1 <= self.dimension <= 3, f"dimension {self.dimension}: only 1 to 3 can be checked")
+        start = lines.at
+        count = integer(lines.words("metric")[0])
+        require(1 <= count <= len(lines.lines), "the formula has no lines")
+        self.formula = Formula([lines.next("(.*)")[0] for _ in range(count)], self.dimension)
+        self.sets = [self.read_set(lines, name) for name in ("from", "to")]
+        self.hi = doubles(lines.words("hi"))[0]
+        (kind, *bits), numbers = (
+            lines.words("region"),
+            {"tubes": 2, "declared": 1, "exit-one": 0, "exit-two": 0},
+        )
+        require(numbers.get(kind) == len(bits), "the region is none that the format names")
+        self.region = (kind, *doubles(bits))
+        self.statement = lines.lines[start + 1 : start + 1 + count]
+        self.curve = None
+        if lines.peek().startswith("curve "):
+            count = integer(lines.words("curve")[0])
+            self.curve = self.rows(lines, count, self.dimension)
+        self.levels = []
+        while lines.peek().startswith("level "):
+            self.levels.append(self.read_level(lines))
+        lines.next("end")
+        require(lines.at == len(lines.lines), "there are lines after the end")
+
+    @staticmethod
+    def rows(lines, count, width):
+        require(0 <= count <= len(lines.lines) - lines.at, "there are fewer lines than announced")
+        rows = [line.split(" ") for line in lines.lines[lines.at : lines.at + count]]
+        lines.at += count
+        require(all(len(row) == width for row in rows), f"a row does not have {width} numbers")
+        return doubles([word for row in rows for word in row]).reshape(count, width)
+
+    def read_set(self, lines, name):
+        pieces, n = [], self.dimension
+        while lines.peek().startswith(name + " "):
+            kind, *bits = lines.words(name)
+            x = doubles(bits)
+            sizes = {"point": n, "ball": n + 1, "box": 2 * n, "half-space": n + 1}
+            valid = sizes.get(kind) == len(x)
+            valid = (
+                valid and (kind != "ball" or x[n] >= 0) and (kind != "half-space" or x[:n].any())
+            )
+            require(
+                valid and (kind != "box" or (x[:n] <= x[n:]).all()), f"no valid set: {kind[:60]!r}"
+            )
+            pieces.append((kind, x))
+        require(pieces, f"there is no set {name!r}")
+        return pieces
+
+    def read_level(self, lines):
+        numbers = [integer(word) for word in lines.words("level")]
+        require(len(numbers) == 3 and -200 <= numbers[0] <= 200, "no level EXPONENT RUNS NODES")
+        exponent, runs, nodes = numbers
+        require(
+            0 <= runs and 0 <= nodes <= len(lines.lines), "there are fewer lines than announced"
+        )
+        cubes = []
+        for _ in range(runs):
+            *first, length = [integer(word) for word in lines.next("(.+)")[0].split(" ")]
+            require(
+                len(first) == self.dimension and 1 <= length <= nodes - len(cubes),
+                "no run of cubes",
+            )
+            cubes.extend((*first[:-1], first[-1] + step) for step in range(length))
+        require(all(a < b for a, b in itertools.pairwise(cubes)), "the cubes are not in order")
+        far = any(abs(k) > FARTHEST for cube in cubes for k in cube)
+        require(not far, "a cube is too far from the origin")
+        cubes = np.array(cubes, np.int64).reshape(len(cubes), self.dimension)
+        return Level(exponent, cubes, self.rows(lines, nodes, 2))

@@ -1,0 +1,45 @@
+"""One level: cubes of one side, and two numbers at each of their nodes."""
+
+import itertools
+
+import numpy as np
+
+from refused import require
+
+
+class Level:
+    """Cubes (rows of places), their side, and for each node of a cube two values."""
+
+    def __init__(self, exponent, cubes, values):
+        self.exponent, self.side, self.cubes = exponent, 2.0**exponent, cubes
+        self.dimension = cubes.shape[1]
+        require(len(cubes), "a level has no cubes")
+        self.low = cubes.min(axis=0)
+        self.extent = cubes.max(axis=0) - self.low + 3
+        require(np.prod(2.0 * self.extent + 3) < 2**62, "the cubes of a level are too far apart")
+        _, self.nodes = self.numbers(2)
+        found = self.nodes.max(initial=-1) + 1
+        require(found == len(values), f"{len(values)} pairs of values for {found} nodes")
+        self.values = [values[:, f][self.nodes] for f in (0, 1)]  # 3^D rows, a column for each cube
+        self.keys = self.key(cubes, 1)
+
+    def key(self, places, n):
+        """A number for each place of the lattice of side/n, increasing lexicographically."""
+        return np.ravel_multi_index(
+            tuple((places - n * self.low + 1).T), tuple(n * self.extent + 3)
+        )
+
+    def numbers(self, n):
+        """The points from n k to n k + n of all cubes k, and their numbers, cube by cube."""
+        offsets = np.array(list(itertools.product(range(n + 1), repeat=self.dimension)))
+        keys = np.array([self.key(n * self.cubes + offset, n) for offset in offsets])
+        keys, numbers = np.unique(keys, return_inverse=True)
+        points = np.unravel_index(keys, tuple(n * self.extent + 3))
+        return np.array(points) + (n * self.low - 1)[:, None], numbers.reshape(len(offsets), -1)
+
+    def holds(self, places):
+        """Whether there is a cube at each place."""
+        near = ((places >= self.low - 1) & (places < self.low + self.extent)).all(axis=1)
+        found = np.zeros(len(places), bool)
+        found[near] = np.isin(self.key(places[near], 1), self.keys)
+        return found

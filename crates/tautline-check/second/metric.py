@@ -1,0 +1,74 @@
+"""The metric on boxes: H, its second derivatives, and bounds on p·H⁻¹p."""
+
+import itertools
+
+import numpy as np
+
+from intervals import INF, Interval, of
+from jets import Jet
+
+
+def gram(formula, x):
+    """H on boxes; NaN where it is not defined on all of a box."""
+    shape = np.broadcast(*(xi.lo for xi in x)).shape
+    h = formula(x, of)
+    return {
+        ij: Interval(np.broadcast_to(e.lo, shape), np.broadcast_to(e.hi, shape))
+        for ij, e in h.items()
+    }
+
+
+def curvature(formula, x):
+    """An M ≥ 0 with u·D²H[e,e]u ≤ M on each box for all unit u, e; NaN if H may not be C².
+
+    It is the form of the symmetric matrix with entries ∂ₖ∂ₗHᵢⱼ, rows (i,k) and columns (j,l), at
+    u ⊗ e: at most its Frobenius norm, and at most Gershgorin's bound on its eigenvalues.
+    """
+    n = len(x)
+    unit = [[of(1.0) if i == j else None for j in range(n)] for i in range(n)]
+    h = formula([Jet(xi, first) for xi, first in zip(x, unit)], lambda c: Jet(c, [None] * n))
+    zero, pairs = of(np.zeros(x[0].lo.shape)), list(itertools.product(range(n), repeat=2))
+    squares, rows = zero, []
+    finite = np.ones(zero.lo.shape, bool)
+    for i, k in pairs:
+        row = zero
+        for j, l in pairs:
+            entry = h[min(i, j), max(i, j)]
+            second = zero + (entry.second.get((min(k, l), max(k, l))) or zero)
+            finite &= np.isfinite(second.lo + second.hi) & np.isfinite(
+                entry.value.lo + entry.value.hi
+            )
+            squares += second.sqr()
+            row += second if (i, k) == (j, l) else Interval(second.magnitude())
+        rows.append(row.hi)
+    bound = np.minimum(squares.sqrt().hi, np.maximum(0, np.max(rows, axis=0)))
+    return np.where(finite, bound, np.nan)
+
+
+def eliminated(h, n, shift):
+    """The pivots and factors of H − shift·I, whose pivots are NaN unless proved positive."""
+    s, factors = dict(h), {}
+    s.update({(k, k): h[k, k] - shift for k in range(n)})
+    for k in range(n):
+        s[k, k] = s[k, k].where(s[k, k].lo > 0)
+        for i in range(k + 1, n):
+            factors[i, k] = s[k, i] / s[k, k]
+            for j in range(k + 1, i + 1):
+                s[j, i] = s[j, i] - factors[i, k] * s[k, j]
+    return [s[k, k] for k in range(n)], factors
+
+
+def positive(h, n, shift):
+    """Whether H > shift·I is proved."""
+    pivots, _ = eliminated(h, n, shift)
+    return np.all([pivot.lo > 0 for pivot in pivots], axis=0)
+
+
+def dual_square(elimination, p):
+    """An upper bound on p·S⁻¹p, by completing squares."""
+    (pivots, factors), y, total = elimination, list(p), of(0.0)
+    for i, pivot in enumerate(pivots):
+        for j in range(i):
+            y[i] = y[i] - factors[i, j] * y[j]
+        total = total + y[i].sqr() / pivot
+    return np.where(np.isnan(total.hi), INF, total.hi)
