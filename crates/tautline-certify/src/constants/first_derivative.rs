@@ -7,7 +7,7 @@ use tautline_scalar::{Interval, Scalar};
 use super::{
     gram::Gram,
     quartic::{Vanishing, flattened},
-    spectral::{Direction, Spectral, TURNS, extreme, form, square, starts},
+    spectral::{Direction, Spectral, alternating, extreme, form, square},
 };
 
 /// `‖DH(x)‖²`, or an upper bound on it. With `Aₖ = ∂ₖH`, it is the largest value over unit vectors
@@ -87,20 +87,9 @@ impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
 /// Maximises `Σ vₖ uᵀAₖu` over unit vectors `v` and `u`, alternately. For fixed `v` the best `u` is
 /// an eigenvector; for fixed `u` the best `v` is a normalized gradient.
 pub(super) fn direction<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> Option<Direction<D>> {
-    let mut best: Option<Direction<D>> = None;
-    for mut v in starts() {
-        for _ in 0..TURNS {
-            let (norm, u) = extreme(|i, j| (0..D).map(|k| v[k] * a[k][(i, j)]).sum())?;
-            if best.is_none_or(|best| norm > best.norm) {
-                best = Some(Direction { norm, u, v });
-            }
-            let gradient = SVector::<f64, D>::from_fn(|k, _| form(|i, j| a[k][(i, j)], &u));
-            let Some(unit) = gradient.try_normalize(0.0) else { break };
-            if (unit - v).norm_squared() < 1e-20 {
-                break;
-            }
-            v = unit;
-        }
-    }
-    best
+    alternating(|v| {
+        let (norm, u) = extreme(|i, j| (0..D).map(|k| v[k] * a[k][(i, j)]).sum())?;
+        let gradient = SVector::<f64, D>::from_fn(|k, _| form(|i, j| a[k][(i, j)], &u));
+        Some((Direction { norm, u, v: *v }, gradient.try_normalize(0.0).unwrap_or(*v)))
+    })
 }

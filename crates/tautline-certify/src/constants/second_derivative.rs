@@ -7,7 +7,7 @@ use super::{
     biquadratic::{Vanishing, flattened},
     eigenvalue_bound::eigen,
     gram::Gram,
-    spectral::{Direction, Spectral, TURNS, form, greatest, square, starts},
+    spectral::{Direction, Spectral, alternating, form, greatest, square},
 };
 
 /// `‖D²H(x)‖`, or an upper bound on it: the largest `|Σ vₖ vₗ uᵀ∂ₖ∂ₗH u|` over unit vectors `u` and
@@ -92,22 +92,13 @@ impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
 
 /// Maximises `Σ vₖ vₗ uᵀ∂ₖ∂ₗH u` over unit vectors `v` and `u`, alternately.
 pub(super) fn maximum<const D: usize>(b: &[[SMatrix<f64, D, D>; D]; D]) -> Option<Direction<D>> {
-    let mut best: Option<Direction<D>> = None;
-    for mut v in starts() {
-        for _ in 0..TURNS {
-            let (_, u) = greatest::<D>(|i, j| form(|k, l| b[k][l][(i, j)], &v))?;
-            let (norm, next) = greatest::<D>(|k, l| form(|i, j| b[k][l][(i, j)], &u))?;
-            let settled = (next - v).norm_squared().min((next + v).norm_squared()) < 1e-20;
-            v = next;
-            if best.is_none_or(|best| norm > best.norm) {
-                best = Some(Direction { norm, u, v });
-            }
-            if settled {
-                break;
-            }
-        }
-    }
-    best
+    alternating(|v| {
+        let (_, u) = greatest::<D>(|i, j| form(|k, l| b[k][l][(i, j)], v))?;
+        let (norm, next) = greatest::<D>(|k, l| form(|i, j| b[k][l][(i, j)], &u))?;
+        // An eigenvector has two signs.
+        let next = if next.dot(v) < 0.0 { -next } else { next };
+        Some((Direction { norm, u, v: next }, next))
+    })
 }
 
 /// The larger of the maxima of the form and of its negative.

@@ -166,8 +166,37 @@ pub(super) fn basis_with<const D: usize>(u: &SVector<f64, D>) -> SMatrix<f64, D,
     reflection
 }
 
+/// Maximises a form in two unit vectors by steps that take `v` to a better pair and the next `v`.
+/// The best of several starts, after a few steps, goes on until it settles.
+pub(super) fn alternating<const D: usize>(
+    step: impl Fn(&SVector<f64, D>) -> Option<(Direction<D>, SVector<f64, D>)>,
+) -> Option<Direction<D>> {
+    let mut best: Option<(Direction<D>, SVector<f64, D>)> = None;
+    for start in starts() {
+        let mut now = step(&start)?;
+        for _ in 1..FIRST_TURNS {
+            now = step(&now.1)?;
+        }
+        if best.is_none_or(|best| now.0.norm > best.0.norm) {
+            best = Some(now);
+        }
+    }
+    let (mut best, mut v) = best?;
+    for _ in FIRST_TURNS..TURNS {
+        let (found, next) = step(&v)?;
+        if found.norm > best.norm {
+            best = found;
+        }
+        if (next - v).norm_squared() < 1e-20 {
+            break;
+        }
+        v = next;
+    }
+    Some(best)
+}
+
 /// Starting vectors for maximising forms: the axes, and the bisectors of any two axes.
-pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> {
+fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> {
     let axis = |i: usize| SVector::<f64, D>::from_fn(|k, _| if k == i { 1.0 } else { 0.0 });
     let bisectors = (0..D).flat_map(move |j| (0..j).flat_map(move |i| [(i, j, 1.0), (i, j, -1.0)]));
     (0..D).map(axis).chain(
@@ -176,5 +205,8 @@ pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> 
     )
 }
 
-/// The maximal number of alternating steps.
-pub(super) const TURNS: usize = 40;
+/// The number of alternating steps from every start.
+const FIRST_TURNS: usize = 3;
+
+/// The maximal number of alternating steps from the best start.
+const TURNS: usize = 40;
