@@ -75,8 +75,11 @@ fn domain<const D: usize>(
     [low, high]: [[f64; D]; 2],
 ) -> Result<(String, Domain<D>), Failure> {
     let space = Domain::space(metric);
-    if space.is_all_of_space() {
+    if space.is_one_period() {
         return Ok(("a period".to_owned(), space));
+    }
+    if space.is_all_of_space() {
+        return Ok(("space".to_owned(), space));
     }
     if let Ok(space) = Domain::settled_space(metric) {
         return Ok(("space, as it settles".to_owned(), space));

@@ -16,8 +16,8 @@ pub(crate) struct Enclosed {
     pub(crate) offsets: Vec<Interval>,
 }
 
-/// Returns an upper bound on the largest eigenvalue of `S(x)` for all `x` in the box; `∞` or NaN if
-/// there is none.
+/// Returns an upper bound on the largest eigenvalue of `S(x)` for all `x` in the box, `∞` or NaN if
+/// there is none, and the largest eigenvalue at the midpoint, up to rounding, or NaN.
 ///
 /// Let `m` be the midpoint of the box. The columns of `Q` are eigenvectors, computed in doubles, of
 /// the matrix of the midpoints of the intervals that enclose `S(m)`. Then `B = Qᵀ S Q` is nearly
@@ -25,12 +25,16 @@ pub(crate) struct Enclosed {
 /// order in the size of the box. Two enclosures of `B` are intersected: the
 /// mean value form `Qᵀ S(m) Q + Σ Qᵀ ∂ₖS Q (xₖ − mₖ)` and `Qᵀ S Q` itself. Then [`rayleigh`] bounds
 /// `zᵀBz / zᵀz`, and `yᵀSy / yᵀy = zᵀBz / zᵀQᵀQz` for `y = Qz`. The bound holds for any `Q`.
-pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {
+pub(crate) fn largest_eigenvalue(s: &Enclosed) -> (f64, f64) {
     let n = s.centre.nrows();
     let middle = s.centre.map(|entry| entry.midpoint());
-    let Some(q) = eigen(&middle).map(|eigen| eigen.eigenvectors) else { return f64::NAN };
+    let Some(eigen) = eigen(&middle) else { return (f64::NAN, f64::NAN) };
+    let q = eigen.eigenvectors;
+    // What overflows has no value.
+    let is_finite = s.centre.iter().all(|entry| entry.is_finite());
+    let greatest = if is_finite { eigen.eigenvalues.max() } else { f64::NAN };
     if !(q.amax() <= 2.0) {
-        return f64::NAN;
+        return (f64::NAN, greatest);
     }
     let mut taylor = rotated(&s.centre, &q);
     for (slope, &offset) in s.slopes.iter().zip(&s.offsets) {
@@ -52,7 +56,7 @@ pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {
     };
     let spread = (0..n).map(|i| row(i).hi()).fold(0.0, f64::max);
     let stretch = Interval::one() + Interval::new(-spread, spread).unwrap_or(Interval::UNDEFINED);
-    (Interval::point(bound) / stretch).hi()
+    ((Interval::point(bound) / stretch).hi(), greatest)
 }
 
 /// Returns an enclosure of `Qᵀ A Q`, for a symmetric `A` and entries of `Q` of at most 2.
@@ -66,8 +70,8 @@ pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {
 fn rotated(a: &DMatrix<Interval>, q: &DMatrix<f64>) -> DMatrix<Interval> {
     let n = q.nrows();
     let is_zero = |entry: &Interval| entry.magnitude() == 0.0;
-    // Half-lines have no midpoint, and nothing is gained for a single entry.
-    if n == 1 || a.iter().all(is_zero) || !a.iter().all(|entry| entry.is_finite()) {
+    // Half-lines have no midpoint, and nothing is gained for a few entries.
+    if n <= 2 || a.iter().all(is_zero) || !a.iter().all(|entry| entry.is_finite()) {
         return turned(a, q);
     }
     let relative = (2 * n + 4) as f64 * (0.5 * f64::EPSILON);
@@ -156,7 +160,11 @@ mod tests {
     use proptest::prelude::*;
     use tautline_scalar::Interval;
 
-    use super::{Enclosed, eigen, largest_eigenvalue, rayleigh, rotated, turned};
+    use super::{Enclosed, eigen, rayleigh, rotated, turned};
+
+    fn largest_eigenvalue(s: &Enclosed) -> f64 {
+        super::largest_eigenvalue(s).0
+    }
 
     fn interval(lo: f64, hi: f64) -> Interval {
         Interval::new(lo, hi).expect("in order")
