@@ -54,5 +54,8 @@ pub use float::Float;
 pub use question::{Grid, LEAST_TOLERANCE, Question};
 pub use schema::{answer_schema, constants_schema, problem_schema};
 pub use schemars::Schema;
-pub use tautline::LARGEST_N;
+pub use tautline::{
+    LARGEST_N,
+    certify::{Progress, Watch},
+};
 pub use tautline_portrait::{Scene, pdf, png, svg};
