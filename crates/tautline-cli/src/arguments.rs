@@ -24,6 +24,8 @@ pub(crate) struct Arguments {
 pub(crate) enum Verb {
     Solve(Solve),
     Constants(Constants),
+    Certify(Certify),
+    Check(Check),
     Audit(Audit),
     Plot(Plot),
     Schema(Schema),
@@ -80,6 +82,47 @@ pub(crate) struct Constants {
     pub(crate) time_limit: Option<f64>,
 }
 
+/// Proves the distance: two numbers with a certificate that anybody can check.
+///
+/// No curve between the sets is shorter than the lower number; the upper one is the length of a curve.
+/// Exit code 1 if the gap between them is larger than wanted.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline examples two_channels --to .
+  $ tautline certify two_channels.toml --gap 1e-4 -o two_channels.cert
+  $ tautline check two_channels.cert")]
+pub(crate) struct Certify {
+    /// The problem file; - reads standard input.
+    pub(crate) file: PathBuf,
+    /// The largest (upper - lower)/upper that will do.
+    #[arg(long, value_name = "GAP", default_value_t = 1e-3, allow_negative_numbers = true)]
+    pub(crate) gap: f64,
+    /// Write the certificate to this file.
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Print one JSON document; `tautline schema certified` describes it.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Stop after this many seconds, with what is proved by then.
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    pub(crate) time_limit: Option<f64>,
+    /// The most cubes of the certificate. A million take some 300 megabytes.
+    #[arg(long, value_name = "COUNT", default_value_t = 2_000_000)]
+    pub(crate) cubes: usize,
+}
+
+/// Checks a certificate: proves its two numbers again, and trusts none in the file.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline check two_channels.cert
+prints the metric, the sets and what is proved. Exit code 1 if the certificate proves nothing.")]
+pub(crate) struct Check {
+    /// The certificate; - reads standard input.
+    pub(crate) file: PathBuf,
+}
+
 /// Tests the metric and its constants against every law and every statement of the paper.
 ///
 /// The audit is a program of its own, tautline-audit, since it takes some minutes to build.
@@ -134,6 +177,8 @@ pub(crate) enum Described {
     Answer,
     /// What `constants --json` prints.
     Constants,
+    /// What `certify --json` prints.
+    Certified,
 }
 
 /// Writes a commented problem file for a question that you may have.

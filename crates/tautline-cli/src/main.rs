@@ -19,6 +19,8 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().verb {
         Verb::Solve(arguments) => verbs::solve::solve(&arguments),
         Verb::Constants(arguments) => verbs::constants::constants(&arguments),
+        Verb::Certify(arguments) => verbs::certify::certify(&arguments),
+        Verb::Check(arguments) => verbs::check::check(&arguments),
         Verb::Audit(arguments) => verbs::audit::audit(&arguments),
         Verb::Plot(arguments) => verbs::plot::plot(&arguments),
         Verb::Schema(arguments) => verbs::schema::schema(&arguments),

@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use tautline_problem::{Answer, Bounds, ConstantsAnswer, Estimated, GlobalMinimum, UsedConstants};
+use tautline_problem::{
+    Answer, Bounds, CertifiedAnswer, ConstantsAnswer, Estimated, GlobalMinimum, UsedConstants,
+};
 
 use crate::decimal::{nearest, one_digit_up, rounded_down, rounded_up};
 
@@ -161,6 +163,19 @@ pub(crate) fn proved_constants(answer: &ConstantsAnswer) -> String {
             Some(reason) => writeln!(text, "{name:<5}not proved: {reason}"),
         };
     }
+    text
+}
+
+/// Returns a certified distance as text.
+pub(crate) fn certified(answer: &CertifiedAnswer) -> String {
+    let (lower, upper) = (rounded_down(answer.lower.value), rounded_up(answer.upper.value));
+    let mut text = format!("distance    between {lower} and {upper}, proved\n");
+    let cubes: usize = answer.levels.iter().map(|level| level.cubes).sum();
+    let (left, side) = (answer.corridor_cubes, answer.corridor_side.value);
+    let _ =
+        writeln!(text, "gap         {:.1e} of the upper bound: {}", answer.gap.value, answer.ended);
+    let _ = writeln!(text, "proof       {} levels, {cubes} cubes", answer.levels.len());
+    let _ = writeln!(text, "corridor    {left} cubes of side {side:e} hold every shortest curve");
     text
 }
 

@@ -25,6 +25,7 @@
 mod answer;
 mod audited;
 mod bounds;
+mod certify;
 mod constants;
 mod diagnostic;
 mod dimension;
@@ -45,6 +46,7 @@ mod tolerance;
 pub use answer::{
     Answer, BallAnswer, Bounds, Estimated, GlobalMinimum, OtherMinimum, Search, UsedConstants,
 };
+pub use certify::{CertifiedAnswer, LevelAnswer};
 pub use constants::{ConstantAnswer, ConstantsAnswer};
 pub use diagnostic::Diagnostic;
 pub use dimension::{InDimension, LARGEST_DIMENSION, LARGEST_PROVED_DIMENSION, in_dimension};
@@ -52,10 +54,11 @@ pub use examples::{EXAMPLES, Example};
 pub use failure::Failure;
 pub use float::Float;
 pub use question::{Grid, LEAST_TOLERANCE, Question};
-pub use schema::{answer_schema, constants_schema, problem_schema};
+pub use schema::{answer_schema, certified_schema, constants_schema, problem_schema};
 pub use schemars::Schema;
 pub use tautline::{
     LARGEST_N,
     certify::{Progress, Watch},
+    check, distance,
 };
 pub use tautline_portrait::{Scene, pdf, png, svg};

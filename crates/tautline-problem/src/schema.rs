@@ -2,7 +2,7 @@
 
 use schemars::{Schema, schema_for};
 
-use crate::{Answer, ConstantsAnswer, file::ProblemFile};
+use crate::{Answer, CertifiedAnswer, ConstantsAnswer, file::ProblemFile};
 
 /// Returns the schema of a problem file, as if its TOML were JSON.
 #[must_use]
@@ -14,6 +14,12 @@ pub fn problem_schema() -> Schema {
 #[must_use]
 pub fn answer_schema() -> Schema {
     schema_for!(Answer)
+}
+
+/// Returns the schema of a certified distance.
+#[must_use]
+pub fn certified_schema() -> Schema {
+    schema_for!(CertifiedAnswer)
 }
 
 /// Returns the schema of the constants of a metric.

@@ -107,7 +107,7 @@ impl Question {
         })
     }
 
-    fn options<const D: usize>(&self) -> Result<Options<D>, Failure> {
+    pub(crate) fn options<const D: usize>(&self) -> Result<Options<D>, Failure> {
         let start = |start: &Vec<Vec<f64>>| {
             PointSequence::new(start.iter().map(|x| vector::<D>(x)).collect())
                 .map_err(|error| Failure::NotComputed(error.to_string()))
@@ -122,7 +122,7 @@ impl Question {
         Ok(Options { starts, iterations: self.steps.unwrap_or(default.iterations), ..default })
     }
 
-    fn line<R: Rule, const D: usize>(
+    pub(crate) fn line<R: Rule, const D: usize>(
         &self,
         problem: &Problem<Formula<D>, D>,
         rule: R,

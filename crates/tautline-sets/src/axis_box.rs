@@ -3,10 +3,10 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
-use crate::ClosedSet;
 use crate::norm::norm;
 use crate::proof;
 use crate::set_error::{SetError, finite_vector};
+use crate::{ClosedSet, Shape};
 
 /// The box `lᵢ ≤ xᵢ ≤ uᵢ`.
 ///
@@ -105,6 +105,10 @@ impl<const D: usize> ClosedSet<D> for AxisBox<D> {
 
     fn is_convex(&self) -> bool {
         true
+    }
+
+    fn shape(&self) -> Option<Shape<D>> {
+        Some(Shape::AxisBox(*self))
     }
 }
 

@@ -3,10 +3,10 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
-use crate::ClosedSet;
 use crate::norm::{norm, polar};
 use crate::proof;
 use crate::set_error::{SetError, finite_vector, valid_radius};
+use crate::{ClosedSet, Shape};
 
 /// The ball `|x − c| ≤ r`. With `u = (x − c)/|x − c|`:
 ///
@@ -83,6 +83,10 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
 
     fn is_convex(&self) -> bool {
         true
+    }
+
+    fn shape(&self) -> Option<Shape<D>> {
+        Some(Shape::Ball(*self))
     }
 }
 

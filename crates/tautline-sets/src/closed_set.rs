@@ -6,6 +6,8 @@ use std::sync::Arc;
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
+use crate::Shape;
+
 /// A non-empty closed subset `X` of `R^D`, given by its Euclidean nearest-point map `P`.
 ///
 /// # Laws
@@ -102,6 +104,12 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
         None
     }
 
+    /// Returns the set as data, if it is one of the [`Shape`]s. The default is `None`. Only such a
+    /// set can be written into a certificate.
+    fn shape(&self) -> Option<Shape<D>> {
+        None
+    }
+
     /// Returns the members of a union, each of which is searched separately; empty for a single
     /// piece.
     fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
@@ -140,6 +148,10 @@ macro_rules! closed_set_by {
 
         fn member_near(&$self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
             $set.member_near(x)
+        }
+
+        fn shape(&$self) -> Option<$crate::Shape<D>> {
+            $set.shape()
         }
 
         fn pieces(&$self) -> &[Arc<dyn ClosedSet<D>>] {

@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
-use crate::ClosedSet;
 use crate::proof;
 use crate::set_error::{SetError, finite, finite_vector};
+use crate::{ClosedSet, Shape};
 
 /// The half-space `n·x ≤ b`, which is unbounded. With `|n| = 1`:
 ///
@@ -89,6 +89,12 @@ impl<const D: usize> HalfSpace<D> {
         &self.normal
     }
 
+    /// Returns the normal and the offset as they were given, which define the half-space exactly.
+    #[must_use]
+    pub fn given(&self) -> (&SVector<f64, D>, f64) {
+        (&self.given_normal, self.given_offset)
+    }
+
     /// Returns the `b` that belongs to the normal of length 1, in `ℓ`.
     #[must_use]
     pub fn offset(&self) -> f64 {
@@ -141,6 +147,10 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
 
     fn is_convex(&self) -> bool {
         true
+    }
+
+    fn shape(&self) -> Option<Shape<D>> {
+        Some(Shape::HalfSpace(*self))
     }
 }
 

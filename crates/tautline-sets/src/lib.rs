@@ -63,6 +63,7 @@ mod point;
 mod proof;
 mod segment;
 mod set_error;
+mod shape;
 mod sphere;
 mod union;
 
@@ -77,5 +78,6 @@ pub use half_space::HalfSpace;
 pub use point::Point;
 pub use segment::Segment;
 pub use set_error::SetError;
+pub use shape::Shape;
 pub use sphere::Sphere;
 pub use union::Union;

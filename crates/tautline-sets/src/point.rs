@@ -3,10 +3,10 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
-use crate::ClosedSet;
 use crate::norm::norm;
 use crate::proof;
 use crate::set_error::{SetError, finite_vector};
+use crate::{ClosedSet, Shape};
 
 /// The set `{p}`, with `P(x) = p` and `DP = 0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +54,10 @@ impl<const D: usize> ClosedSet<D> for Point<D> {
 
     fn is_convex(&self) -> bool {
         true
+    }
+
+    fn shape(&self) -> Option<Shape<D>> {
+        Some(Shape::Point(*self))
     }
 }
 

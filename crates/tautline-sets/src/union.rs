@@ -7,7 +7,7 @@ use tautline_scalar::Interval;
 
 use crate::closed_set::append_pieces;
 use crate::norm::norm;
-use crate::{ClosedSet, SetError};
+use crate::{ClosedSet, SetError, Shape};
 
 /// The union of finitely many closed sets.
 ///
@@ -117,6 +117,10 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
     /// Returns the seeds of all pieces, in their order.
     fn seeds(&self) -> Vec<SVector<f64, D>> {
         self.pieces.iter().flat_map(|piece| piece.seeds()).collect()
+    }
+
+    fn shape(&self) -> Option<Shape<D>> {
+        Shape::union(&self.pieces)
     }
 }
 

@@ -44,6 +44,7 @@
 //! | [`TautLine::distance_squared_estimate`] | extrapolated: an estimate, not a bound |
 //! | [`TautLine::enclosure`], [`TautLine::enclosure_among`] | bounds on `d²` by theorems, up to an estimated quadrature error; reports whether a global minimum is assumed (between sets, it always is) |
 //! | [`TautLine::prove`] | the same with constants that are proved from the formula, and an upper bound with outward rounding |
+//! | [`TautLine::certificate`] | bounds on `d` that assume nothing about global minima, with a certificate that anybody can check |
 //! | [`leading_constants`] | limits of the errors times `N` or `N²` on smooth data: computed, not proven |
 //! | [`bounds`] | proven, for global minimisers of the discrete energy |
 //!
@@ -58,6 +59,7 @@
 
 mod batch;
 mod certificate;
+mod certified_distance;
 mod competitors;
 mod conventions;
 mod other_minima;
@@ -67,6 +69,7 @@ mod taut_line;
 
 pub use batch::solve_all;
 pub use certificate::{RuleOfThePaper, SuggestedN};
+pub use certified_distance::CertificateError;
 pub use competitors::Competitors;
 pub use conventions::Convention;
 pub use problem::Problem;
@@ -78,10 +81,12 @@ pub use tautline_certify::{
     self as certify, AdmissibleCurve, Certified, CertifiedConstant, CertifiedConstants,
     CertifyError, CurveError, Domain, LocallyCertified, Polygon, Quantity,
 };
+pub use tautline_check as check;
 pub use tautline_discretizations::{
     Integral, Interpolation, LARGEST_N, LeftEndpoint, Node, PointSequence, Rule, SequenceError,
     Trapezoidal, TrueTrapezoid, energy_gradient,
 };
+pub use tautline_distance as distance;
 pub use tautline_formula::{
     self as formula, AnyMetric, Batch, Batches, Formula, Kind, Plain, Prepared, RecordError,
     TextError,
@@ -98,7 +103,7 @@ pub use tautline_optimizers::{
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short};
 pub use tautline_sets::{
     AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
-    Sphere, Union,
+    Shape, Sphere, Union,
 };
 
 pub use nalgebra::{SMatrix, SVector};

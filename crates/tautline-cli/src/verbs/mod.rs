@@ -1,6 +1,8 @@
 //! The verbs, one a file.
 
 pub(crate) mod audit;
+pub(crate) mod certify;
+pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod constants;
 pub(crate) mod examples;

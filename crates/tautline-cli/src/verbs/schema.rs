@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use tautline_problem::{answer_schema, constants_schema, problem_schema};
+use tautline_problem::{answer_schema, certified_schema, constants_schema, problem_schema};
 
 use crate::{
     arguments::{Described, Schema},
@@ -16,6 +16,7 @@ pub(crate) fn schema(arguments: &Schema) -> Result<ExitCode, CommandError> {
         Described::Problem => problem_schema(),
         Described::Answer => answer_schema(),
         Described::Constants => constants_schema(),
+        Described::Certified => certified_schema(),
     };
     let text = serde_json::to_string_pretty(&schema);
     print(&format!("{}\n", text.map_err(|error| CommandError::NotDone(error.to_string()))?))?;

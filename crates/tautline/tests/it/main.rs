@@ -1,5 +1,6 @@
 //! Problems, batches and enclosures, as a user meets them.
 
 mod batch;
+mod certificates;
 mod enclosure;
 mod front_door;

@@ -1,0 +1,209 @@
+//! `Certificate`: what a proof of a distance needs, as data.
+
+use nalgebra::SVector;
+use tautline_formula::Formula;
+use tautline_sets::Shape;
+
+use crate::{CheckError, Cubes, Level, Place, Region, length_above, sweep::Sweep};
+
+/// A certificate of the distance between two sets under a metric.
+///
+/// Every number in it is data. What it proves is computed by [`check`](Certificate::check).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Certificate<const D: usize> {
+    /// The metric: the entries of `H` on and above the diagonal.
+    pub formula: Formula<D>,
+    /// The sets `X⁽⁰⁾` and `X⁽¹⁾`.
+    pub sets: [Shape<D>; 2],
+    /// The length, in `m`, below which every curve is followed. Nothing beyond it is proved.
+    pub hi: f64,
+    /// Why such curves stay in the cubes of the first level.
+    pub region: Region,
+    /// The points of a polygon from set to set that is shorter than `hi`, if there is one.
+    pub curve: Option<Vec<SVector<f64, D>>>,
+    /// The levels, from coarse to fine.
+    pub levels: Vec<Level<D>>,
+}
+
+/// What a certificate proves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proved<const D: usize> {
+    /// A lower bound on the distance, in `m`. Every curve between the sets is at least as long.
+    pub lower: f64,
+    /// An upper bound on the length of the curve, and hence on the distance, in `m`.
+    pub upper: Option<f64>,
+    /// `H ≥ c₁ I`, if that is a hypothesis and not proved.
+    pub declared: Option<f64>,
+    /// The cubes of the last level that curves shorter than `hi` may meet. If there is a curve, they
+    /// contain every minimal geodesic.
+    pub corridor: Cubes<D>,
+    /// What the levels prove, from coarse to fine: the number of cubes, and the lower bound so far.
+    pub levels: Vec<(usize, f64)>,
+}
+
+impl<const D: usize> Proved<D> {
+    /// Returns `(upper − lower)/upper`, how much longer than a minimal one the curve can be, relative
+    /// to its length; `None` without a curve, and 0 if it has length 0.
+    #[must_use]
+    pub fn gap(&self) -> Option<f64> {
+        self.upper.map(|upper| if upper == 0.0 { 0.0 } else { (upper - self.lower) / upper })
+    }
+}
+
+impl<const D: usize> Certificate<D> {
+    /// Proves a lower bound on the distance, and an upper one if there is a curve.
+    ///
+    /// # Errors
+    ///
+    /// [`CheckError`] if the certificate proves nothing.
+    pub fn check(&self) -> Result<Proved<D>, CheckError> {
+        let mut chain = Chain::new(&self.formula, &self.sets, self.hi, self.region)?;
+        let upper = match &self.curve {
+            None => None,
+            Some(points) => {
+                let length = length_above(&self.formula, self.sets.each_ref(), points)?;
+                if !(length < self.hi) {
+                    return Err(CheckError::CurveLength { length, hi: self.hi });
+                }
+                Some(length)
+            }
+        };
+        if self.levels.is_empty() {
+            return Err(CheckError::Empty);
+        }
+        for level in &self.levels {
+            if chain.is_closed() {
+                break;
+            }
+            chain.add(level, self.hi)?;
+        }
+        chain.proved(upper)
+    }
+}
+
+/// A proof, level by level.
+///
+/// All curves shorter than `hi` stay in the cubes of the first level. If they stay in those of a
+/// level, they stay in the cubes that it keeps, and the next level has to contain these.
+#[derive(Clone, Debug)]
+pub struct Chain<'c, const D: usize> {
+    formula: &'c Formula<D>,
+    sets: &'c [Shape<D>; 2],
+    hi: f64,
+    region: Region,
+    lower: f64,
+    /// The cubes kept by the last level.
+    kept: Option<Cubes<D>>,
+    levels: Vec<(usize, f64)>,
+}
+
+impl<'c, const D: usize> Chain<'c, D> {
+    /// Begins a proof about curves shorter than `hi`.
+    ///
+    /// # Errors
+    ///
+    /// [`CheckError::Bound`] unless `hi` is positive and finite, [`CheckError::Dimension`] in more
+    /// than four dimensions, and the errors of [`Region::prove`].
+    pub fn new(
+        formula: &'c Formula<D>,
+        sets: &'c [Shape<D>; 2],
+        hi: f64,
+        region: Region,
+    ) -> Result<Self, CheckError> {
+        if !(1..=crate::LARGEST_DIMENSION).contains(&D) {
+            return Err(CheckError::Dimension { dimension: D });
+        }
+        if !(hi > 0.0 && hi.is_finite()) {
+            return Err(CheckError::Bound { hi });
+        }
+        region.prove(formula, sets.each_ref(), hi)?;
+        Ok(Self { formula, sets, hi, region, lower: 0.0, kept: None, levels: Vec::new() })
+    }
+
+    /// Returns the lower bound proved so far, in `m`.
+    #[must_use]
+    pub fn lower(&self) -> f64 {
+        self.lower
+    }
+
+    /// Returns whether no curve shorter than `hi` is left, so that more levels prove no more.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.kept.as_ref().is_some_and(|kept| kept.places().is_empty())
+    }
+
+    /// Returns the cubes that curves shorter than `hi` may meet; `None` before the first level.
+    #[must_use]
+    pub fn kept(&self) -> Option<&Cubes<D>> {
+        self.kept.as_ref()
+    }
+
+    /// Returns the cubes of side `2^exponent` that the next level has to contain.
+    ///
+    /// # Errors
+    ///
+    /// [`CheckError::Sides`] if they are neither as large as those of the level before nor half as
+    /// large; for the first level the errors of [`Region::required`].
+    pub fn required(&self, exponent: i32) -> Result<Cubes<D>, CheckError> {
+        match &self.kept {
+            None => {
+                let sets = self.sets.each_ref();
+                self.region.required(sets, self.hi, exponent)
+            }
+            Some(kept) if exponent == kept.exponent() => Ok(kept.clone()),
+            Some(kept) if exponent == kept.exponent() - 1 => kept.halved(),
+            Some(kept) => Err(CheckError::Sides {
+                level: self.levels.len(),
+                exponent,
+                before: kept.exponent(),
+            }),
+        }
+    }
+
+    /// Adds a level. `keep` is the length below which curves are kept: at least `hi`, or a little
+    /// more so that a checker that rounds differently keeps no other cubes.
+    ///
+    /// # Errors
+    ///
+    /// [`CheckError::Missing`] if a required cube is missing, the errors of
+    /// [`required`](Chain::required), and [`CheckError::Exit`] if curves may leave the first level.
+    pub fn add(&mut self, level: &Level<D>, keep: f64) -> Result<(), CheckError> {
+        let cubes = level.cubes();
+        let required = self.required(cubes.exponent())?;
+        if let Some(place) = cubes.first_missing(required.places()) {
+            return Err(CheckError::Missing { level: self.levels.len(), place: place.to_vec() });
+        }
+        let sets = self.sets.each_ref();
+        let sweep = Sweep::new(self.formula, sets, level);
+        if self.kept.is_none() {
+            self.region.prove_exit(sets, self.hi, &sweep)?;
+        }
+        let swept = sweep.shorter_than(self.hi.max(keep));
+        let kept: Vec<Place<D>> = swept.kept;
+        self.lower = self.lower.max(swept.lower.min(self.hi));
+        self.kept = Some(Cubes::new(cubes.exponent(), kept)?);
+        self.levels.push((cubes.places().len(), self.lower));
+        Ok(())
+    }
+
+    /// Returns what is proved, given an upper bound on the length of a curve, if there is one.
+    ///
+    /// # Errors
+    ///
+    /// [`CheckError::Contradiction`] if no curve as short as this one can exist;
+    /// [`CheckError::Empty`] before the first level.
+    pub fn proved(self, upper: Option<f64>) -> Result<Proved<D>, CheckError> {
+        let lower = self.lower;
+        if let Some(upper) = upper
+            && (self.is_closed() || lower > upper)
+        {
+            return Err(CheckError::Contradiction { lower, upper });
+        }
+        let declared = match self.region {
+            Region::Declared { c1 } => Some(c1),
+            _ => None,
+        };
+        let corridor = self.kept.ok_or(CheckError::Empty)?;
+        Ok(Proved { lower, upper, declared, corridor, levels: self.levels })
+    }
+}

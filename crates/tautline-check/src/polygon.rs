@@ -1,0 +1,88 @@
+//! The length of a polygon, from above.
+
+use nalgebra::SVector;
+use tautline_formula::Formula;
+use tautline_metrics::Metric;
+use tautline_scalar::{Interval, Jet2, Scalar};
+use tautline_sets::Shape;
+
+use crate::{CheckError, rounding::add_up, set::contains};
+
+/// How often a chord may be halved.
+const HALVINGS: u32 = 12;
+
+/// Returns an upper bound on the length of a polygon that is proved to run from set to set, in `m`.
+///
+/// # Errors
+///
+/// [`CheckError::CurveEnd`] if an end is not proved to lie in its set. If the length of a chord is
+/// not bounded, the result is infinite.
+pub fn length_above<const D: usize>(
+    formula: &Formula<D>,
+    sets: [&Shape<D>; 2],
+    points: &[SVector<f64, D>],
+) -> Result<f64, CheckError> {
+    if !points.first().is_some_and(|x| contains(sets[0], x)) {
+        return Err(CheckError::CurveEnd { end: "first" });
+    }
+    if !points.last().is_some_and(|x| contains(sets[1], x)) {
+        return Err(CheckError::CurveEnd { end: "last" });
+    }
+    let mut length = 0.0;
+    for pair in points.windows(2).filter(|pair| pair[0] != pair[1]) {
+        let from = pair[0].map(Interval::point);
+        let chord = pair[1].map(Interval::point) - from;
+        length = add_up(length, part_above(formula, &from, &chord, [0.0, 1.0], HALVINGS));
+    }
+    // A sum with an infinite term is NaN.
+    Ok(if length.is_nan() { f64::INFINITY } else { length })
+}
+
+/// Returns an upper bound on the length of the part of a chord between two parameters.
+///
+/// With `g(s) = (dᵀ H(x + s d) d)^{1/2}`, the integral over `[a, b]` with the middle `m` is
+/// `(b − a)(g(m) + (b − a)² g''(ξ)/24)` for some `ξ`.
+fn part_above<const D: usize>(
+    formula: &Formula<D>,
+    from: &SVector<Interval, D>,
+    chord: &SVector<Interval, D>,
+    [a, b]: [f64; 2],
+    halvings: u32,
+) -> f64 {
+    // The parameters are multiples of a power of two.
+    let (middle, width) = (0.5 * (a + b), b - a);
+    let whole = Interval::point(a).hull(Interval::point(b));
+    let curvature = speed(formula, from, chord, whole).second(0, 0);
+    let speed = speed(formula, from, chord, Interval::point(middle)).value();
+    let length = (speed + curvature * (width * width) / 24.0) * width;
+    if length.is_finite() || halvings == 0 {
+        return length.hi();
+    }
+    [[a, middle], [middle, b]]
+        .into_iter()
+        .map(|part| part_above(formula, from, chord, part, halvings - 1))
+        .fold(0.0, add_up)
+}
+
+/// Returns `g` and its derivatives at the parameters in `s`.
+fn speed<const D: usize>(
+    formula: &Formula<D>,
+    from: &SVector<Interval, D>,
+    chord: &SVector<Interval, D>,
+    s: Interval,
+) -> Jet2<Interval, 1> {
+    let variable = |at: Interval| Jet2::variables(&[at])[0];
+    let (s, zero) = (variable(s), variable(Interval::point(0.0)));
+    let constant = |c: Interval| variable(c) - zero;
+    let d = chord.map(constant);
+    let x = SVector::from_fn(|i, _| constant(from[i]) + s * d[i]);
+    let h = formula.gram(&x);
+    let mut square = constant(Interval::point(0.0));
+    for i in 0..D {
+        for j in i..D {
+            let term = d[i] * d[j] * h[(i, j)];
+            square += if i == j { term } else { term * 2.0 };
+        }
+    }
+    square.sqrt()
+}

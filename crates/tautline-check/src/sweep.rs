@@ -1,0 +1,276 @@
+//! One level of the proof: a lower bound on the distance, and the simplices that short curves may
+//! meet.
+
+use nalgebra::SMatrix;
+use rayon::prelude::*;
+use tautline_formula::Formula;
+use tautline_scalar::Interval;
+use tautline_sets::Shape;
+
+use crate::{
+    Level, Place,
+    kuhn::{Simplex, simplices},
+    lattice::{self, numbers},
+    level_sets::{Growth, LevelSets, least_sum},
+    quadratic::{Bernstein, gradient},
+    rounding::mul_up,
+    set::{Piece, Spot, distance_below},
+    vertex_test::{Decomposed, gram, largest_curvature},
+};
+
+/// How often the functions of the level sets are made from the simplices that are left.
+const ROUNDS: usize = 10;
+
+/// What is proved of `φ` and `ψ` on a simplex.
+#[derive(Clone, Copy, Debug)]
+struct Tested {
+    growths: [Growth; 2],
+    /// A lower bound on `φ + ψ`.
+    sum: f64,
+}
+
+/// A simplex that a set may meet, with values on the part of the set in it.
+#[derive(Clone, Copy, Debug)]
+struct Meeting {
+    simplex: usize,
+    /// An upper bound on the set's own function.
+    own: f64,
+    /// A lower bound on the other function.
+    other: f64,
+}
+
+/// The simplices of a level, with what is proved on each.
+#[derive(Debug)]
+pub(crate) struct Sweep<'l, const D: usize> {
+    level: &'l Level<D>,
+    simplices: Vec<Simplex>,
+    /// Cube by cube, the simplices of each in order.
+    tested: Vec<Tested>,
+    /// For each set, the simplices that it may meet.
+    meetings: [Vec<Meeting>; 2],
+}
+
+/// The result of a level.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Swept<const D: usize> {
+    /// Every curve shorter than `hi` has at least this length, or `hi`.
+    pub(crate) lower: f64,
+    /// The places of cubes with a simplex that such a curve may meet.
+    pub(crate) kept: Vec<Place<D>>,
+}
+
+impl<'l, const D: usize> Sweep<'l, D> {
+    /// Tests every simplex.
+    pub(crate) fn new(formula: &Formula<D>, sets: [&Shape<D>; 2], level: &'l Level<D>) -> Self {
+        let simplices = simplices(D);
+        let cubes = level.cubes();
+        let corners = cubes.corners();
+        let exponent = cubes.exponent();
+        let grams: Vec<SMatrix<Interval, D, D>> = corners
+            .par_iter()
+            .map(|place| gram(formula, &lattice::point(exponent, place).map(Interval::point)))
+            .collect();
+        let tested: Vec<Vec<Tested>> = cubes
+            .places()
+            .par_iter()
+            .map_init(Scratch::default, |scratch, place| {
+                let shift = shift(formula, exponent, place);
+                numbers(&corners, place, 1, &mut scratch.numbers);
+                let mut decomposed: Vec<_> = corner_order(D)
+                    .map(|at| Decomposed::new(grams[scratch.numbers[at]], shift))
+                    .collect();
+                if decomposed.iter().any(Option::is_none) {
+                    // The cube is too large for the vertex test, but H may still have bounds on it.
+                    let whole = gram(formula, &lattice::cube(exponent, place));
+                    decomposed.fill(Decomposed::new(whole, Interval::point(0.0)));
+                }
+                let values = scratch.values(level, place);
+                let test = |simplex| tested(simplex, &values, &decomposed, 1.0 / cubes.side());
+                simplices.iter().map(test).collect()
+            })
+            .collect();
+        let meetings = [0, 1].map(|set| meetings(&simplices, sets[set], set, level));
+        Self { level, simplices, tested: tested.concat(), meetings }
+    }
+
+    /// Returns a lower bound on the length of the curves from set to set that stay in the cubes and
+    /// are shorter than `hi`, and the cubes that they may meet.
+    pub(crate) fn shorter_than(&self, hi: f64) -> Swept<D> {
+        let mut kept = vec![true; self.tested.len()];
+        let mut lower = 0.0_f64;
+        for _ in 0..ROUNDS {
+            let Some([start, end]) = self.ends(&kept) else {
+                return Swept { lower: hi, kept: Vec::new() };
+            };
+            let sets = [0, 1].map(|i| {
+                let left = self.tested.iter().zip(&kept).filter(|&(_, &kept)| kept);
+                LevelSets::new(left.map(|(tested, _)| tested.growths[i]), start[i], end[i])
+            });
+            lower = lower.max(sets[0].below(end[0])).max(sets[1].below(end[1]));
+            let dropped: Vec<bool> = self
+                .tested
+                .par_iter()
+                .map(|tested| {
+                    let ranges = tested.growths.map(|growth| growth.range);
+                    least_sum([&sets[0], &sets[1]], ranges, tested.sum) >= hi
+                })
+                .collect();
+            let mut changed = false;
+            for (kept, dropped) in kept.iter_mut().zip(dropped) {
+                changed |= *kept && dropped;
+                *kept &= !dropped;
+            }
+            if !changed {
+                break;
+            }
+        }
+        let places = self.level.cubes().places().iter().zip(kept.chunks(self.simplices.len()));
+        let kept = places.filter(|(_, kept)| kept.contains(&true)).map(|(place, _)| *place);
+        Swept { lower: lower.min(hi), kept: kept.collect() }
+    }
+
+    /// Returns, for `φ` and for `ψ`, an upper bound on its own set and a lower bound on the other
+    /// one; `None` if no kept simplex meets one of the sets.
+    fn ends(&self, kept: &[bool]) -> Option<[[f64; 2]; 2]> {
+        let (mut start, mut end) = ([f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
+        for set in [0, 1] {
+            let mut meets = false;
+            for meeting in self.meetings[set].iter().filter(|meeting| kept[meeting.simplex]) {
+                meets = true;
+                start[set] = start[set].max(meeting.own);
+                end[1 - set] = end[1 - set].min(meeting.other);
+            }
+            if !meets {
+                return None;
+            }
+        }
+        Some([start, end])
+    }
+
+    /// Returns lower bounds on the lengths of curves in the cubes from the first set to a boundary
+    /// facet of the cubes, and from the second set. `ignored` tells which facets do not count.
+    pub(crate) fn to_the_boundary(&self, ignored: impl Fn(Spot<'_, D>, usize) -> bool) -> [f64; 2] {
+        // If the second set does not meet the cubes, no level is 0 on it, and its function is 0.
+        let start = self.meetings.each_ref().map(|meetings| {
+            meetings.iter().fold(f64::NEG_INFINITY, |start, meeting| start.max(meeting.own))
+        });
+        let (exponent, cubes) = (self.level.cubes().exponent(), self.level.cubes());
+        let functions = [0, 1].map(|i| {
+            let growths = self.tested.iter().map(|tested| tested.growths[i]);
+            let finite = growths.clone().map(|g| g.range.1).filter(|t| t.is_finite());
+            let end = finite.fold(start[i], f64::max);
+            LevelSets::new(growths, start[i], end)
+        });
+        let mut scratch = Scratch::default();
+        let mut least = [f64::INFINITY; 2];
+        for place in cubes.places() {
+            let low = lattice::point(exponent, place);
+            let values = scratch.values(self.level, place);
+            for simplex in &self.simplices {
+                for (k, outward) in [(D, simplex.axes[D - 1]), (0, simplex.axes[0])] {
+                    // Without its last vertex the simplex lies in the low face of the last axis,
+                    // without its first one in the high face of the first axis.
+                    let mut beside = *place;
+                    beside[outward] += if k == 0 { 1 } else { -1 };
+                    let spot = Spot { simplex, low: &low, side: cubes.side() };
+                    if cubes.contains(&beside) || ignored(spot, k) {
+                        continue;
+                    }
+                    for i in [0, 1] {
+                        let facet = Bernstein::<D>::of(simplex, values[i]).range_opposite(k);
+                        least[i] = least[i].min(functions[i].below(facet.lo()));
+                    }
+                }
+            }
+        }
+        least
+    }
+}
+
+/// Returns `ε = M D a²/8`, undefined if `M` is unknown.
+fn shift<const D: usize>(formula: &Formula<D>, exponent: i32, place: &Place<D>) -> Interval {
+    let curvature = largest_curvature(formula, &lattice::cube(exponent, place));
+    let square = lattice::side(exponent).powi(2) * (D as f64 / 8.0);
+    Interval::point(mul_up(curvature, square))
+}
+
+/// Returns the numbers of the corners in lexicographic order, by their bits.
+fn corner_order(dimension: usize) -> impl Iterator<Item = usize> {
+    (0..1 << dimension)
+        .map(move |bits: usize| (0..dimension).fold(0, |at, axis| 2 * at + (bits >> axis & 1)))
+}
+
+fn tested<const D: usize>(
+    simplex: &Simplex,
+    values: &[&[f64]; 2],
+    corners: &[Option<Decomposed<D>>],
+    inverse_side: f64,
+) -> Tested {
+    let forms = values.map(|values| Bernstein::<D>::of(simplex, values));
+    let growths = [0, 1].map(|i| {
+        let range = forms[i].range();
+        let mut q = 0.0_f64;
+        for (k, &corner) in simplex.corners.iter().enumerate() {
+            let square = corners[corner].as_ref().map_or(f64::INFINITY, |decomposed| {
+                decomposed.inverse_square(&gradient(simplex, values[i], k, inverse_side))
+            });
+            q = q.max(square);
+        }
+        Growth { range: (range.lo(), range.hi()), q }
+    });
+    Tested { growths, sum: forms[0].plus(&forms[1]).range().lo() }
+}
+
+/// Returns the simplices that a set may meet.
+fn meetings<const D: usize>(
+    simplices: &[Simplex],
+    set: &Shape<D>,
+    own: usize,
+    level: &Level<D>,
+) -> Vec<Meeting> {
+    let pieces = Piece::of(set);
+    let cubes = level.cubes();
+    let of_cube = |scratch: &mut Scratch, (n, place): (usize, &Place<D>)| {
+        let cube = lattice::cube(cubes.exponent(), place);
+        if distance_below(set, &cube) > 0.0 {
+            return Vec::new();
+        }
+        let low = lattice::point(cubes.exponent(), place);
+        let values = scratch.values(level, place);
+        let mut meetings = Vec::new();
+        for (s, simplex) in simplices.iter().enumerate() {
+            let spot = Spot { simplex, low: &low, side: cubes.side() };
+            let forms = values.map(|values| Bernstein::<D>::of(simplex, values));
+            for piece in &pieces {
+                if let Some(found) = piece.values(spot, [&forms[own], &forms[1 - own]]) {
+                    let simplex = n * simplices.len() + s;
+                    meetings.push(Meeting { simplex, own: found[0].hi(), other: found[1].lo() });
+                }
+            }
+        }
+        meetings
+    };
+    let found: Vec<Vec<Meeting>> =
+        cubes.places().par_iter().enumerate().map_init(Scratch::default, of_cube).collect();
+    found.concat()
+}
+
+/// Memory for one cube.
+#[derive(Debug, Default)]
+struct Scratch {
+    numbers: Vec<usize>,
+    values: [Vec<f64>; 2],
+}
+
+impl Scratch {
+    /// Returns the values of `φ` and `ψ` at the `3^D` nodes of a cube.
+    fn values<const D: usize>(&mut self, level: &Level<D>, place: &Place<D>) -> [&[f64]; 2] {
+        let Self { numbers: at, values } = self;
+        numbers(level.nodes(), place, 2, at);
+        for (values, all) in values.iter_mut().zip(level.values()) {
+            values.clear();
+            values.extend(at.iter().map(|&n| all[n]));
+        }
+        [&self.values[0], &self.values[1]]
+    }
+}

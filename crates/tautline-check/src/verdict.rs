@@ -1,0 +1,72 @@
+//! `Verdict`: what a certificate proves, in words.
+
+use std::fmt::{self, Display, Formatter};
+
+use crate::{AnyCertificate, Certificate, CheckError, Proved};
+
+/// What a certificate proves, whatever its dimension.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict {
+    /// The metric, the sets, and the length below which curves were followed, as in the file.
+    pub statement: String,
+    /// A lower bound on the distance, in `m`.
+    pub lower: f64,
+    /// An upper bound on the length of the curve, in `m`, if there is one.
+    pub upper: Option<f64>,
+    /// `(upper − lower)/upper`.
+    pub gap: Option<f64>,
+    /// `H ≥ c₁ I`, if that is a hypothesis and not proved.
+    pub declared: Option<f64>,
+    /// The number of cubes of the corridor, and their side, in `ℓ`.
+    pub corridor: (usize, f64),
+    /// For each level, the number of cubes and the lower bound so far.
+    pub levels: Vec<(usize, f64)>,
+}
+
+impl<const D: usize> Certificate<D> {
+    /// Returns what was proved of this certificate, in words.
+    #[must_use]
+    pub fn verdict(&self, proved: &Proved<D>) -> Verdict {
+        Verdict {
+            statement: self.statement(),
+            lower: proved.lower,
+            upper: proved.upper,
+            gap: proved.gap(),
+            declared: proved.declared,
+            corridor: (proved.corridor.places().len(), proved.corridor.side()),
+            levels: proved.levels.clone(),
+        }
+    }
+}
+
+impl AnyCertificate {
+    /// Proves what the certificate claims, like [`Certificate::check`].
+    ///
+    /// # Errors
+    ///
+    /// As for [`Certificate::check`].
+    pub fn check(&self) -> Result<Verdict, CheckError> {
+        match self {
+            Self::Line(certificate) => Ok(certificate.verdict(&certificate.check()?)),
+            Self::Plane(certificate) => Ok(certificate.verdict(&certificate.check()?)),
+            Self::Space(certificate) => Ok(certificate.verdict(&certificate.check()?)),
+            Self::Four(certificate) => Ok(certificate.verdict(&certificate.check()?)),
+        }
+    }
+}
+
+impl Display for Verdict {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(f, "lower bound  {:.17e}  no curve between the sets is shorter", self.lower)?;
+        if let (Some(upper), Some(gap)) = (self.upper, self.gap) {
+            writeln!(f, "upper bound  {upper:.17e}  the length of the curve")?;
+            writeln!(f, "gap          {gap:.2e}  (upper - lower)/upper")?;
+            let (cubes, side) = self.corridor;
+            writeln!(f, "corridor     {cubes} cubes of side {side:e} hold every shortest curve")?;
+        }
+        if let Some(c1) = self.declared {
+            writeln!(f, "hypothesis   H >= {c1:e} I everywhere, declared and not proved")?;
+        }
+        writeln!(f, "hypotheses   the formula is the one that is meant; numbers are binary values")
+    }
+}

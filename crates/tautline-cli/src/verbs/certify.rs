@@ -1,0 +1,58 @@
+//! `tautline certify`.
+
+use std::{ops::ControlFlow, process::ExitCode, time::Instant};
+
+use tautline_problem::{Failure, distance::Wanted};
+
+use crate::{
+    arguments::Certify,
+    error::CommandError,
+    problem::ProblemText,
+    report,
+    timed::{seconds, timed},
+    write::{print, write},
+};
+
+/// A level takes at most about this many times as long as the one before.
+const NEXT: u32 = 3;
+
+/// Searches for a certificate of the distance of a file, and writes it.
+pub(crate) fn certify(arguments: &Certify) -> Result<ExitCode, CommandError> {
+    let gap = arguments.gap;
+    if !(gap > 0.0 && gap < 1.0) {
+        let message = format!("a gap of {gap:e} is not between 0 and 1");
+        return Err(CommandError::BadArgument(message));
+    }
+    let limit = seconds(arguments.time_limit)?;
+    let problem = ProblemText::read(&arguments.file)?;
+    let limit = limit.or(problem.question.time_limit());
+    let question = problem.question.clone();
+    let wanted = Wanted { gap, cubes: arguments.cubes };
+    let found = timed(limit, "certifying", move |_, _| {
+        let start = Instant::now();
+        let mut last = start;
+        question.certify(wanted, &mut |_| {
+            // The next level has to end in time too.
+            let needed = NEXT * last.elapsed();
+            last = Instant::now();
+            match limit {
+                Some(limit) if start.elapsed() + needed > limit => ControlFlow::Break(()),
+                _ => ControlFlow::Continue(()),
+            }
+        })
+    })?;
+    let too_late = || Failure::NotComputed("nothing was proved within the time limit".to_owned());
+    let found = found.unwrap_or_else(|| Err(too_late()));
+    let found = found.map_err(|failure| problem.explain(failure))?;
+    if let Some(path) = &arguments.output {
+        write(path, found.certificate.as_bytes())?;
+    }
+    if arguments.json {
+        let json = serde_json::to_string_pretty(&found);
+        let json = json.map_err(|error| CommandError::NotDone(error.to_string()))?;
+        print(&format!("{json}\n"))?;
+    } else {
+        print(&report::certified(&found))?;
+    }
+    Ok(if found.reached { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}

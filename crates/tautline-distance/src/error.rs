@@ -1,0 +1,35 @@
+//! `DistanceError`: why no certificate could be proposed.
+
+use tautline_check::CheckError;
+
+/// Why there is no certificate.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DistanceError {
+    /// The curve does not run from set to set, or its length is not bounded.
+    #[error("the curve proves no length: {0}")]
+    Curve(#[source] CheckError),
+    /// The length of the curve is 0 or not finite.
+    #[error("the curve has the length {length}")]
+    Length {
+        /// The length.
+        length: f64,
+    },
+    /// Neither set is bounded.
+    #[error("one of the sets has to be bounded")]
+    Unbounded,
+    /// No region was found that short curves cannot leave.
+    #[error("curves shorter than {hi} may leave every region that was tried: {reason}")]
+    Region {
+        /// The length.
+        hi: f64,
+        /// What the last region lacked.
+        reason: CheckError,
+    },
+    /// The search was stopped before its first level.
+    #[error("the search was stopped before it proved anything")]
+    Stopped,
+    /// The checker refused a level, which is a fault of this library.
+    #[error("a level was refused: {0}")]
+    Refused(#[source] CheckError),
+}

@@ -1,0 +1,310 @@
+//! `Fan`: the distance from a set near a geodesic, from several rays.
+//!
+//! The rays start at one point behind an end point, or across the boundary of a set. Near each ray the
+//! distance is known up to the third order; between rays these values are averaged with smooth
+//! weights. More rays make it accurate farther from the geodesic.
+
+use nalgebra::{SMatrix, SVector};
+use rayon::prelude::*;
+use tautline_formula::Formula;
+use tautline_sets::Shape;
+
+use crate::{
+    calibration::{Calibration, shoot},
+    geodesic::Geodesic,
+    hamiltonian::{Hamiltonian, eigenvalues},
+    seed::distance,
+};
+
+/// The number of steps along a ray.
+const STEPS: usize = 600;
+
+/// How far the rays are continued behind the other end, relative to the length of the geodesic.
+const OVERHANG: f64 = 0.1;
+
+/// The support of the weight of a ray, in distances between rays.
+const SUPPORT: f64 = 1.6;
+
+/// Rays, the first of which is the geodesic.
+#[derive(Clone, Debug)]
+pub(crate) struct Fan<const D: usize> {
+    rays: Vec<Calibration<D>>,
+    /// For each sample, the distance between neighbouring rays.
+    gaps: Vec<f64>,
+    /// The offset of the rays next to the geodesic.
+    spacing: f64,
+}
+
+/// Where rays start.
+struct Launch<const D: usize> {
+    /// The end of the geodesic, and the momentum there.
+    x: SVector<f64, D>,
+    p: SVector<f64, D>,
+    /// The centre of a ball; `None` for a flat boundary.
+    centre: Option<SVector<f64, D>>,
+}
+
+/// The kind of an end.
+enum End<const D: usize> {
+    Point,
+    Flat,
+    Ball(SVector<f64, D>),
+}
+
+fn kind<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> End<D> {
+    match set {
+        Shape::Point(_) => End::Point,
+        Shape::Ball(ball) if ball.r() == 0.0 => End::Point,
+        Shape::Ball(ball) => End::Ball(*ball.centre()),
+        Shape::HalfSpace(_) | Shape::AxisBox(_) => End::Flat,
+        Shape::Union(_) => {
+            let pieces = set.pieces().into_iter();
+            let nearest = pieces.min_by(|a, b| distance(a, x).total_cmp(&distance(b, x)));
+            nearest.map_or(End::Flat, |piece| kind(piece, x))
+        }
+    }
+}
+
+impl<const D: usize> Fan<D> {
+    /// Returns the rays from one end of a geodesic with `rings` rings of rays around it, `spacing`
+    /// apart where they start. Those from a point meet at `focus` times the length of the geodesic
+    /// behind it. Returns `None` if the geodesic cannot be continued or focuses on the way.
+    pub(crate) fn new(
+        formula: &Formula<D>,
+        set: &Shape<D>,
+        geodesic: &Geodesic<D>,
+        end: usize,
+        (rings, spacing, focus): (i32, f64, f64),
+    ) -> Option<Self> {
+        let length = geodesic.length();
+        let (x, _) = geodesic.behind(formula, end, 0.0)?;
+        let kind = kind(set, &x);
+        let behind = if matches!(kind, End::Point) { focus * length } else { 0.0 };
+        let (x, p) = geodesic.behind(formula, end, behind)?;
+        let p = -p;
+        let centre = match kind {
+            End::Ball(centre) => Some(centre),
+            _ => None,
+        };
+        let launch = Launch { x, p, centre };
+        let step = (length + behind + OVERHANG * length) / STEPS as f64;
+        let tangents = match kind {
+            End::Point => across(&Hamiltonian::at(formula, &x, &p)?.velocity),
+            _ => across(&p),
+        };
+        let offsets = offsets(D - 1, rings);
+        let rays: Vec<Option<Calibration<D>>> = offsets
+            .par_iter()
+            .map(|offset| {
+                let offset = tangents
+                    .iter()
+                    .zip(offset)
+                    .fold(SVector::zeros(), |sum, (t, &by)| sum + t * (by * spacing));
+                match kind {
+                    End::Point => launch.ray_from_point(formula, &offset, step, behind),
+                    _ => launch.ray_from_boundary(formula, &offset, step),
+                }
+            })
+            .collect();
+        let mut rays = rays.into_iter();
+        // Without the geodesic there is no fan; without another ray there is a gap.
+        let mut kept = vec![rays.next()??];
+        kept.extend(rays.flatten());
+        let gaps = (0..=STEPS)
+            .map(|sample| {
+                let to = |ray: &Calibration<D>| (ray.place(sample) - kept[0].place(sample)).norm();
+                kept[1..].iter().take(2 * (D - 1)).map(to).fold(0.0, f64::max)
+            })
+            .collect();
+        Some(Self { rays: kept, gaps, spacing })
+    }
+
+    /// Returns about the distance of `x` from the set.
+    pub(crate) fn value(&self, x: &SVector<f64, D>) -> f64 {
+        let foot = self.rays[0].foot(x);
+        let sample = (foot.round().max(0.0) as usize).min(STEPS);
+        let support = (SUPPORT * self.gaps[sample]).powi(2);
+        let (mut sum, mut weights) = (0.0, 0.0);
+        let (mut nearest, mut least) = (0, f64::INFINITY);
+        for (n, ray) in self.rays.iter().enumerate() {
+            let square = (ray.place(sample) - x).norm_squared();
+            if square < least {
+                (nearest, least) = (n, square);
+            }
+            let weight = (1.0 - square / support).max(0.0).powi(2);
+            if weight > 0.0 {
+                sum += weight * ray.value(x, ray.foot_near(x, foot));
+                weights += weight;
+            }
+        }
+        if weights > 0.0 {
+            sum / weights
+        } else {
+            let ray = &self.rays[nearest];
+            ray.value(x, ray.foot_near(x, foot))
+        }
+    }
+
+    /// Returns the same from the geodesic alone, which is enough very near it.
+    pub(crate) fn value_near(&self, x: &SVector<f64, D>) -> f64 {
+        self.rays[0].value(x, self.rays[0].foot(x))
+    }
+
+    /// Returns how far `x` is from the geodesic, in offsets of rays where they start.
+    pub(crate) fn offset(&self, x: &SVector<f64, D>) -> f64 {
+        let sample = (self.rays[0].foot(x).round().max(0.0) as usize).min(STEPS);
+        (self.rays[0].place(sample) - x).norm() / self.gaps[sample] * self.spacing
+    }
+
+    /// Returns the second derivatives of the distance at this arc length from the set.
+    fn curvature(&self, s: f64) -> SMatrix<f64, D, D> {
+        self.rays[0].curvature(s)
+    }
+}
+
+/// Two fans along one geodesic, from its two ends.
+#[derive(Clone, Debug)]
+pub(crate) struct Pencil<const D: usize> {
+    pub(crate) fans: [Fan<D>; 2],
+    focus: f64,
+}
+
+/// How far behind a point the rays meet at first.
+const FOCUS: f64 = 0.25;
+
+/// The offsets of the rays of a fan that is made to measure offsets.
+const PROBE: f64 = 1e-3;
+
+impl<const D: usize> Pencil<D> {
+    /// Returns the fans along a geodesic from set to set. Returns `None` if there are none, for example
+    /// because an end is conjugate to the other.
+    pub(crate) fn along(
+        formula: &Formula<D>,
+        sets: &[Shape<D>; 2],
+        geodesic: &Geodesic<D>,
+    ) -> Option<Self> {
+        (0..7)
+            .filter_map(|halvings| {
+                let focus = FOCUS * 0.5_f64.powi(halvings);
+                Self::with(formula, sets, geodesic, 1, [PROBE; 2], focus)
+            })
+            .find(|pencil| pencil.is_convex(geodesic.length()))
+    }
+
+    fn with(
+        formula: &Formula<D>,
+        sets: &[Shape<D>; 2],
+        geodesic: &Geodesic<D>,
+        rings: i32,
+        spacings: [f64; 2],
+        focus: f64,
+    ) -> Option<Self> {
+        let fan = |end: usize| {
+            Fan::new(formula, &sets[end], geodesic, end, (rings, spacings[end], focus))
+        };
+        Some(Self { fans: [fan(0)?, fan(1)?], focus })
+    }
+
+    /// Returns fans with `rings` rings that reach these points.
+    pub(crate) fn reaching(
+        &self,
+        formula: &Formula<D>,
+        sets: &[Shape<D>; 2],
+        geodesic: &Geodesic<D>,
+        rings: i32,
+        points: &[SVector<f64, D>],
+    ) -> Option<Self> {
+        let spacings = self.fans.each_ref().map(|fan| {
+            let offsets = points.par_iter().map(|x| fan.offset(x)).filter(|c| c.is_finite());
+            offsets.reduce(|| 0.0, f64::max) / f64::from(rings)
+        });
+        Self::with(formula, sets, geodesic, rings, spacings, self.focus)
+    }
+
+    /// Returns whether the sum of both distances has a strict minimum across the geodesic.
+    fn is_convex(&self, length: f64) -> bool {
+        (0..=20).all(|k| {
+            let s = length * f64::from(k) / 20.0;
+            let sum = self.fans[0].curvature(s) + self.fans[1].curvature(length - s);
+            let mut eigenvalues = eigenvalues(&sum);
+            // Along the geodesic the sum does not change.
+            eigenvalues.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+            eigenvalues.iter().skip(1).all(|&eigenvalue| eigenvalue > 0.0)
+        })
+    }
+}
+
+impl<const D: usize> Launch<D> {
+    /// Returns the ray from the point with another direction. Its first sample is a little way off,
+    /// where `S` is about `1/s` across the ray.
+    fn ray_from_point(
+        &self,
+        formula: &Formula<D>,
+        offset: &SVector<f64, D>,
+        step: f64,
+        behind: f64,
+    ) -> Option<Calibration<D>> {
+        let near = 0.05 * behind;
+        let p = self.p + offset;
+        let (x, p) = shoot(formula, (self.x, p), near / 20.0, 20)?;
+        Calibration::integrate(formula, (x, p), |h, _| h / near, near - behind, step, STEPS)
+    }
+
+    /// Returns the ray that leaves the boundary at another place.
+    fn ray_from_boundary(
+        &self,
+        formula: &Formula<D>,
+        offset: &SVector<f64, D>,
+        step: f64,
+    ) -> Option<Calibration<D>> {
+        let x = self.x + offset;
+        let (x, p, curvature) = match self.centre {
+            None => (x, self.p, 0.0),
+            Some(centre) => {
+                let r = (self.x - centre).norm();
+                let normal = (x - centre).normalize();
+                (centre + normal * r, normal, 1.0 / r)
+            }
+        };
+        let bend = |_: &SMatrix<f64, D, D>, p: &SVector<f64, D>| {
+            SMatrix::identity() * (curvature * p.norm())
+        };
+        Calibration::integrate(formula, (x, p), bend, 0.0, step, STEPS)
+    }
+}
+
+/// Returns orthonormal vectors that are orthogonal to this one.
+fn across<const D: usize>(vector: &SVector<f64, D>) -> Vec<SVector<f64, D>> {
+    let mut found: Vec<SVector<f64, D>> = vec![vector.normalize()];
+    for axis in 0..D {
+        let mut unit = SVector::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 });
+        for other in &found {
+            unit -= other * other.dot(&unit);
+        }
+        if found.len() < D && unit.norm() > 0.3 {
+            found.push(unit.normalize());
+        }
+    }
+    found.split_off(1)
+}
+
+/// Returns points of a square lattice within `rings` of the origin, the origin first and then its
+/// neighbours.
+fn offsets(dimension: usize, rings: i32) -> Vec<Vec<f64>> {
+    let width = (2 * rings + 1) as usize;
+    let mut offsets: Vec<Vec<f64>> = (0..width.pow(dimension as u32))
+        .map(|mut at| {
+            (0..dimension)
+                .map(|_| {
+                    let step = (at % width) as f64 - f64::from(rings);
+                    at /= width;
+                    step
+                })
+                .collect()
+        })
+        .collect();
+    let square = |offset: &Vec<f64>| offset.iter().map(|c| c * c).sum::<f64>();
+    offsets.retain(|offset| square(offset) <= f64::from(rings * rings) + 0.5);
+    offsets.sort_by(|a, b| square(a).total_cmp(&square(b)));
+    offsets
+}

@@ -1,0 +1,60 @@
+//! `Wanted` and `Found`: what is asked of a search for a certificate, and what it returns.
+
+use tautline_check::{Certificate, Proved};
+
+/// What is wanted of a certificate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// The largest gap `(upper − lower)/upper`.
+    pub gap: f64,
+    /// The most cubes of all levels together. Each takes some 5 µs in the plane, 50 µs in space, and
+    /// 200 to 400 bytes of the certificate.
+    pub cubes: usize,
+}
+
+impl Wanted {
+    /// Asks for this gap, with at most two million cubes.
+    #[must_use]
+    pub fn gap(gap: f64) -> Self {
+        Self { gap, cubes: 2_000_000 }
+    }
+}
+
+/// A certificate, and what it proves.
+#[derive(Clone, Debug)]
+pub struct Found<const D: usize> {
+    /// The certificate.
+    pub certificate: Certificate<D>,
+    /// What it proves. The corridor may be a little wider than the one that the checker finds.
+    pub proved: Proved<D>,
+    /// Why the search ended.
+    pub ended: Ended,
+}
+
+/// Why a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Ended {
+    /// The gap is as small as wanted.
+    Reached,
+    /// Smaller cubes no longer made the gap smaller. Either there is a shorter curve, or there are
+    /// other curves that are nearly as short, or an end is conjugate to the other.
+    Stalled,
+    /// The next level would have had too many cubes.
+    TooManyCubes,
+    /// The observer stopped it.
+    Stopped,
+}
+
+/// What a search has done so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// The number of levels.
+    pub levels: usize,
+    /// The number of cubes of all levels.
+    pub cubes: usize,
+    /// The lower bound so far, in `m`.
+    pub lower: f64,
+    /// The length of the curve, in `m`.
+    pub upper: f64,
+}

@@ -1,0 +1,22 @@
+//! Proposes certificates of distances.
+//!
+//! What is proposed here is proved by `tautline-check`, which trusts none of it.
+
+mod calibration;
+mod error;
+mod fan;
+mod first_level;
+mod found;
+mod geodesic;
+mod hamiltonian;
+mod inside;
+mod marching;
+mod proposal;
+mod reduction;
+mod search;
+mod seed;
+mod tubes;
+
+pub use error::DistanceError;
+pub use found::{Ended, Found, Progress, Wanted};
+pub use search::search;

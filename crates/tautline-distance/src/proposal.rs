@@ -1,0 +1,217 @@
+//! Values that are proposed for a level.
+
+use std::collections::HashMap;
+
+use nalgebra::SVector;
+use rayon::prelude::*;
+use tautline_check::{Cubes, Place};
+use tautline_sets::Shape;
+
+use crate::{
+    DistanceError,
+    marching::{Nodes, gram, point},
+    search::Search,
+    seed::seed,
+};
+
+/// How far from a point its rays are used as the start of a march, relative to the length of the curve.
+const REACH: f64 = 0.25;
+
+/// How many nodes beyond a point the march begins.
+const BAND: f64 = 4.0;
+
+/// By how many cubes the cubes are dilated before a march: along their boundary the nodes lack
+/// neighbours, and the values are too large.
+fn dilation(dimension: usize) -> i32 {
+    if dimension < 3 { 4 } else { 3 }
+}
+
+/// Where values come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Source {
+    /// The rays next to a geodesic: very accurate near it, and wrong far away.
+    Rays,
+    /// Fast marching from the rays behind the ends that are points. There the rays meet behind the
+    /// point. A distance from the point itself is not smooth, which costs an order.
+    MarchFromRays,
+    /// Fast marching from the sets.
+    March,
+}
+
+/// Returns the values times a factor.
+pub(crate) fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
+    values.into_iter().map(|value| value * factor).collect()
+}
+
+/// Two functions at nodes.
+type Values = [Vec<f64>; 2];
+
+impl<const D: usize> Search<'_, D> {
+    /// Returns values at the nodes of the cubes; `None` if there are no rays for them. `marched` keeps
+    /// the nodes of a march for the next one.
+    pub(crate) fn propose(
+        &self,
+        cubes: &Cubes<D>,
+        source: Source,
+        marched: &mut Option<Nodes<D>>,
+    ) -> Result<Option<Values>, DistanceError> {
+        if source != Source::March && self.pencils.is_empty() {
+            return Ok(None);
+        }
+        if source == Source::Rays {
+            return Ok(Some(self.along_rays(cubes)));
+        }
+        let nodes = match marched.take() {
+            Some(nodes) => nodes,
+            None => Nodes::new(self.formula, &dilated(cubes, dilation(D))?),
+        };
+        let values = [0, 1].map(|side| {
+            let all = nodes.march(self.seeds(&nodes, side, source));
+            let value = |place: &Place<D>| nodes.value(&all, place).unwrap_or(0.0);
+            cubes.nodes().iter().map(value).collect()
+        });
+        *marched = Some(nodes);
+        Ok(Some(values))
+    }
+
+    /// Returns the values from the rays. If there are several geodesics and the cubes have several
+    /// components, each component uses the geodesic that runs through it.
+    fn along_rays(&self, cubes: &Cubes<D>) -> Values {
+        let spacing = 0.5 * cubes.side();
+        let nodes = cubes.nodes();
+        let pencil_of = self.pencils_of(cubes, &nodes);
+        [0, 1].map(|side| {
+            let value = |(n, place): (usize, &Place<D>)| {
+                let x = point(place, spacing);
+                match pencil_of.get(n) {
+                    Some(&pencil) => self.pencils[pencil].1.fans[side].value_near(&x),
+                    // Without a choice, the least value counts.
+                    None => {
+                        let values = self.pencils.iter().map(|(_, pencil)| &pencil.fans[side]);
+                        values.map(|fan| fan.value_near(&x)).fold(f64::INFINITY, f64::min)
+                    }
+                }
+            };
+            nodes.par_iter().enumerate().map(value).collect()
+        })
+    }
+
+    /// Returns the pencil for each node, by its component; nothing if there is no choice, or if two
+    /// geodesics run through one component.
+    fn pencils_of(&self, cubes: &Cubes<D>, nodes: &[Place<D>]) -> Vec<usize> {
+        if self.pencils.len() < 2 {
+            return Vec::new();
+        }
+        let component = components(cubes);
+        let cube_at = |x: &SVector<f64, D>| -> Option<usize> {
+            let place: Place<D> = std::array::from_fn(|i| (x[i] / cubes.side()).floor() as i32);
+            cubes.places().binary_search(&place).ok()
+        };
+        let mut pencil_of: HashMap<usize, usize> = HashMap::new();
+        for (n, (geodesic, _)) in self.pencils.iter().enumerate() {
+            if let Some(cube) = cube_at(geodesic.middle()) {
+                let taken = pencil_of.insert(component[cube], n);
+                if taken.is_some() {
+                    return Vec::new();
+                }
+            }
+        }
+        let mut of_node: HashMap<Place<D>, usize> = HashMap::new();
+        for (cube, place) in cubes.places().iter().enumerate() {
+            let pencil = pencil_of.get(&component[cube]).copied().unwrap_or(0);
+            for at in 0..3_usize.pow(D as u32) {
+                let node =
+                    std::array::from_fn(|i| 2 * place[i] + (at / 3_usize.pow(i as u32) % 3) as i32);
+                of_node.insert(node, pencil);
+            }
+        }
+        nodes.iter().map(|node| of_node.get(node).copied().unwrap_or(0)).collect()
+    }
+
+    /// Returns the values from which the distance from a set spreads over the nodes, and infinity at
+    /// all other nodes.
+    pub(crate) fn seeds(&self, nodes: &Nodes<D>, side: usize, source: Source) -> Vec<f64> {
+        let points = nodes.points();
+        let band = BAND * nodes.spacing();
+        let set = &self.sets[side];
+        let is_point = matches!(set, Shape::Point(_));
+        if source == Source::March || !is_point {
+            let value = |x: &SVector<f64, D>| seed(self.formula, set, band, x);
+            return points.par_iter().map(|x| value(x).unwrap_or(f64::INFINITY)).collect();
+        }
+        // Everything behind a front a little beyond the point.
+        let end = if side == 0 { self.curve[0] } else { self.curve[self.curve.len() - 1] };
+        let reach = REACH * self.euclidean();
+        let front = band * gram(self.formula, &end).trace().sqrt();
+        let rings = if D == 2 { 6 } else { 3 };
+        let mut seeds = vec![f64::INFINITY; points.len()];
+        for (geodesic, pencil) in &self.pencils {
+            let is_behind = |x: &SVector<f64, D>| {
+                (x - end).norm() <= reach && pencil.fans[side].value_near(x) <= front
+            };
+            let behind: Vec<SVector<f64, D>> =
+                points.par_iter().filter(|x| is_behind(x)).copied().collect();
+            let wide = pencil.reaching(self.formula, self.sets, geodesic, rings, &behind);
+            let fan = wide.as_ref().map_or(&pencil.fans[side], |wide| &wide.fans[side]);
+            let value = |x: &SVector<f64, D>| {
+                if is_behind(x) { fan.value(x) } else { f64::INFINITY }
+            };
+            let values: Vec<f64> = points.par_iter().map(value).collect();
+            for (seed, value) in seeds.iter_mut().zip(values) {
+                *seed = seed.min(value);
+            }
+        }
+        seeds
+    }
+
+    /// Returns the Euclidean length of the curve.
+    pub(crate) fn euclidean(&self) -> f64 {
+        self.curve.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
+    }
+}
+
+/// Returns the number of the component of each cube. Cubes that share a corner are in one.
+fn components<const D: usize>(cubes: &Cubes<D>) -> Vec<usize> {
+    let places = cubes.places();
+    let mut component = vec![usize::MAX; places.len()];
+    for start in 0..places.len() {
+        if component[start] != usize::MAX {
+            continue;
+        }
+        component[start] = start;
+        let mut left = vec![start];
+        while let Some(cube) = left.pop() {
+            for at in 0..3_usize.pow(D as u32) {
+                let beside: Place<D> = std::array::from_fn(|i| {
+                    places[cube][i] + (at / 3_usize.pow(i as u32) % 3) as i32 - 1
+                });
+                if let Ok(other) = places.binary_search(&beside)
+                    && component[other] == usize::MAX
+                {
+                    component[other] = start;
+                    left.push(other);
+                }
+            }
+        }
+    }
+    component
+}
+
+/// Returns the cubes within `by` cubes of these, along the axes.
+pub(crate) fn dilated<const D: usize>(
+    cubes: &Cubes<D>,
+    by: i32,
+) -> Result<Cubes<D>, DistanceError> {
+    let mut cubes = cubes.clone();
+    for axis in 0..D {
+        let moved = cubes.places().iter().flat_map(|place| {
+            (-by..=by).map(move |step| {
+                let mut place = *place;
+                place[axis] += step;
+                place
+            })
+        });
+        cubes = Cubes::new(cubes.exponent(), moved.collect()).map_err(DistanceError::Refused)?;
+    }
+    Ok(cubes)
+}

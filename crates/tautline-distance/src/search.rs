@@ -1,0 +1,203 @@
+//! The search for a certificate: levels of smaller and smaller cubes near all short curves.
+
+use std::ops::ControlFlow;
+
+use nalgebra::SVector;
+use tautline_check::{
+    Certificate, Chain, CheckError, Cubes, LARGEST_DIMENSION, Level, length_above,
+};
+use tautline_formula::Formula;
+use tautline_sets::Shape;
+
+use crate::{
+    DistanceError, Ended, Found, Progress, Wanted,
+    fan::Pencil,
+    geodesic::Geodesic,
+    inside::inside,
+    proposal::{Source, scaled},
+};
+
+/// How much longer than the curve the curves are that are followed, relative to its length. All
+/// minimal geodesics are among them.
+const LONGER: f64 = 1e-9;
+
+/// How much longer the curves are that the levels keep, so that a checker that rounds differently
+/// keeps no other cubes.
+pub(crate) const KEPT: f64 = 1e-12;
+
+/// If a proposal makes the gap smaller by this factor, no other one is tried.
+const GOOD: f64 = 0.5;
+
+/// After this many levels that each leave more than `SLOW` of the gap, the search ends.
+const SLOW_LEVELS: usize = 2;
+const SLOW: f64 = 0.7;
+
+/// A search.
+#[derive(Debug)]
+pub(crate) struct Search<'f, const D: usize> {
+    pub(crate) formula: &'f Formula<D>,
+    pub(crate) sets: &'f [Shape<D>; 2],
+    /// The shortest of the curves, with its ends in the sets.
+    pub(crate) curve: Vec<SVector<f64, D>>,
+    pub(crate) length: f64,
+    pub(crate) hi: f64,
+    /// Geodesics near the curves, as far as they have calibrations.
+    pub(crate) pencils: Vec<(Geodesic<D>, Pencil<D>)>,
+}
+
+/// Searches for a certificate of the distance between two sets, given polygons between them. The first
+/// one is the curve of the certificate. Further ones help if they are nearly as short.
+///
+/// If the first set is unbounded, the certificate has the sets in the other order.
+///
+/// `observe` is told about every level, and may stop the search.
+///
+/// ```
+/// use std::ops::ControlFlow;
+///
+/// use nalgebra::vector;
+/// use tautline_distance::{Wanted, search};
+/// use tautline_formula::Formula;
+/// use tautline_sets::{Point, Shape};
+///
+/// // Half of the unit sphere in stereographic coordinates.
+/// let sphere = Formula::<2>::parse("4/sqr(1 + x1^2 + x2^2) I", &[])?;
+/// let sets = [[-0.5, 0.0], [0.5, 0.0]].map(|x| Shape::Point(Point::new(x).expect("finite")));
+/// // The straight line is the geodesic.
+/// let line = (0..=100).map(|n| vector![f64::from(n) / 100.0 - 0.5, 0.0]).collect();
+/// let go_on = &mut |_| ControlFlow::Continue(());
+/// let found = search(&sphere, &sets, &[line], Wanted::gap(1e-3), go_on)?;
+/// let proved = found.certificate.check()?;
+/// let d = 4.0 * 0.5_f64.atan();
+/// assert!(proved.lower <= d && d <= proved.upper.expect("a curve") && proved.lower > 0.999 * d);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// [`DistanceError`] if the polygon proves no length, or no region holds the short curves.
+pub fn search<const D: usize>(
+    formula: &Formula<D>,
+    sets: &[Shape<D>; 2],
+    curves: &[Vec<SVector<f64, D>>],
+    wanted: Wanted,
+    observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Found<D>, DistanceError> {
+    if !(1..=LARGEST_DIMENSION).contains(&D) {
+        return Err(DistanceError::Refused(CheckError::Dimension { dimension: D }));
+    }
+    if is_unbounded(&sets[0]) {
+        if is_unbounded(&sets[1]) {
+            return Err(DistanceError::Unbounded);
+        }
+        let sets = [sets[1].clone(), sets[0].clone()];
+        let turned = |curve: &Vec<SVector<f64, D>>| curve.iter().rev().copied().collect();
+        let curves: Vec<Vec<SVector<f64, D>>> = curves.iter().map(turned).collect();
+        return search(formula, &sets, &curves, wanted, observe);
+    }
+    let mut curve = curves.first().filter(|curve| curve.len() > 1).cloned().unwrap_or_default();
+    if let [first, .., last] = &mut curve[..] {
+        (*first, *last) = (inside(&sets[0], first), inside(&sets[1], last));
+    }
+    let length = length_above(formula, sets.each_ref(), &curve).map_err(DistanceError::Curve)?;
+    if !(length > 0.0 && length.is_finite()) {
+        return Err(DistanceError::Length { length });
+    }
+    let pencil = |curve: &Vec<SVector<f64, D>>| {
+        let geodesic = Geodesic::near(formula, curve)?;
+        Some((geodesic, Pencil::along(formula, sets, &geodesic)?))
+    };
+    let pencils = curves.iter().filter(|curve| curve.len() > 1).filter_map(pencil).collect();
+    let hi = length * (1.0 + LONGER);
+    Search { formula, sets, curve, length, hi, pencils }.run(wanted, observe)
+}
+
+/// Returns whether a set has a half-space.
+fn is_unbounded<const D: usize>(set: &Shape<D>) -> bool {
+    set.pieces().iter().any(|piece| matches!(piece, Shape::HalfSpace(_)))
+}
+
+impl<const D: usize> Search<'_, D> {
+    fn run(
+        &self,
+        wanted: Wanted,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Found<D>, DistanceError> {
+        let (region, first, mut chain) = self.first_level()?;
+        let mut cubes = first.cubes().places().len();
+        let mut levels = vec![first];
+        let mut slow = 0;
+        let ended = loop {
+            let (lower, upper) = (chain.lower(), self.length);
+            if observe(Progress { levels: levels.len(), cubes, lower, upper }).is_break() {
+                break Ended::Stopped;
+            }
+            if self.gap(&chain) <= wanted.gap {
+                break Ended::Reached;
+            }
+            if slow == SLOW_LEVELS {
+                break Ended::Stalled;
+            }
+            let exponent = levels[levels.len() - 1].cubes().exponent() - 1;
+            let next = chain.required(exponent).map_err(DistanceError::Refused)?;
+            if cubes + next.places().len() > wanted.cubes {
+                break Ended::TooManyCubes;
+            }
+            cubes += next.places().len();
+            let (level, next) = self.next_level(&chain, next, levels.len())?;
+            slow = if self.gap(&next) > SLOW * self.gap(&chain) { slow + 1 } else { 0 };
+            chain = next;
+            levels.push(level);
+        };
+        let certificate = Certificate {
+            formula: self.formula.clone(),
+            sets: self.sets.clone(),
+            hi: self.hi,
+            region,
+            curve: Some(self.curve.clone()),
+            levels,
+        };
+        let proved = chain.proved(Some(self.length)).map_err(DistanceError::Refused)?;
+        Ok(Found { certificate, proved, ended })
+    }
+
+    fn gap(&self, chain: &Chain<'_, D>) -> f64 {
+        (self.length - chain.lower()) / self.length
+    }
+
+    /// Returns the best level on these cubes of those that are proposed, and the proof with it.
+    fn next_level<'c>(
+        &self,
+        chain: &Chain<'c, D>,
+        cubes: Cubes<D>,
+        number: usize,
+    ) -> Result<(Level<D>, Chain<'c, D>), DistanceError> {
+        let before = self.gap(chain);
+        // Slopes above 1 cost less than slopes below 1.
+        let scale = 1.0 + 0.3 * before.min(0.01);
+        let mut best: Option<(Level<D>, Chain<'c, D>)> = None;
+        let mut marched = None;
+        for source in [Source::Rays, Source::MarchFromRays, Source::March] {
+            let Some(values) = self.propose(&cubes, source, &mut marched)? else { continue };
+            let values = values.map(|values| scaled(values, scale));
+            let level =
+                Level::new(number, cubes.clone(), values).map_err(DistanceError::Refused)?;
+            let mut next = chain.clone();
+            next.add(&level, self.hi * (1.0 + KEPT)).map_err(DistanceError::Refused)?;
+            let is_good = self.gap(&next) < GOOD * before;
+            let kept = |chain: &Chain<'c, D>| chain.kept().map_or(0, |kept| kept.places().len());
+            // Of two that prove the same, the one that leaves fewer cubes is better.
+            let is_better = best.as_ref().is_none_or(|(_, best)| {
+                next.lower() > best.lower()
+                    || next.lower() == best.lower() && kept(&next) < kept(best)
+            });
+            if is_better {
+                best = Some((level, next));
+            }
+            if is_good {
+                break;
+            }
+        }
+        best.ok_or(DistanceError::Stopped)
+    }
+}

@@ -1,0 +1,125 @@
+//! A certificate of the distance of a file.
+
+use core::ops::ControlFlow;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use tautline::{
+    CertificateError, Problem, Trapezoidal,
+    check::LARGEST_DIMENSION,
+    distance::{DistanceError, Ended, Progress, Wanted},
+};
+
+use crate::{Answer, Diagnostic, Failure, Float, Question};
+
+/// Bounds on the distance, with a certificate that anybody can check.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "Certified distance")]
+pub struct CertifiedAnswer {
+    /// No curve between the sets is shorter.
+    pub lower: Float,
+    /// The proved length of a curve between the sets.
+    pub upper: Float,
+    /// (upper - lower)/upper.
+    pub gap: Float,
+    /// Whether the gap is as small as wanted.
+    pub reached: bool,
+    /// Why the search ended.
+    pub ended: &'static str,
+    /// The levels, from coarse to fine.
+    pub levels: Vec<LevelAnswer>,
+    /// The number of cubes that hold every shortest curve.
+    pub corridor_cubes: usize,
+    /// Their side.
+    pub corridor_side: Float,
+    /// The certificate, which `tautline check` reads.
+    #[serde(skip)]
+    pub certificate: String,
+}
+
+/// What one level proves.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct LevelAnswer {
+    /// The number of cubes.
+    pub cubes: usize,
+    /// The lower bound after this level.
+    pub lower: Float,
+}
+
+impl Question {
+    /// Searches for a certificate of the distance. The search goes on until the gap is as small as
+    /// `wanted`, no longer falls, or `observe` stops it.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::BadInput`] with the place in the file; [`Failure::NotComputed`] if there is no curve
+    /// or nothing is proved.
+    pub fn certify(
+        &self,
+        wanted: Wanted,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<CertifiedAnswer, Failure> {
+        match self.dimension {
+            1 => self.certify_in::<1>(wanted, observe),
+            2 => self.certify_in::<2>(wanted, observe),
+            3 => self.certify_in::<3>(wanted, observe),
+            4 => self.certify_in::<4>(wanted, observe),
+            dimension => Err(Failure::NotComputed(format!(
+                "certificates are made in up to {LARGEST_DIMENSION} dimensions, not {dimension}"
+            ))),
+        }
+    }
+
+    fn certify_in<const D: usize>(
+        &self,
+        wanted: Wanted,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<CertifiedAnswer, Failure> {
+        let problem = Problem::new(self.formula::<D>()?, self.pair::<D>()?);
+        let options = self.options::<D>()?;
+        let line = self.line(&problem, Trapezoidal, &options, &mut |_: &Answer| ())?;
+        self.check_sign(line.sequence())?;
+        let found = line.certificate_with(wanted, observe).map_err(|error| self.refused(error))?;
+        let proved = &found.proved;
+        let levels = proved
+            .levels
+            .iter()
+            .map(|&(cubes, lower)| LevelAnswer { cubes, lower: Float::from(lower) });
+        Ok(CertifiedAnswer {
+            lower: Float::from(proved.lower),
+            upper: Float::from(proved.upper.unwrap_or(f64::INFINITY)),
+            gap: Float::from(proved.gap().unwrap_or(f64::INFINITY)),
+            reached: found.ended == Ended::Reached,
+            ended: ended(found.ended),
+            levels: levels.collect(),
+            corridor_cubes: proved.corridor.places().len(),
+            corridor_side: Float::from(proved.corridor.side()),
+            certificate: found.certificate.to_string(),
+        })
+    }
+
+    fn refused(&self, error: CertificateError) -> Failure {
+        match error {
+            CertificateError::Distance(DistanceError::Length { length: 0.0 }) => {
+                Failure::NotComputed("the sets touch: the distance is 0".to_owned())
+            }
+            CertificateError::NoShape { end } => {
+                let set = if end == "first" { &self.problem.from } else { &self.problem.to };
+                let place = set.as_ref().map(|set| set.span()).unwrap_or_default();
+                Failure::BadInput(Diagnostic::new(error.to_string(), place))
+            }
+            error => Failure::NotComputed(error.to_string()),
+        }
+    }
+}
+
+fn ended(ended: Ended) -> &'static str {
+    match ended {
+        Ended::Reached => "the gap is as small as wanted",
+        Ended::Stalled => {
+            "the gap no longer falls: there may be a shorter curve, or another one nearly as short"
+        }
+        Ended::TooManyCubes => "the next level would have too many cubes",
+        _ => "stopped",
+    }
+}

@@ -1,0 +1,147 @@
+//! Certificates of the distance: the length of a line, and a bound below it that anybody can check.
+
+use std::{ops::ControlFlow, sync::Arc};
+
+use nalgebra::SVector;
+use tautline_check::CheckError;
+use tautline_discretizations::{LARGEST_N, Rule, Trapezoidal};
+use tautline_distance::{DistanceError, Found, Progress, Wanted, search};
+use tautline_formula::{Formula, RecordError};
+use tautline_metrics::Metric;
+use tautline_optimizers::{Options, SolveError, Starts, Workspace, minimise_by_batches};
+
+use crate::TautLine;
+
+/// Why a line has no certificate.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CertificateError {
+    /// The wanted gap is not between 0 and 1.
+    #[error("a gap of {gap:e}, which is not between 0 and 1")]
+    Gap {
+        /// The gap.
+        gap: f64,
+    },
+    /// The formula of the metric cannot be written into a certificate.
+    #[error(transparent)]
+    NotRecorded(#[from] RecordError),
+    /// A set cannot be written into a certificate.
+    #[error("the {end} set is no point, ball, box, half-space or union of these")]
+    NoShape {
+        /// Which set: `first` or `second`.
+        end: &'static str,
+    },
+    /// The line could not be refined.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// Nothing could be proved.
+    #[error(transparent)]
+    Distance(#[from] DistanceError),
+}
+
+/// The part of the gap that the polygon may take: a polygon is longer than the geodesic.
+const OF_THE_POLYGON: f64 = 0.1;
+
+/// The most chords of a polygon in a certificate.
+const MOST_CHORDS: usize = 1 << 17;
+
+/// Other minima that are longer by more are of no use.
+const NEARLY: f64 = 1.1;
+
+impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+    /// Searches for a certificate of the distance `d`, in `m`, with a gap of at most `gap` between its
+    /// two bounds, relative to the upper one. That is the proved length of this line, refined if it
+    /// has too few chords. No curve between the sets is shorter than the lower one: nothing is assumed
+    /// about global minima.
+    ///
+    /// ```
+    /// use tautline::{Ends, Formula, Problem, Trapezoidal};
+    ///
+    /// // A hill at the origin, with a way around it on either side.
+    /// let hill = Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[])?;
+    /// let ends = Ends::points([-1.5, 0.05], [1.5, -0.1])?;
+    /// let line = Problem::new(hill, ends).solve(Trapezoidal, 256)?;
+    /// let found = line.certificate(1e-2)?;
+    /// // Anybody can check it, for example from a file.
+    /// let proved = found.certificate.check()?;
+    /// assert!(proved.lower > 4.62 && proved.upper.is_some_and(|upper| upper < 4.676));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// A search that cannot make the gap small enough returns what it has:
+    /// [`Found::ended`](tautline_distance::Found::ended) tells why.
+    ///
+    /// Needs: 1 to 4 dimensions; points, balls, boxes, half-spaces or unions of these.
+    ///
+    /// # Errors
+    ///
+    /// [`CertificateError`].
+    pub fn certificate(&self, gap: f64) -> Result<Found<D>, CertificateError> {
+        self.certificate_with(Wanted::gap(gap), &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// Does the same as [`certificate`](TautLine::certificate), with a limit on the number of cubes.
+    /// `observe` is told about every level, and may stop the search.
+    ///
+    /// # Errors
+    ///
+    /// [`CertificateError`].
+    pub fn certificate_with(
+        &self,
+        wanted: Wanted,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Found<D>, CertificateError> {
+        if !(wanted.gap > 0.0 && wanted.gap < 1.0) {
+            return Err(CertificateError::Gap { gap: wanted.gap });
+        }
+        if !(1..=tautline_check::LARGEST_DIMENSION).contains(&D) {
+            let dimension = CheckError::Dimension { dimension: D };
+            return Err(DistanceError::Refused(dimension).into());
+        }
+        let formula = match self.formula() {
+            Some(formula) => formula.clone(),
+            None => Formula::record(self.metric())?,
+        };
+        let shape = |end, set: &Arc<dyn tautline_sets::ClosedSet<D>>| {
+            set.shape().ok_or(CertificateError::NoShape { end })
+        };
+        let sets = [shape("first", self.ends().first())?, shape("second", self.ends().second())?];
+        let length = self.length().value;
+        let mut curves: Vec<(f64, Vec<SVector<f64, D>>)> =
+            vec![(length, self.refined(wanted.gap)?)];
+        for other in self.other_minima() {
+            let length = other.length().value;
+            if length < NEARLY * self.length().value {
+                curves.push((length, other.refined(wanted.gap)?));
+            }
+        }
+        curves.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let curves: Vec<_> = curves.into_iter().map(|(_, curve)| curve).collect();
+        Ok(search(&formula, &sets, &curves, wanted, observe)?)
+    }
+
+    /// Returns the points of this line, or of a finer one from the same start, if this one is too long
+    /// for the gap.
+    fn refined(&self, gap: f64) -> Result<Vec<SVector<f64, D>>, SolveError> {
+        let n = self.sequence().n().get();
+        let square = self.length().value.powi(2);
+        // The excess of a polygon falls like N⁻². Without an estimate it is about N⁻².
+        let excess = match self.distance_squared_estimate() {
+            Some(estimate) => ((square - estimate.value).abs() + estimate.error) / square,
+            None => 1.0 / (n as f64).powi(2),
+        };
+        let factor = (0.5 * excess / (OF_THE_POLYGON * gap)).sqrt();
+        let finer = (n as f64 * factor).ceil().min(MOST_CHORDS as f64) as usize;
+        if finer <= n {
+            return Ok(self.sequence().points().to_vec());
+        }
+        let starts = Starts::Only(vec![self.sequence().clone()]);
+        let options = Options { starts, ..Options::default() };
+        let mut workspace = Workspace::default();
+        let finer = finer.min(LARGEST_N);
+        let (metric, ends) = (&**self.prepared(), self.ends());
+        let found =
+            minimise_by_batches(&mut workspace, metric, ends, Trapezoidal, finer, &options)?;
+        Ok(found.sequence.points().to_vec())
+    }
+}

@@ -1,0 +1,103 @@
+//! Certificates of distances that are known, and of curves that are not the shortest.
+
+use std::ops::ControlFlow;
+
+use tautline::{
+    Ball, CertificateError, Ends, Formula, HalfSpace, KnownDistance, Metric, Options,
+    PointSequence, Problem, Sphere, Starts, Trapezoidal,
+    check::AnyCertificate,
+    distance::{Ended, Wanted},
+    gallery,
+};
+
+/// Returns what the checker proves of the certificate between two points, after it was written and
+/// read.
+fn bounds<const D: usize>(
+    metric: impl Metric<D>,
+    a: [f64; D],
+    b: [f64; D],
+    gap: f64,
+) -> (f64, f64) {
+    let ends = Ends::points(a, b).expect("finite");
+    let line = Problem::new(metric, ends).solve(Trapezoidal, 256).expect("solved");
+    let found = line.certificate(gap).expect("a certificate");
+    assert_eq!(found.ended, Ended::Reached);
+    let read = AnyCertificate::read(&found.certificate.to_string()).expect("readable");
+    let verdict = read.check().expect("proved");
+    assert!(verdict.gap.expect("a curve") <= gap, "{verdict:?}");
+    (verdict.lower, verdict.upper.expect("a curve"))
+}
+
+/// Isotropic and anisotropic metrics, in one, two and three dimensions.
+#[test]
+fn known_distances_lie_between_the_bounds() {
+    fn check<M: KnownDistance<D>, const D: usize>(metric: M, a: [f64; D], b: [f64; D], gap: f64) {
+        let d = metric.distance(&a.into(), &b.into()).expect("known");
+        let (lower, upper) = bounds(metric, a, b, gap);
+        // The known distance is rounded.
+        let rounding = 1e-14 * d;
+        assert!(lower <= d + rounding && d <= upper + rounding, "{lower} {d} {upper}");
+    }
+    check(gallery::Sphere, [-0.5, 0.2], [0.6, 0.4], 1e-5);
+    check(gallery::Hyperbolic, [-0.3, 0.1], [0.4, 0.2], 1e-4);
+    check(gallery::GaussianFisher, [0.0, 0.0], [0.5, 0.3], 1e-4);
+    check(gallery::Shear::new(0.5, 1.0).expect("a wave number"), [0.0, 0.1], [1.5, 1.0], 1e-4);
+    check(gallery::Sphere, [-0.3, 0.1, 0.0], [0.2, 0.2, 0.1], 2e-2);
+    let valleys = Formula::<1>::parse("cost(2 - cos(x1))", &[]).expect("a formula");
+    let (lower, upper) = bounds(valleys, [0.0], [3.0], 1e-6);
+    // ∫ (2 − cos x) dx = 6 − sin 3.
+    let d = 6.0 - 3.0_f64.sin();
+    assert!(lower <= d && d <= upper, "{lower} {d} {upper}");
+}
+
+/// The curve on the other side of the hill is a strict local minimum, 2 % longer than the shortest.
+#[test]
+fn a_longer_local_minimum_is_never_certified() {
+    let hill = Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
+    let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
+    let problem = Problem::new(hill, ends);
+    let points = [[-1.5, 0.05], [0.0, 1.2], [1.5, -0.1]].map(Into::into).to_vec();
+    let start = PointSequence::new(points).expect("finite");
+    let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+    let line = problem.solve_with(Trapezoidal, 512, &options).expect("solved");
+    assert!((line.length().value - 4.773024).abs() < 1e-4);
+    let wanted = Wanted { gap: 1e-3, cubes: 60_000 };
+    let found = line.certificate_with(wanted, &mut |_| ControlFlow::Continue(()));
+    let found = found.expect("a certificate");
+    assert_ne!(found.ended, Ended::Reached);
+    // d = 4.6752711724…
+    assert!(found.proved.lower <= 4.675_271_173, "{}", found.proved.lower);
+    assert!(found.proved.lower > 4.6, "{}", found.proved.lower);
+}
+
+#[test]
+fn a_ball_and_a_half_space_are_ends() {
+    let ball = Ball::new([-2.0, 0.3], 0.5).expect("a radius");
+    let wall = HalfSpace::at_least([1.0, 0.0], 2.0).expect("a normal");
+    let hill = || Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
+    let mut lowers = Vec::new();
+    for ends in [Ends::new(ball, wall), Ends::new(wall, ball)] {
+        let line = Problem::new(hill(), ends.expect("bounded")).solve(Trapezoidal, 256);
+        let found = line.expect("solved").certificate(1e-4).expect("a certificate");
+        let proved = found.certificate.check().expect("proved");
+        assert!(proved.upper.is_some_and(|upper| proved.lower > 0.9999 * upper));
+        lowers.push(proved.lower);
+    }
+    // The distance is the same in both directions.
+    assert!((lowers[0] / lowers[1] - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn a_line_without_a_certificate_is_an_error() {
+    let flat = || Formula::<2>::parse("1 I", &[]).expect("a formula");
+    let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).expect("finite");
+    let line = Problem::new(flat(), ends).solve(Trapezoidal, 8).expect("solved");
+    for gap in [0.0, 1.0, f64::NAN] {
+        let error = line.certificate(gap).expect_err("no such gap");
+        assert!(matches!(error, CertificateError::Gap { .. }), "{error}");
+    }
+    let sphere = Sphere::new([3.0, 0.0], 1.0).expect("a radius");
+    let ends = Ends::new(Ball::new([0.0, 0.0], 0.5).expect("a radius"), sphere).expect("bounded");
+    let line = Problem::new(flat(), ends).solve(Trapezoidal, 8).expect("solved");
+    assert_eq!(line.certificate(0.1).map(|_| ()), Err(CertificateError::NoShape { end: "second" }));
+}
