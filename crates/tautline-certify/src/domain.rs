@@ -34,7 +34,10 @@ enum Scope {
     /// All of space, as proved.
     Space,
     /// All of space, in the variables of the lifted formula.
-    Lifted,
+    Lifted {
+        /// Whether they are independent.
+        sharp: bool,
+    },
     /// All of space, as declared.
     SettledSpace,
 }
@@ -132,10 +135,11 @@ impl<const D: usize> Domain<D> {
         };
         let scope = if along.iter().all(|along| *along != Along::Unknown) {
             Scope::Space
-        } else if lift(metric, &along).is_some_and(|lift| is_bounded(&lift)) {
-            Scope::Lifted
         } else {
-            Scope::Region
+            match lift(metric, &along).filter(is_bounded) {
+                Some(lift) => Scope::Lifted { sharp: lift.is_sharp() },
+                None => Scope::Region,
+            }
         };
         Self { cell, ball: None, scope }
     }
@@ -197,19 +201,28 @@ impl<const D: usize> Domain<D> {
         self.scope == Scope::Space
     }
 
+    /// Returns whether constants on the domain can be proved as close to the best ones as wanted. They
+    /// cannot if the domain is all of space for a formula with linearly dependent forms, such as
+    /// `tanh(x1)`, `tanh(x2)` and `tanh(x1 + x2)`.
+    #[must_use]
+    pub fn is_sharp(&self) -> bool {
+        self.scope != Scope::Lifted { sharp: false }
+    }
+
     /// Returns whether constants of `metric` on the domain hold on all of `R^D`. The domain may have
     /// been made for another metric.
     pub(crate) fn represents_space_for(&self, metric: &impl Metric<D>) -> bool {
         match self.scope {
             Scope::Region => false,
-            Scope::Space | Scope::Lifted => *self == Self::space(metric),
+            Scope::Space | Scope::Lifted { .. } => *self == Self::space(metric),
             Scope::SettledSpace => Self::settled_space(metric).is_ok_and(|space| *self == space),
         }
     }
 
     /// Returns the lifted formula in whose variables the domain is all of space for `metric`.
     pub(crate) fn lift(&self, metric: &AnyMetric<'_, D>) -> Option<Lift<D>> {
-        let is_lifted = self.scope == Scope::Lifted && self.represents_space_for(metric);
+        let is_lifted =
+            matches!(self.scope, Scope::Lifted { .. }) && self.represents_space_for(metric);
         is_lifted.then(|| lift(metric, &along(metric))).flatten()
     }
 }

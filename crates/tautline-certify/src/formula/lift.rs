@@ -205,6 +205,15 @@ impl<const D: usize> Lift<D> {
         self.charts[chart][form]
     }
 
+    /// Returns whether the forms are linearly independent, up to rounding.
+    pub(crate) fn is_sharp(&self) -> bool {
+        let moving: Vec<_> = self.forms.iter().filter(|form| form.moves()).collect();
+        let rows = DMatrix::from_fn(moving.len(), D, |row, i| {
+            if self.still[i] { 0.0 } else { moving[row].direction[i].midpoint() }
+        });
+        moving.len() <= D && rows.rank(1e-9 * rows.amax()) == moving.len()
+    }
+
     /// Returns points of space, in `ℓ`, at which the forms have about the values of `point`. Phases
     /// are met as far as one value of their form meets them. If there are more forms than
     /// coordinates, each point is the best fit for as many forms as there are coordinates.

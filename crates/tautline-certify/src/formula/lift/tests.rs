@@ -173,7 +173,7 @@ fn the_slopes_of_a_search_bound_its_changes() {
 fn constants<const D: usize>(text: &str) -> CertifiedConstants<D> {
     let formula = parsed::<D>(text);
     let space = Domain::space(&formula);
-    assert!(space.is_all_of_space(), "{text}");
+    assert!(space.is_all_of_space() && space.is_sharp(), "{text}");
     let accuracy = Accuracy { tolerance: 1e-2, budget: 100_000 };
     CertifiedConstants::new(&formula, &space, accuracy).expect(text)
 }
@@ -261,6 +261,7 @@ fn dependent_forms_are_overestimated_and_enclosed() {
     let space = Domain::space(&formula);
     let c2 = certify(&formula, Quantity::C2, &space, accuracy).expect("a constant");
     assert!(c2.contains(5.0) && c2.upper < 7.1 && c2.lower <= 5.0, "{c2:?}");
+    assert!(!space.is_sharp());
     let value = formula.gram(&c2.at)[(0, 0)];
     assert!((value / c2.lower - 1.0).abs() < 1e-14 && value > 4.5, "{c2:?}");
 }
