@@ -71,7 +71,7 @@ impl Hill {
     }
 
     fn times(mut self, factor: Interval) -> Self {
-        self.constant = self.constant * factor;
+        self.constant *= factor;
         for term in &mut self.terms {
             (term.b, term.w) = (term.b * factor, term.w * factor);
         }

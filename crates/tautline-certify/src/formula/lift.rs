@@ -211,7 +211,8 @@ impl<const D: usize> Lift<D> {
         let rows = DMatrix::from_fn(moving.len(), D, |row, i| {
             if self.still[i] { 0.0 } else { moving[row].direction[i].midpoint() }
         });
-        moving.len() <= D && rows.rank(1e-9 * rows.amax()) == moving.len()
+        // A matrix without rows has no decomposition.
+        moving.is_empty() || (moving.len() <= D && rows.rank(1e-9 * rows.amax()) == moving.len())
     }
 
     /// Returns points of space, in `ℓ`, at which the forms have about the values of `point`. Phases
@@ -220,6 +221,9 @@ impl<const D: usize> Lift<D> {
     pub(crate) fn in_space(&self, point: &Point) -> Vec<SVector<f64, D>> {
         // The other forms are 0, or are only parts of forms.
         let moving: Vec<_> = (0..self.forms.len()).filter(|&k| self.forms[k].moves()).collect();
+        if moving.is_empty() {
+            return vec![SVector::zeros()];
+        }
         let subsets = (0..1_u32 << moving.len())
             .filter(|subset| subset.count_ones() as usize == moving.len().min(D));
         let fit = |subset: u32| {

@@ -144,7 +144,7 @@ fn the_slopes_of_a_search_bound_its_changes() {
         let lift = Lift::new(&parsed::<2>(&format!("{text} I")), [false; 2]).expect("few");
         for x in [[0.3, -0.7], [1.5, 2.0], [-40.0, 30.0], [70.0, -45.0]] {
             let (from, mut to) = (lift.variables_at(x), lift.variables_at(x));
-            to.sides[0] = to.sides[0] + Interval::point(0.25);
+            to.sides[0] += Interval::point(0.25);
             let both = from.sides[0].hull(to.sides[0]);
             let infinity = Interval::new(both.hi(), f64::INFINITY).expect("in order");
             let of = |patch: &Patch| -> Expansion {
