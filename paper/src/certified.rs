@@ -75,10 +75,14 @@ fn domain<const D: usize>(
     [low, high]: [[f64; D]; 2],
 ) -> Result<(String, Domain<D>), Failure> {
     let space = Domain::space(metric);
-    if space.is_all_of_space() {
+    if space.is_one_period() {
         return Ok(("a period".to_owned(), space));
     }
-    if let Ok(space) = Domain::settled_space(metric) {
+    if space.is_all_of_space() && space.is_sharp() {
+        return Ok(("space".to_owned(), space));
+    }
+    let space = Domain::settled_space(metric);
+    if let Some(space) = space.ok().filter(Domain::is_sharp) {
         return Ok(("space, as it settles".to_owned(), space));
     }
     let label = format!("$\\lvert x_i \\rvert \\le {}$", high[0]);

@@ -74,7 +74,7 @@ fn with_margin<const D: usize>(low: &[f64], high: &[f64]) -> Option<Region<D>> {
 fn period<const D: usize>(formula: &Formula<D>, around: Option<&Region<D>>) -> Option<Region<D>> {
     let space = Domain::space(formula);
     let sides = space.bounding_cell().sides();
-    if !space.is_all_of_space() || sides.iter().all(|side| side.width() == 0.0) {
+    if !space.is_one_period() || sides.iter().all(|side| side.width() == 0.0) {
         return None;
     }
     let end = |share: f64, side: fn(usize, &[tautline::Interval; D]) -> f64, other: f64| {

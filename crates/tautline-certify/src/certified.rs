@@ -41,7 +41,7 @@ impl<M: Metric<D>, const D: usize> Certified<M, D> {
     ///
     /// # Errors
     ///
-    /// [`CertifyError::NotAllOfSpace`] if the formula is neither constant nor periodic along some
+    /// [`CertifyError::NotAllOfSpace`] if the formula does not show what happens far out along some
     /// coordinate; then see [`Certified::settled`] and
     /// [`LocallyCertified`](crate::LocallyCertified). Otherwise the errors of
     /// [`CertifiedConstants::new`].
@@ -92,7 +92,7 @@ mod tests {
     use nalgebra::{SMatrix, SVector};
     use tautline_metrics::{
         Bounded, Metric,
-        gallery::{GaussianFisher, Lens, Valleys},
+        gallery::{GaussianFisher, Valleys},
     };
 
     use tautline_scalar::Scalar;
@@ -100,7 +100,10 @@ mod tests {
     use super::Certified;
     use tautline_formula::RecordError;
 
-    use crate::{Accuracy, CertifyError, Domain, Quantity, certify, testing::Branch};
+    use crate::{
+        Accuracy, CertifyError, Domain, Quantity, certify,
+        testing::{Branch, parsed},
+    };
 
     #[test]
     fn a_periodic_metric_needs_no_declaration() {
@@ -147,11 +150,11 @@ mod tests {
     }
 
     #[test]
-    fn a_metric_that_is_not_periodic_must_be_declared_to_settle() {
-        let lens = Lens::new(1.0, 1.0).expect("a width");
-        let refused = Certified::<_, 2>::new(lens, Accuracy::default());
+    fn a_metric_with_rational_parts_must_be_declared_to_settle() {
+        let bump = || parsed::<2>("1 + 1/(1 + sqr(x1) + sqr(x2)) I");
+        let refused = Certified::<_, 2>::new(bump(), Accuracy::default());
         assert_eq!(refused, Err(CertifyError::NotAllOfSpace));
-        let settled = Certified::<_, 2>::settled(lens, Accuracy::default()).expect("constants");
+        let settled = Certified::<_, 2>::settled(bump(), Accuracy::default()).expect("constants");
         let constants = Bounded::<2>::constants(&settled);
         assert!(!constants.is_local() && constants.c2() >= 2.0 && constants.c2() < 2.01);
         let error = Certified::settled(GaussianFisher, Accuracy::default()).expect_err("it grows");

@@ -40,8 +40,8 @@ pub enum CertifyError {
         /// A bound on the relative change; NaN if there is none.
         change: f64,
     },
-    /// Constants on all of `R^D` need a formula that shows the metric to be periodic or constant
-    /// along each coordinate.
+    /// Constants on all of `R^D` need a formula that shows the metric to be periodic, to settle or to
+    /// be constant along each coordinate.
     #[error("the formula does not show that a bounded domain represents all of space")]
     NotAllOfSpace,
     /// The requested relative tolerance is not between 0 and 1.

@@ -47,6 +47,8 @@ mod curves;
 mod domain;
 mod formula;
 mod locally_certified;
+mod patch;
+mod progress;
 #[cfg(test)]
 mod testing;
 
@@ -54,8 +56,9 @@ pub use accuracy::Accuracy;
 pub use cell::Cell;
 pub use certified::Certified;
 pub use certify_error::CertifyError;
-pub use constants::{CertifiedConstant, CertifiedConstants, Quantity, certify};
+pub use constants::{CertifiedConstant, CertifiedConstants, Quantity, certify, certify_watched};
 pub use curves::{AdmissibleCurve, CurveError, Polygon};
 pub use domain::Domain;
 pub use formula::is_isotropic;
 pub use locally_certified::LocallyCertified;
+pub use progress::{Progress, Watch};

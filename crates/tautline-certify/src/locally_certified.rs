@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Constants, LocalError, LocallyBounded, Metric};
 use tautline_scalar::Scalar;
 
-use crate::{Accuracy, CertifiedConstants, Domain};
+use crate::{Accuracy, CertifiedConstants, Domain, Watch, progress::unwatched};
 
 /// A metric whose constants on a ball are proved from its formula on demand. The competitors of a
 /// computed line need only these constants, and the metric may have none on all of `R^D`.
@@ -46,25 +46,46 @@ impl<M: Metric<D>, const D: usize> Metric<D> for LocallyCertified<M> {
     }
 }
 
-impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
+impl<M> LocallyCertified<M> {
+    /// Proves constants like [`constants_within`](LocallyBounded::constants_within), and tells
+    /// `watch` of the progress.
+    ///
     /// # Errors
     ///
     /// [`LocalError::NotProved`] with the reason: the metric is undefined or indefinite somewhere
     /// on the ball, or the budget was spent before `c₁` was known to be positive.
-    fn constants_within(
+    pub fn constants_within_watched<const D: usize>(
         &self,
         centre: &SVector<f64, D>,
         radius: f64,
-    ) -> Result<Constants, LocalError> {
+        watch: &dyn Watch,
+    ) -> Result<Constants, LocalError>
+    where
+        M: Metric<D>,
+    {
         LocalError::check_ball(centre, radius)?;
         let proved = Domain::ball(*centre, radius).and_then(|ball| {
-            CertifiedConstants::within_budget(&self.metric, &ball, self.accuracy)?.constants()
+            let (metric, accuracy) = (&self.metric, self.accuracy);
+            CertifiedConstants::within_budget_watched(metric, &ball, accuracy, watch)?.constants()
         });
         // The constants hold only on the ball, even if the formula shows more.
         proved.map(Constants::on_a_region).map_err(|why| {
             let budget_spent = matches!(why, crate::CertifyError::BudgetSpent { .. });
             LocalError::NotProved { radius, reason: why.to_string(), budget_spent }
         })
+    }
+}
+
+impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
+    /// # Errors
+    ///
+    /// Those of [`constants_within_watched`](LocallyCertified::constants_within_watched).
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        self.constants_within_watched(centre, radius, &unwatched)
     }
 }
 

@@ -156,6 +156,10 @@ pub(crate) fn proved_constants(answer: &ConstantsAnswer) -> String {
         let (name, bounds) = (&constant.name, constant.bounds);
         let _ = match &constant.reason {
             None => writeln!(text, "{name:<5}between {lower} and {upper}   {bounds}"),
+            // What is known is a constant, though not to the accuracy that was asked for.
+            Some(_) if constant.is_known() => {
+                writeln!(text, "{name:<5}between {lower} and {upper}   {bounds}; not closer")
+            }
             Some(reason) => writeln!(text, "{name:<5}not proved: {reason}"),
         };
     }

@@ -1,30 +1,69 @@
-//! Work with a time limit, and with a sign of life on a terminal.
+//! Work with a time limit, and with signs of progress on a terminal.
 
 use std::{
     io::{self, IsTerminal},
-    sync::mpsc::{self, RecvTimeoutError, Sender},
+    sync::{
+        Arc, Mutex, PoisonError,
+        atomic::{AtomicBool, Ordering},
+        mpsc::{self, RecvTimeoutError, Sender},
+    },
     thread,
     time::{Duration, Instant},
 };
 
 use indicatif::{ProgressBar, ProgressStyle};
+use tautline_problem::{Progress, Watch};
 
 use crate::error::CommandError;
 
 /// The stack of the thread that works: matrices in twelve dimensions lie on it.
 const STACK: usize = 64 << 20;
 
+/// How often the line on the terminal is renewed.
+const TICK: Duration = Duration::from_millis(100);
+
+/// How long a proof may take to end once time has run out. A round of boxes takes less.
+const GRACE: Duration = Duration::from_secs(1);
+
+/// Knows how far a proof has come, and ends it when time runs out.
+#[derive(Debug, Default)]
+pub(crate) struct Clock {
+    is_over: AtomicBool,
+    progress: Mutex<Option<Progress>>,
+}
+
+impl Watch for Clock {
+    fn goes_on(&self, progress: Progress) -> bool {
+        *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
+        !self.is_over.load(Ordering::Relaxed)
+    }
+}
+
+impl Clock {
+    /// Describes what is being proved.
+    fn progress(&self) -> Option<String> {
+        let progress = *self.progress.lock().unwrap_or_else(PoisonError::into_inner);
+        progress.map(|Progress { quantity, boxes, bound, value }| {
+            let (least, most) = if bound < value { (bound, value) } else { (value, bound) };
+            format!("proving {quantity}: {least:.4} to {most:.4} after {boxes} boxes")
+        })
+    }
+}
+
 /// Returns what the work reports last: its result, or what it reported before time ran out; `None`
-/// if that is nothing. The work then goes on until the program ends.
+/// if that is nothing. Once time has run out, proofs end with what they have. Other work goes on
+/// until the program ends.
 pub(crate) fn timed<T: Send + 'static>(
     limit: Option<Duration>,
     doing: &'static str,
-    work: impl FnOnce(&Sender<T>) -> T + Send + 'static,
+    work: impl FnOnce(&Sender<T>, &Clock) -> T + Send + 'static,
 ) -> Result<Option<T>, CommandError> {
     let (sender, reports) = mpsc::channel();
+    let clock = Arc::new(Clock::default());
+    let watched = Arc::clone(&clock);
     let start = Instant::now();
     let thread = thread::Builder::new().stack_size(STACK).spawn(move || {
-        let result = work(&sender);
+        let result = work(&sender, &watched);
         // Nobody listens any more once time has run out.
         let _ = sender.send(result);
     });
@@ -32,19 +71,29 @@ pub(crate) fn timed<T: Send + 'static>(
     let spinner = spinner(doing);
     let mut last = None;
     loop {
-        let next = match limit {
-            None => reports.recv().map_err(|_| RecvTimeoutError::Disconnected),
-            Some(limit) => reports.recv_timeout(limit.saturating_sub(start.elapsed())),
-        };
-        match next {
+        let left = limit.map_or(TICK, |limit| limit.saturating_sub(start.elapsed()));
+        match reports.recv_timeout(left.min(TICK)) {
             Ok(report) => last = Some(report),
-            Err(RecvTimeoutError::Timeout) => break,
+            Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => {
                 if thread.join().is_err() {
                     return Err(CommandError::NotDone("the computation failed".to_owned()));
                 }
                 break;
             }
+        }
+        if let Some(progress) = clock.progress() {
+            spinner.set_message(progress);
+        }
+        if limit.is_some_and(|limit| start.elapsed() >= limit) {
+            clock.is_over.store(true, Ordering::Relaxed);
+            let end = Instant::now() + GRACE;
+            while let Ok(report) =
+                reports.recv_timeout(end.saturating_duration_since(Instant::now()))
+            {
+                last = Some(report);
+            }
+            break;
         }
     }
     spinner.finish_and_clear();
@@ -61,7 +110,7 @@ fn spinner(doing: &'static str) -> ProgressBar {
         spinner.set_style(style);
     }
     spinner.set_message(doing);
-    spinner.enable_steady_tick(Duration::from_millis(100));
+    spinner.enable_steady_tick(TICK);
     spinner
 }
 

@@ -4,7 +4,7 @@ use tautline::{
     CertifyError, Constants, Formula, LocalError, Metric, PointSequence, ProofError,
     RuleOfThePaper, SMatrix, SVector, Short, TautLine,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
-    certify::Accuracy,
+    certify::{Accuracy, Watch},
     is_gram,
 };
 
@@ -18,6 +18,7 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     question: &Question,
     line: &TautLine<Formula<D>, R, D>,
     others: &[TautLine<Formula<D>, R, D>],
+    watch: &dyn Watch,
 ) -> Result<Bounds, String> {
     if let Some(claimed) = question.claimed {
         check_claims(claimed, line.metric(), line.sequence())?;
@@ -31,7 +32,7 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
         return Err(too_many_coordinates().to_string());
     }
     let accuracy = Accuracy { tolerance: question.accuracy, budget: question.boxes };
-    let proof = line.prove(accuracy).map_err(|error| no_proof(&error))?;
+    let proof = line.prove_watched(accuracy, watch).map_err(|error| no_proof(&error))?;
     let within = proof
         .within
         .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });

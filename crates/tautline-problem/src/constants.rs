@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
     AxisBox, Ball, CertifyError, Domain, Formula, Quantity,
-    certify::{Accuracy, Cell, certify},
+    certify::{Accuracy, Cell, Progress, Watch, certify_watched},
 };
 use tautline_portrait::Shape;
 
@@ -43,6 +43,15 @@ pub struct ConstantAnswer {
     pub reason: Option<String>,
 }
 
+impl ConstantAnswer {
+    /// Returns whether the bounds give a constant that theorems can use, close or not.
+    #[must_use]
+    pub fn is_known(&self) -> bool {
+        let positive = self.lower.as_ref().is_some_and(|lower| lower.value > 0.0);
+        self.upper.is_some() && (positive || self.name != Quantity::C1.to_string())
+    }
+}
+
 impl ConstantsAnswer {
     /// Returns whether all constants are proved.
     #[must_use]
@@ -53,14 +62,25 @@ impl ConstantsAnswer {
 
 impl Question {
     /// Proves the constants of the metric: in the region of the file, or on all of space if the
-    /// formula shows that a bounded region represents it.
+    /// formula shows what happens far out, or seems to settle there.
     ///
     /// # Errors
     ///
     /// [`Failure::BadInput`] if the formula is wrong; [`Failure::NotComputed`] if no region is
     /// known, or if there are too many dimensions.
     pub fn constants(&self) -> Result<ConstantsAnswer, Failure> {
-        in_dimension(self.dimension, Prove(self)).unwrap_or(Err(too_many_coordinates()))
+        self.constants_watched(&|_: Progress| true)
+    }
+
+    /// Proves the constants like [`constants`](Question::constants), and tells `watch` of the
+    /// progress. If `watch` ends a search, the bounds found so far are the answer.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`constants`](Question::constants).
+    pub fn constants_watched(&self, watch: &dyn Watch) -> Result<ConstantsAnswer, Failure> {
+        let prove = Prove { question: self, watch };
+        in_dimension(self.dimension, prove).unwrap_or(Err(too_many_coordinates()))
     }
 }
 
@@ -72,20 +92,27 @@ pub(crate) fn too_many_coordinates() -> Failure {
     ))
 }
 
-struct Prove<'q>(&'q Question);
+struct Prove<'q> {
+    question: &'q Question,
+    watch: &'q dyn Watch,
+}
 
 impl InDimension for Prove<'_> {
     type Output = Result<ConstantsAnswer, Failure>;
 
     fn run<const D: usize>(self) -> Self::Output {
-        let formula = self.0.formula::<D>()?;
+        let Self { question, watch } = self;
+        let formula = question.formula::<D>()?;
         // The compiler decides.
         if const { D > LARGEST_PROVED_DIMENSION } {
             return Err(too_many_coordinates());
         }
-        let (domain, region) = self.0.domain(&formula)?;
-        let accuracy = Accuracy { tolerance: self.0.accuracy, budget: self.0.boxes };
-        let of = |quantity| answer(quantity, certify(&formula, quantity, &domain, accuracy));
+        let (domain, region) = question.domain(&formula)?;
+        let accuracy = Accuracy { tolerance: question.accuracy, budget: question.boxes };
+        let of = |quantity| {
+            let found = certify_watched(&formula, quantity, &domain, accuracy, watch);
+            answer(quantity, found)
+        };
         Ok(ConstantsAnswer { region, constants: Quantity::ALL.map(of).into() })
     }
 }
@@ -95,10 +122,14 @@ impl Question {
     fn domain<const D: usize>(&self, formula: &Formula<D>) -> Result<(Domain<D>, String), Failure> {
         let Some(within) = &self.within else {
             let space = Domain::space(formula);
-            let space =
-                if space.is_all_of_space() { Ok(space) } else { Domain::settled_space(formula) };
-            return match space {
-                Ok(space) => Ok((space, "all of space".to_owned())),
+            if space.is_all_of_space() {
+                return Ok((space, "all of space".to_owned()));
+            }
+            return match Domain::settled_space(formula) {
+                Ok(space) => {
+                    let known = "all of space, if the metric settles within a distance of 2^100";
+                    Ok((space, known.to_owned()))
+                }
                 Err(error) => Err(Failure::NotComputed(format!(
                     "no constants on all of space: {error}. Constants in a region need [certify] \
                      with within = {{ ball = … }} or {{ box = … }}"

@@ -56,5 +56,9 @@ pub use float::Float;
 pub use question::{Grid, LEAST_TOLERANCE, Question};
 pub use schema::{answer_schema, certified_schema, constants_schema, problem_schema};
 pub use schemars::Schema;
-pub use tautline::{LARGEST_N, check, distance};
+pub use tautline::{
+    LARGEST_N,
+    certify::{Progress, Watch},
+    check, distance,
+};
 pub use tautline_portrait::{Scene, pdf, png, svg};

@@ -3,6 +3,7 @@
 use tautline::{
     Curvature, Ends, Formula, Integral, LeftEndpoint, Options, PointSequence, Problem, Rule,
     SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
+    certify::{Progress, Watch},
 };
 
 use tautline_portrait::Shape;
@@ -27,7 +28,21 @@ impl Question {
     /// [`Failure::BadInput`] with the place in the file, also if the metric turns out not to be one
     /// along a curve; [`Failure::NotComputed`] if there is no curve.
     pub fn solve(&self, solved: &mut dyn FnMut(&Answer)) -> Result<Answer, Failure> {
-        let solve = Solve { question: self, solved };
+        self.solve_watched(solved, &|_: Progress| true)
+    }
+
+    /// Solves the problem like [`solve`](Question::solve), and tells `watch` of the progress of
+    /// proofs. If `watch` ends them, the bounds are those that are proved so far.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`solve`](Question::solve).
+    pub fn solve_watched(
+        &self,
+        solved: &mut dyn FnMut(&Answer),
+        watch: &dyn Watch,
+    ) -> Result<Answer, Failure> {
+        let solve = Solve { question: self, solved, watch };
         in_dimension(self.dimension, solve).unwrap_or(Err(Failure::NotComputed(String::new())))
     }
 }
@@ -35,24 +50,25 @@ impl Question {
 struct Solve<'q> {
     question: &'q Question,
     solved: &'q mut dyn FnMut(&Answer),
+    watch: &'q dyn Watch,
 }
 
 impl InDimension for Solve<'_> {
     type Output = Result<Answer, Failure>;
 
     fn run<const D: usize>(self) -> Self::Output {
-        let Self { question, solved } = self;
+        let Self { question, solved, watch } = self;
         let formula = question.formula::<D>()?;
         let problem = Problem::new(formula, question.pair::<D>()?);
         let options = question.options::<D>()?;
         match question.rule {
             RuleFile::Trapezoidal => {
                 let line = question.line(&problem, Trapezoidal, &options, solved)?;
-                question.answer(&line, bounds, solved)
+                question.answer(&line, |q, l, o| bounds(q, l, o, watch), solved)
             }
             RuleFile::LeftEndpoint => {
                 let line = question.line(&problem, LeftEndpoint, &options, solved)?;
-                question.answer(&line, bounds, solved)
+                question.answer(&line, |q, l, o| bounds(q, l, o, watch), solved)
             }
             RuleFile::TrueTrapezoid => {
                 let line = question.line(&problem, TrueTrapezoid, &options, solved)?;

@@ -16,6 +16,13 @@ pub struct Jet1<T, const D: usize> {
 }
 
 impl<T: Scalar, const D: usize> Jet1<T, D> {
+    /// Returns the function with this value and this gradient.
+    #[must_use]
+    #[inline]
+    pub fn new(value: T, first: [T; D]) -> Self {
+        Self { value, first }
+    }
+
     /// Returns the `D` coordinate functions at the point `x`.
     #[must_use]
     #[inline]

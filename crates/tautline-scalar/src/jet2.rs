@@ -29,6 +29,14 @@ impl<T: PartialEq, const D: usize> PartialEq for Jet2<T, D> {
 }
 
 impl<T: Scalar, const D: usize> Jet2<T, D> {
+    /// Returns the function with this value, this gradient, and the second derivatives
+    /// `second(i, j)` for `i ≤ j`.
+    #[must_use]
+    #[inline]
+    pub fn new(value: T, first: [T; D], second: impl Fn(usize, usize) -> T) -> Self {
+        Self { value, first, second: Self::upper(second), bent: true }
+    }
+
     /// Returns the `D` coordinate functions at the point `x`.
     #[must_use]
     #[inline]

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use tautline_bounds::{BoundError, Constants, Enclosure, LocalityError};
+use tautline_bounds::{BoundError, Constants, Enclosure, LocalityError, PaperRule};
 use tautline_certify::{
     Accuracy, AdmissibleCurve, CertifiedConstants, CertifyError, CurveError, Domain,
-    LocallyCertified,
+    LocallyCertified, Progress, Watch,
 };
 use tautline_formula::Prepared;
-use tautline_metrics::{LocalError, Metric};
+use tautline_metrics::{LocalError, LocallyBounded, Metric};
 use tautline_sets::Ball;
 
-use crate::{RuleOfThePaper, TautLine, certificate::Extent};
+use crate::{RuleOfThePaper, SMatrix, SVector, Scalar, TautLine, certificate::Extent};
 
 /// Bounds on `d²` by constants that are proved from the formula of the metric.
 #[derive(Clone, Copy, Debug)]
@@ -62,10 +62,11 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     }
 
     /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), from the formula
-    /// of the metric alone. The constants are proved on all of `R^D` if the formula shows that a
-    /// box suffices, as for a periodic one. Otherwise they are proved on a ball that contains all
-    /// [competitors](TautLine::competitors). If the budget is spent before a constant is as close
-    /// as wanted, a wider one serves.
+    /// of the metric alone. The constants are proved on all of `R^D` if the formula is periodic.
+    /// Otherwise they are proved on a ball that contains all [competitors](TautLine::competitors).
+    /// If the budget is spent before a constant is as close as wanted, a wider one serves. `M_H` is
+    /// proved only where it can make the bounds closer; without a bound on it, those theorems count
+    /// that do not need it.
     ///
     /// ```
     /// use tautline::{Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, certify};
@@ -91,6 +92,20 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// [`ProofError`], which names the missing part. A formula that cannot be
     /// [recorded](tautline_formula::Formula::record) has no proof.
     pub fn prove(&self, accuracy: Accuracy) -> Result<Proof<'_, D>, ProofError> {
+        self.prove_watched(accuracy, &|_: Progress| true)
+    }
+
+    /// Does the same as [`prove`](TautLine::prove), and tells `watch` of the progress of each search
+    /// for a constant. If `watch` ends a search, the bounds found so far serve.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`prove`](TautLine::prove).
+    pub fn prove_watched(
+        &self,
+        accuracy: Accuracy,
+        watch: &dyn Watch,
+    ) -> Result<Proof<'_, D>, ProofError> {
         let accuracy = accuracy.checked()?;
         let curve = self.admissible_curve()?;
         let extent = Extent {
@@ -98,14 +113,20 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             length: curve.length().hi(),
             length_squared: curve.distance_squared_at_most(),
         };
+        // The left-endpoint rule needs M_H only to prove a minimum between two points global.
+        let m_h = R::OF_THE_PAPER == PaperRule::Trapezoidal || self.ends().are_points();
+        let watch = Needed { m_h, watch };
         let space = Domain::space(self.metric());
-        let (constants, within, enclosure) = if space.is_all_of_space() {
-            let proved = CertifiedConstants::within_budget(self.metric(), &space, accuracy)?;
+        let (constants, within, enclosure) = if space.is_one_period() {
+            let metric = self.metric();
+            let proved =
+                CertifiedConstants::within_budget_watched(metric, &space, accuracy, &watch)?;
             let constants = proved.constants()?;
             (constants, None, self.enclosure_by(constants, extent)?)
         } else {
-            let metric = LocallyCertified::new(self.metric(), accuracy);
-            let metric = Arc::new(Prepared::new(metric));
+            // Constants on a ball are closer than those on all of space, if there are any.
+            let proved = LocallyCertified::new(self.metric(), accuracy);
+            let metric = Arc::new(Prepared::new(Watched { proved, watch }));
             let (ends, minimum) = (self.ends().clone(), self.minimum().clone());
             let line = TautLine::new(metric, self.rule(), ends, minimum);
             let competitors = line.competitors_by(extent)?;
@@ -117,17 +138,59 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     }
 }
 
+/// Watches the searches for those constants that are needed.
+struct Needed<'w> {
+    m_h: bool,
+    watch: &'w dyn Watch,
+}
+
+impl Watch for Needed<'_> {
+    fn goes_on(&self, progress: Progress) -> bool {
+        self.watch.goes_on(progress)
+    }
+
+    fn needs_m_h(&self) -> bool {
+        self.m_h && self.watch.needs_m_h()
+    }
+}
+
+/// A metric whose constants on balls are proved by searches that are watched.
+struct Watched<'w, M> {
+    proved: LocallyCertified<M>,
+    watch: Needed<'w>,
+}
+
+impl<M: Metric<D>, const D: usize> Metric<D> for Watched<'_, M> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        self.proved.gram(x)
+    }
+}
+
+impl<M: Metric<D>, const D: usize> LocallyBounded<D> for Watched<'_, M> {
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        self.proved.constants_within_watched(centre, radius, &self.watch)
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use std::sync::Mutex;
+
     use tautline_bounds::LocalityError;
-    use tautline_certify::{Accuracy, CurveError};
+    use tautline_certify::{Accuracy, CurveError, Progress, Quantity};
     use tautline_formula::RecordError;
     use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Shear, Sphere, Valleys};
     use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
     use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
 
     use super::ProofError;
-    use crate::{Interval, Problem, SMatrix, SVector, Scalar, Trapezoidal};
+    use crate::{
+        Interval, LeftEndpoint, Problem, RuleOfThePaper, SMatrix, SVector, Scalar, Trapezoidal,
+    };
 
     /// Every known distance lies between the bounds.
     #[test]
@@ -293,6 +356,59 @@ mod tests {
         let line = Problem::new(Branch, ends).solve(Trapezoidal, 8).expect("solved");
         let refused = ProofError::Curve(CurveError::NotRecorded(RecordError::Compares));
         assert_eq!(line.prove(Accuracy::default()).map(|_| ()), Err(refused));
+    }
+
+    /// The left-endpoint rule does not need `M_H` between two sets: it is not searched for, and the
+    /// bounds are the same.
+    #[test]
+    fn m_h_is_proved_only_where_it_is_used() {
+        fn check<M: Metric<2>, R: RuleOfThePaper>(
+            metric: M,
+            ends: Ends<2>,
+            rule: R,
+            needs_m_h: bool,
+        ) {
+            let line = Problem::new(metric, ends).solve(rule, 64).expect("solved");
+            let seen = Mutex::new(Vec::new());
+            let watch = |progress: Progress| {
+                seen.lock().expect("no panic").push(progress.quantity);
+                true
+            };
+            let accuracy = Accuracy { tolerance: 1e-4, ..Accuracy::default() };
+            let proof = line.prove_watched(accuracy, &watch).expect("proved");
+            assert_eq!(proof.constants.m_h().is_some(), needs_m_h);
+            let seen = seen.into_inner().expect("no panic");
+            assert!(seen.contains(&Quantity::LH));
+            assert!(needs_m_h || !seen.contains(&Quantity::MH));
+            // Any M_H leaves the bounds as they are.
+            let extent = line.extent();
+            let with = proof.constants.with_m_h(proof.constants.m_h().unwrap_or(0.0));
+            let [with, without] = [with.expect("a constant"), proof.constants]
+                .map(|constants| line.enclosure_by(constants, extent));
+            assert_eq!(with, without);
+        }
+        let ball = |x: f64| Ball::new([x, 0.1], 0.01).expect("a radius");
+        let sets = || Ends::new(ball(0.3), ball(0.45)).expect("bounded");
+        let points = || Ends::points([0.3, 0.1], [0.4, 0.1]).expect("finite");
+        let shear = || Shear::new(0.3, 1.0).expect("a wave number");
+        check(Sphere, sets(), LeftEndpoint, false);
+        check(Sphere, sets(), Trapezoidal, true);
+        check(Sphere, points(), LeftEndpoint, true);
+        check(shear(), sets(), LeftEndpoint, false);
+        check(Valleys, sets(), LeftEndpoint, false);
+    }
+
+    /// A search that is ended counts with what it has found.
+    #[test]
+    fn a_proof_that_is_ended_has_wider_bounds() {
+        let ends = Ends::points([0.0, 0.0], [1.0, 1.0]).expect("finite");
+        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+        let accuracy = Accuracy { tolerance: 1e-9, budget: 100_000 };
+        let ended = line.prove_watched(accuracy, &|_: Progress| false).expect("proved");
+        let close = line.prove(accuracy).expect("proved");
+        assert!(ended.constants.l_h() > close.constants.l_h());
+        assert!(ended.constants.c1() <= close.constants.c1());
+        assert!(0.0 < ended.enclosure.lower && ended.enclosure.lower < close.enclosure.lower);
     }
 
     /// The budget is spent long before the tolerance is reached, on all of space and on a ball.

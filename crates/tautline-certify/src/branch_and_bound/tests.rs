@@ -1,11 +1,22 @@
 //! Searches for known maxima.
 
-use nalgebra::{SVector, vector};
+use nalgebra::vector;
 use num_traits::Zero;
 use tautline_scalar::{Interval, Scalar};
 
-use super::{Bound, Bounded, maximise};
-use crate::{Accuracy, Cell, Domain};
+use super::{Bound, Bounded, Maximum};
+use crate::{
+    Accuracy, Cell, Domain,
+    patch::{Patch, Point},
+};
+
+fn maximise<const D: usize>(
+    function: &dyn Bounded,
+    domain: &Domain<D>,
+    accuracy: Accuracy,
+) -> Maximum {
+    super::maximise(function, domain, accuracy, &mut |_, _, _| true)
+}
 
 /// The function `sin 3x₁ cos 2x₂ − (x₁² + x₂²)/10`, with optional defects.
 #[derive(Default)]
@@ -18,19 +29,20 @@ fn waves<S: Scalar>(x: [S; 2]) -> S {
     (x[0] * 3.0).sin() * (x[1] * 2.0).cos() - (x[0].sqr() + x[1].sqr()) * 0.1
 }
 
-impl Bounded<2> for Waves {
-    fn bound(&self, cell: &Cell<2>) -> Bound {
-        let [x, y] = *cell.sides();
+impl Bounded for Waves {
+    fn bound(&self, patch: &Patch) -> Bound {
+        let [x, y] = [patch.sides[0], patch.sides[1]];
         let cut = usize::from(y.width() > x.width());
         let hidden = self.undefined_beyond.is_some_and(|limit| x.hi() > limit);
-        Bound { upper: if hidden { f64::NAN } else { waves([x, y]).hi() }, cut }
+        let upper = if hidden { f64::NAN } else { waves([x, y]).hi() };
+        Bound { upper, cut, middle: self.value(&patch.middle()) }
     }
 
-    fn value(&self, x: &SVector<f64, 2>) -> f64 {
-        waves([x[0], x[1]]) + self.boasts_by
+    fn value(&self, x: &Point) -> f64 {
+        waves([x.at[0], x.at[1]]) + self.boasts_by
     }
 
-    fn is_refuted(&self, _: &SVector<f64, 2>, value: f64) -> bool {
+    fn is_refuted(&self, _: &Point, value: f64) -> bool {
         value.is_nan()
     }
 }
@@ -54,10 +66,10 @@ const EFFORT: Accuracy = Accuracy { tolerance: 1e-6, budget: 200_000 };
 #[test]
 fn the_maximum_is_enclosed_to_the_tolerance() {
     let found = maximise(&Waves::default(), &square(), EFFORT);
-    let at = found.at.expect("a point");
+    let at = found.at.clone().expect("a point").at;
     assert!(found.reached && found.refuted.is_none());
     assert!(greatest() <= found.upper && found.upper <= greatest() * (1.0 + 2e-6), "{found:?}");
-    assert!(waves([at[0], at[1]]) >= greatest() * (1.0 - 1e-6), "{at}");
+    assert!(waves([at[0], at[1]]) >= greatest() * (1.0 - 1e-6), "{at:?}");
 }
 
 #[test]
@@ -70,7 +82,8 @@ fn on_a_ball_only_its_points_count() {
     let most = waves([0.25, 0.0]);
     assert!(found.reached, "{found:?}");
     assert!(most <= found.upper && found.upper <= most * (1.0 + 2e-6), "{found:?} {most}");
-    assert!((found.at.expect("a point") - vector![-0.5, 0.0]).norm() <= 0.75);
+    let at = found.at.expect("a point").at;
+    assert!((vector![at[0], at[1]] - vector![-0.5, 0.0]).norm() <= 0.75);
 }
 
 #[test]
@@ -121,17 +134,18 @@ struct OnTheLine {
     is_refuted: fn(f64, f64) -> bool,
 }
 
-impl Bounded<1> for OnTheLine {
-    fn bound(&self, cell: &Cell<1>) -> Bound {
-        Bound { upper: (self.bound)(cell.sides()[0]), cut: 0 }
+impl Bounded for OnTheLine {
+    fn bound(&self, patch: &Patch) -> Bound {
+        let middle = self.value(&patch.middle());
+        Bound { upper: (self.bound)(patch.sides[0]), cut: 0, middle }
     }
 
-    fn value(&self, x: &SVector<f64, 1>) -> f64 {
-        (self.value)(x[0])
+    fn value(&self, x: &Point) -> f64 {
+        (self.value)(x.at[0])
     }
 
-    fn is_refuted(&self, x: &SVector<f64, 1>, value: f64) -> bool {
-        (self.is_refuted)(x[0], value)
+    fn is_refuted(&self, x: &Point, value: f64) -> bool {
+        (self.is_refuted)(x.at[0], value)
     }
 }
 
@@ -147,7 +161,7 @@ fn a_point_where_the_function_is_refuted_ends_the_search() {
         is_refuted: |_, value| value.is_nan(),
     };
     let found = maximise(&nowhere, &segment(0.0, 1.0), EFFORT);
-    assert!(found.refuted.is_some_and(|x| x[0] > 0.7), "{found:?}");
+    assert!(found.refuted.as_ref().is_some_and(|x| x.at[0] > 0.7), "{found:?}");
     assert!(found.upper == f64::INFINITY && !found.reached);
 }
 
@@ -161,11 +175,13 @@ fn a_search_continues_until_there_is_a_value() {
         is_refuted,
     };
     let found = maximise(&late(|x, _| x > 0.9), &segment(0.0, 1.0), EFFORT);
-    assert!(found.refuted.is_some_and(|x| x[0] > 0.9) && !found.reached, "{found:?}");
+    let refuted = found.refuted.as_ref().is_some_and(|x| x.at[0] > 0.9);
+    assert!(refuted && !found.reached, "{found:?}");
     // Without a refutation the search spends the budget, and the values found still count.
     let accuracy = Accuracy { budget: 100, ..EFFORT };
     let found = maximise(&late(|_, _| false), &segment(0.0, 1.0), accuracy);
-    assert!(found.boxes > 90 && found.at.is_some_and(|x| x[0] < 0.3), "{found:?}");
+    let at = found.at.as_ref().is_some_and(|x| x.at[0] < 0.3);
+    assert!(found.boxes > 90 && at, "{found:?}");
     assert!(found.upper == f64::INFINITY && !found.reached, "{found:?}");
 }
 

@@ -3,8 +3,8 @@
 use tautline_formula::AnyMetric;
 use tautline_metrics::{Constants, Metric};
 
-use super::{CertifiedConstant, Quantity, enclose};
-use crate::{Accuracy, CertifyError, Domain, formula::is_isotropic};
+use super::{CertifiedConstant, Quantity, certify, enclose};
+use crate::{Accuracy, CertifyError, Domain, Watch, formula::is_isotropic, progress::unwatched};
 
 /// Enclosures of the four constants of a metric on a domain, proved from its formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,9 +12,20 @@ pub struct CertifiedConstants<const D: usize> {
     c1: CertifiedConstant<D>,
     c2: CertifiedConstant<D>,
     l_h: CertifiedConstant<D>,
-    m_h: CertifiedConstant<D>,
+    m_h: Option<CertifiedConstant<D>>,
     all_of_space: bool,
     isotropic: bool,
+}
+
+/// What becomes of constants without `M_H`.
+#[derive(Clone, Copy)]
+enum MH {
+    /// They are refused.
+    Required,
+    /// They serve.
+    Welcome,
+    /// They serve, and `M_H` is not searched for.
+    Useless,
 }
 
 impl<const D: usize> CertifiedConstants<D> {
@@ -43,7 +54,8 @@ impl<const D: usize> CertifiedConstants<D> {
         domain: &Domain<D>,
         accuracy: Accuracy,
     ) -> Result<Self, CertifyError> {
-        Self::enclosed(metric, domain, accuracy, |_, _, reached| reached)
+        let of = |metric: &AnyMetric<'_, D>, quantity| certify(metric, quantity, domain, accuracy);
+        Self::enclosed(metric, domain, of, MH::Required)
     }
 
     /// Encloses the constants like [`new`](Self::new), but accepts bounds that are wider than the
@@ -62,38 +74,61 @@ impl<const D: usize> CertifiedConstants<D> {
     /// # Ok::<(), tautline_certify::CertifyError>(())
     /// ```
     ///
+    /// Without an upper bound on `M_H` there are constants all the same, without `M_H`. Theorems that
+    /// need it then do not apply.
+    ///
     /// # Errors
     ///
     /// As for [`new`](Self::new), but [`CertifyError::BudgetSpent`] only if `c₁` is not known to be
-    /// positive, or if another constant has no upper bound.
+    /// positive, or if `c₂` or `L_H` has no upper bound.
     pub fn within_budget(
         metric: &impl Metric<D>,
         domain: &Domain<D>,
         accuracy: Accuracy,
     ) -> Result<Self, CertifyError> {
-        Self::enclosed(metric, domain, accuracy, |quantity, constant, _| match quantity {
-            Quantity::C1 => constant.lower > 0.0,
-            Quantity::C2 | Quantity::LH | Quantity::MH => constant.upper.is_finite(),
-        })
+        Self::within_budget_watched(metric, domain, accuracy, &unwatched)
+    }
+
+    /// Encloses the constants like [`within_budget`](Self::within_budget), and tells `watch` of the
+    /// progress. A search that `watch` ends counts as one that spent its budget.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`within_budget`](Self::within_budget).
+    pub fn within_budget_watched(
+        metric: &impl Metric<D>,
+        domain: &Domain<D>,
+        accuracy: Accuracy,
+        watch: &dyn Watch,
+    ) -> Result<Self, CertifyError> {
+        let of = |metric: &AnyMetric<'_, D>, quantity| {
+            let (constant, _) = enclose(metric, quantity, domain, accuracy, watch)?;
+            let is_enough = match quantity {
+                Quantity::C1 => constant.lower > 0.0,
+                Quantity::C2 | Quantity::LH | Quantity::MH => constant.upper.is_finite(),
+            };
+            if is_enough { Ok(constant) } else { Err(constant.spent(quantity)) }
+        };
+        let m_h = if watch.needs_m_h() { MH::Welcome } else { MH::Useless };
+        Self::enclosed(metric, domain, of, m_h)
     }
 
     fn enclosed(
         metric: &impl Metric<D>,
         domain: &Domain<D>,
-        accuracy: Accuracy,
-        is_enough: fn(Quantity, &CertifiedConstant<D>, bool) -> bool,
+        of: impl Fn(&AnyMetric<'_, D>, Quantity) -> Result<CertifiedConstant<D>, CertifyError>,
+        m_h: MH,
     ) -> Result<Self, CertifyError> {
         let metric = &AnyMetric::new(metric);
-        let of = |quantity| {
-            let (constant, reached) = enclose(metric, quantity, domain, accuracy)?;
-            let is_enough = is_enough(quantity, &constant, reached);
-            if is_enough { Ok(constant) } else { Err(constant.spent(quantity)) }
-        };
         Ok(Self {
-            c1: of(Quantity::C1)?,
-            c2: of(Quantity::C2)?,
-            l_h: of(Quantity::LH)?,
-            m_h: of(Quantity::MH)?,
+            c1: of(metric, Quantity::C1)?,
+            c2: of(metric, Quantity::C2)?,
+            l_h: of(metric, Quantity::LH)?,
+            m_h: match m_h {
+                MH::Required => Some(of(metric, Quantity::MH)?),
+                MH::Welcome => of(metric, Quantity::MH).ok(),
+                MH::Useless => None,
+            },
             all_of_space: domain.represents_space_for(metric),
             isotropic: metric.formula().is_ok_and(is_isotropic),
         })
@@ -117,9 +152,10 @@ impl<const D: usize> CertifiedConstants<D> {
         self.l_h
     }
 
-    /// Returns `M_H`, in `m²/ℓ⁴`.
+    /// Returns `M_H`, in `m²/ℓ⁴`, or `None` if it has no upper bound
+    /// [within the budget](Self::within_budget) or was [not needed](Watch::needs_m_h).
     #[must_use]
-    pub fn m_h(&self) -> CertifiedConstant<D> {
+    pub fn m_h(&self) -> Option<CertifiedConstant<D>> {
         self.m_h
     }
 
@@ -133,8 +169,11 @@ impl<const D: usize> CertifiedConstants<D> {
     /// [`CertifyError::Hypothesis`] if a bound cannot serve as a constant; for example, `c₁` is not
     /// positive.
     pub fn constants(&self) -> Result<Constants, CertifyError> {
-        let constants = Constants::new(self.c1.lower, self.c2.upper, self.l_h.upper)?
-            .with_m_h(self.m_h.upper)?;
+        let constants = Constants::new(self.c1.lower, self.c2.upper, self.l_h.upper)?;
+        let constants = match self.m_h {
+            Some(m_h) => constants.with_m_h(m_h.upper)?,
+            None => constants,
+        };
         let constants = if self.isotropic { constants.isotropic() } else { constants };
         Ok(if self.all_of_space { constants } else { constants.on_a_region() })
     }

@@ -5,10 +5,12 @@ use num_traits::Zero;
 use tautline_scalar::{Interval, Scalar};
 
 use super::{
-    gram::Gram,
+    gram::{At, Gram},
+    lifted::Variable,
     quartic::{Vanishing, flattened},
-    spectral::{Direction, Spectral, TURNS, extreme, form, square, starts},
+    spectral::{Direction, Spectral, alternating, extreme, form, square},
 };
+use crate::patch::Point;
 
 /// `‖DH(x)‖²`, or an upper bound on it. With `Aₖ = ∂ₖH`, it is the largest value over unit vectors
 /// `u` of
@@ -44,22 +46,22 @@ impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
         self.0
     }
 
-    fn choice(&self, x: &SVector<f64, D>) -> Option<Vanishing<D>> {
+    fn choice(&self, x: &Point) -> Option<Vanishing<D>> {
         if self.0.isotropic || D == 1 {
             return None;
         }
-        let a = self.0.first(x);
+        let a = self.0.first(x.into());
         let found = direction(&a)?;
         let guess = Vanishing::for_maximum(&a, &found.u);
         Some(guess.improved(&flattened(&a), found.norm * found.norm))
     }
 
-    fn matrices<T: Scalar>(
+    fn matrices<T: Variable>(
         &self,
-        x: &SVector<T, D>,
+        at: At<'_, T, D>,
         choice: &Option<Vanishing<D>>,
     ) -> Vec<DMatrix<T>> {
-        let a = self.0.first(x);
+        let a = self.0.first(at);
         if self.0.isotropic {
             let square = a.iter().fold(T::zero(), |sum, a| sum + a[(0, 0)].sqr());
             return vec![DMatrix::from_element(1, 1, square)];
@@ -71,13 +73,15 @@ impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
         vec![sum]
     }
 
-    fn wanted(&self, x: &SVector<f64, D>) -> f64 {
-        direction(&self.0.first(x)).map_or(f64::NAN, |found| found.norm * found.norm)
+    fn wanted(&self, at: At<'_, f64, D>) -> f64 {
+        direction(&self.0.first(at)).map_or(f64::NAN, |found| found.norm * found.norm)
     }
 
     fn witness(&self, x: &SVector<f64, D>) -> f64 {
-        let Some(Direction { u, v, .. }) = direction(&self.0.first(x)) else { return f64::NAN };
-        let a = self.0.first(&x.map(Interval::point));
+        let Some(Direction { u, v, .. }) = direction(&self.0.first(At::Space(x))) else {
+            return f64::NAN;
+        };
+        let a = self.0.first(At::Space(&x.map(Interval::point)));
         let sum =
             (0..D).fold(Interval::zero(), |sum, k| sum + form(|i, j| a[k][(i, j)], &u) * v[k]);
         (Interval::point(sum.mignitude()) / (square(&v).sqrt() * square(&u))).lo()
@@ -87,20 +91,9 @@ impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
 /// Maximises `Σ vₖ uᵀAₖu` over unit vectors `v` and `u`, alternately. For fixed `v` the best `u` is
 /// an eigenvector; for fixed `u` the best `v` is a normalized gradient.
 pub(super) fn direction<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> Option<Direction<D>> {
-    let mut best: Option<Direction<D>> = None;
-    for mut v in starts() {
-        for _ in 0..TURNS {
-            let (norm, u) = extreme(|i, j| (0..D).map(|k| v[k] * a[k][(i, j)]).sum())?;
-            if best.is_none_or(|best| norm > best.norm) {
-                best = Some(Direction { norm, u, v });
-            }
-            let gradient = SVector::<f64, D>::from_fn(|k, _| form(|i, j| a[k][(i, j)], &u));
-            let Some(unit) = gradient.try_normalize(0.0) else { break };
-            if (unit - v).norm_squared() < 1e-20 {
-                break;
-            }
-            v = unit;
-        }
-    }
-    best
+    alternating(|v| {
+        let (norm, u) = extreme(|i, j| (0..D).map(|k| v[k] * a[k][(i, j)]).sum())?;
+        let gradient = SVector::<f64, D>::from_fn(|k, _| form(|i, j| a[k][(i, j)], &u));
+        Some((Direction { norm, u, v: *v }, gradient.try_normalize(0.0).unwrap_or(*v)))
+    })
 }

@@ -10,6 +10,7 @@ mod eigenvalue_bound;
 mod eigenvalue_range;
 mod first_derivative;
 mod gram;
+pub(crate) mod lifted;
 mod quantity;
 mod quartic;
 mod second_derivative;
@@ -33,8 +34,8 @@ use self::{
     spectral::{LargestEigenvalue, Spectral},
 };
 use crate::{
-    Accuracy, CertifyError, Domain,
-    branch_and_bound::{Maximum, maximise},
+    Accuracy, CertifyError, Domain, Progress, Watch, branch_and_bound::maximise, patch::Region,
+    progress::unwatched,
 };
 
 /// Lower and upper bounds on a constant of a metric on a domain.
@@ -96,7 +97,22 @@ pub fn certify<const D: usize>(
     domain: &Domain<D>,
     accuracy: Accuracy,
 ) -> Result<CertifiedConstant<D>, CertifyError> {
-    let (constant, reached) = enclose(metric, quantity, domain, accuracy)?;
+    certify_watched(metric, quantity, domain, accuracy, &unwatched)
+}
+
+/// Encloses a constant like [`certify`], and tells `watch` of the progress.
+///
+/// # Errors
+///
+/// Those of [`certify`]; [`CertifyError::BudgetSpent`] also if `watch` ends the search.
+pub fn certify_watched<const D: usize>(
+    metric: &impl Metric<D>,
+    quantity: Quantity,
+    domain: &Domain<D>,
+    accuracy: Accuracy,
+    watch: &dyn Watch,
+) -> Result<CertifiedConstant<D>, CertifyError> {
+    let (constant, reached) = enclose(metric, quantity, domain, accuracy, watch)?;
     if reached { Ok(constant) } else { Err(constant.spent(quantity)) }
 }
 
@@ -107,6 +123,7 @@ fn enclose<const D: usize>(
     quantity: Quantity,
     domain: &Domain<D>,
     accuracy: Accuracy,
+    watch: &dyn Watch,
 ) -> Result<(CertifiedConstant<D>, bool), CertifyError> {
     if D == 0 {
         return Err(CertifyError::NoDimension);
@@ -114,25 +131,35 @@ fn enclose<const D: usize>(
     let accuracy = accuracy.checked()?;
     let metric = AnyMetric::new(metric);
     let formula = metric.formula().map_err(CertifyError::NotRecorded)?;
-    let gram = Gram::new(&metric, formula);
+    let lift = domain.lift(&metric);
+    let gram = Gram::new(&metric, formula, lift.as_ref());
+    let region: &dyn Region = match &lift {
+        Some(lift) => lift,
+        None => domain,
+    };
+    let effort = Effort { quantity, region, accuracy, watch };
     let (found, lower, upper) = match quantity {
         Quantity::C1 => {
-            let (found, witness) = search(&Eigenvalue(gram, End::Least), domain, accuracy)?;
-            (found, -found.upper, witness)
+            let found = search(&Eigenvalue(gram, End::Least), effort, |upper| -upper)?;
+            let (bound, witness) = (-found.upper, found.witness);
+            (found, bound, witness)
         }
         Quantity::C2 => {
-            let (found, witness) = search(&Eigenvalue(gram, End::Greatest), domain, accuracy)?;
-            (found, witness, found.upper)
+            let found = search(&Eigenvalue(gram, End::Greatest), effort, |upper| upper)?;
+            let (bound, witness) = (found.upper, found.witness);
+            (found, witness, bound)
         }
         Quantity::LH => {
             // The relative tolerance of a square is twice that of its root.
             let square = Accuracy { tolerance: 2.0 * accuracy.tolerance, ..accuracy };
-            let (found, witness) = search(&FirstDerivative(gram), domain, square)?;
-            (found, witness, Interval::point(found.upper.max(0.0)).sqrt().hi())
+            let effort = Effort { accuracy: square, ..effort };
+            let found = search(&FirstDerivative(gram), effort, |upper| upper.max(0.0).sqrt())?;
+            let bound = Interval::point(found.upper.max(0.0)).sqrt().hi();
+            (found, found.witness, bound)
         }
         Quantity::MH => {
-            let (found, witness) = search(&SecondDerivative(gram), domain, accuracy)?;
-            (found, witness, found.upper.max(0.0))
+            let found = search(&SecondDerivative(gram), effort, |upper| upper.max(0.0))?;
+            (found, found.witness, found.upper.max(0.0))
         }
     };
     // NaN and infinity do not count as bounds.
@@ -146,23 +173,51 @@ fn enclose<const D: usize>(
     Ok((CertifiedConstant { lower, upper, at, boxes }, reached))
 }
 
-/// Returns the result of a search, and the bound proved at the point found.
+/// Where, how closely and under whose eyes a constant is searched for.
+#[derive(Clone, Copy)]
+struct Effort<'e> {
+    quantity: Quantity,
+    region: &'e dyn Region,
+    accuracy: Accuracy,
+    watch: &'e dyn Watch,
+}
+
+/// The result of a search, at a point of space, and the bound proved there.
+#[derive(Clone, Copy)]
+struct Found<const D: usize> {
+    upper: f64,
+    at: Option<SVector<f64, D>>,
+    witness: f64,
+    boxes: usize,
+    reached: bool,
+}
+
+/// Returns the result of a search. `constant` turns an eigenvalue into the constant, up to rounding.
 fn search<S: Spectral<D>, const D: usize>(
     function: &S,
-    domain: &Domain<D>,
-    accuracy: Accuracy,
-) -> Result<(Maximum<D>, f64), CertifyError> {
-    let found = maximise(&LargestEigenvalue(function), domain, accuracy);
+    effort: Effort<'_>,
+    constant: impl Fn(f64) -> f64,
+) -> Result<Found<D>, CertifyError> {
+    let Effort { quantity, region, accuracy, watch } = effort;
+    let mut goes_on = |boxes, value, bound| {
+        let [value, bound] = [value, bound].map(&constant);
+        watch.goes_on(Progress { quantity, boxes, bound, value })
+    };
+    let found = maximise(&LargestEigenvalue(function), region, accuracy, &mut goes_on);
+    let gram = function.gram();
+    let [at, refuted] =
+        [&found.at, &found.refuted].map(|x| x.as_ref().map(|x| function.in_space(x)));
     // The formal derivative of a constant is 0, even if the constant is NaN, so the formula is
     // checked.
-    let undefined = found.at.filter(|x| function.gram().is_undefined(x));
-    if let Some(x) = found.refuted.or(undefined) {
+    let undefined = at.filter(|x| gram.is_undefined(x));
+    if let Some(x) = refuted.or(undefined) {
         let point = x.iter().copied().collect();
-        return Err(if function.gram().is_undefined(&x) {
+        return Err(if gram.is_undefined(&x) {
             CertifyError::Undefined { point }
         } else {
             CertifyError::NotPositiveDefinite { point, eigenvalue: function.witness(&x) }
         });
     }
-    Ok((found, found.at.map_or(f64::NAN, |x| function.witness(&x))))
+    let witness = at.map_or(f64::NAN, |x| function.witness(&x));
+    Ok(Found { upper: found.upper, at, witness, boxes: found.boxes, reached: found.reached })
 }

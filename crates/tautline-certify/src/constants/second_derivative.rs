@@ -1,14 +1,16 @@
 //! `M_H`: the largest `‖D²H(x)[v, v]‖` over unit vectors `v`.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use tautline_scalar::{Interval, Scalar};
+use tautline_scalar::Interval;
 
 use super::{
     biquadratic::{Vanishing, flattened},
     eigenvalue_bound::eigen,
-    gram::Gram,
-    spectral::{Direction, Spectral, TURNS, form, greatest, square, starts},
+    gram::{At, Gram},
+    lifted::Variable,
+    spectral::{Direction, Spectral, alternating, form, greatest, square},
 };
+use crate::patch::Point;
 
 /// `‖D²H(x)‖`, or an upper bound on it: the largest `|Σ vₖ vₗ uᵀ∂ₖ∂ₗH u|` over unit vectors `u` and
 /// `v`. (`D²H` is a symmetric bilinear form, so two different vectors in place of `v` give no
@@ -43,11 +45,11 @@ impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
         self.0
     }
 
-    fn choice(&self, x: &SVector<f64, D>) -> Self::Choice {
+    fn choice(&self, x: &Point) -> Self::Choice {
         if self.0.isotropic || D == 1 {
             return [None, None];
         }
-        let b = self.0.second(x);
+        let b = self.0.second(x.into());
         [1.0, -1.0].map(|sign| {
             let b = b.map(|row| row.map(|matrix| matrix * sign));
             let vanishing = Vanishing::for_maximum(&b, &maximum(&b)?);
@@ -62,8 +64,8 @@ impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
         })
     }
 
-    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>> {
-        let b = self.0.second(x);
+    fn matrices<T: Variable>(&self, at: At<'_, T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>> {
+        let b = self.0.second(at);
         if self.0.isotropic {
             let hessian = DMatrix::from_fn(D, D, |k, l| b[k][l][(0, 0)]);
             return vec![hessian.map(|entry| -entry), hessian];
@@ -78,13 +80,15 @@ impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
         both.into()
     }
 
-    fn wanted(&self, x: &SVector<f64, D>) -> f64 {
-        direction(&self.0.second(x)).map_or(f64::NAN, |found| found.norm)
+    fn wanted(&self, at: At<'_, f64, D>) -> f64 {
+        direction(&self.0.second(at)).map_or(f64::NAN, |found| found.norm)
     }
 
     fn witness(&self, x: &SVector<f64, D>) -> f64 {
-        let Some(Direction { u, v, .. }) = direction(&self.0.second(x)) else { return f64::NAN };
-        let b = self.0.second(&x.map(Interval::point));
+        let Some(Direction { u, v, .. }) = direction(&self.0.second(At::Space(x))) else {
+            return f64::NAN;
+        };
+        let b = self.0.second(At::Space(&x.map(Interval::point)));
         let sum = form(|k, l| form(|i, j| b[k][l][(i, j)], &u), &v);
         (Interval::point(sum.mignitude()) / (square(&v) * square(&u))).lo()
     }
@@ -92,22 +96,13 @@ impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
 
 /// Maximises `Σ vₖ vₗ uᵀ∂ₖ∂ₗH u` over unit vectors `v` and `u`, alternately.
 pub(super) fn maximum<const D: usize>(b: &[[SMatrix<f64, D, D>; D]; D]) -> Option<Direction<D>> {
-    let mut best: Option<Direction<D>> = None;
-    for mut v in starts() {
-        for _ in 0..TURNS {
-            let (_, u) = greatest::<D>(|i, j| form(|k, l| b[k][l][(i, j)], &v))?;
-            let (norm, next) = greatest::<D>(|k, l| form(|i, j| b[k][l][(i, j)], &u))?;
-            let settled = (next - v).norm_squared().min((next + v).norm_squared()) < 1e-20;
-            v = next;
-            if best.is_none_or(|best| norm > best.norm) {
-                best = Some(Direction { norm, u, v });
-            }
-            if settled {
-                break;
-            }
-        }
-    }
-    best
+    alternating(|v| {
+        let (_, u) = greatest::<D>(|i, j| form(|k, l| b[k][l][(i, j)], v))?;
+        let (norm, next) = greatest::<D>(|k, l| form(|i, j| b[k][l][(i, j)], &u))?;
+        // An eigenvector has two signs.
+        let next = if next.dot(v) < 0.0 { -next } else { next };
+        Some((Direction { norm, u, v: next }, next))
+    })
 }
 
 /// The larger of the maxima of the form and of its negative.

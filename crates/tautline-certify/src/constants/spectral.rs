@@ -7,11 +7,12 @@ use tautline_scalar::{Interval, Jet1, Scalar};
 
 use super::{
     eigenvalue_bound::{Enclosed, eigen, largest_eigenvalue},
-    gram::Gram,
+    gram::{At, Gram},
+    lifted::Variable,
 };
 use crate::{
-    Cell,
     branch_and_bound::{Bound, Bounded},
+    patch::{Patch, Point},
 };
 
 /// The largest eigenvalue of certain symmetric matrices `S(x)`. Its maximum is a constant of a
@@ -24,77 +25,108 @@ pub(super) trait Spectral<const D: usize>: Sync {
     fn gram(&self) -> Gram<'_, D>;
 
     /// Returns a good choice near `x`.
-    fn choice(&self, x: &SVector<f64, D>) -> Self::Choice;
+    fn choice(&self, x: &Point) -> Self::Choice;
 
     /// Returns the matrices, all of the same size.
-    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>>;
+    fn matrices<T: Variable>(&self, at: At<'_, T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>>;
 
-    /// Returns the exact quantity at `x`, up to rounding, in the unit of the eigenvalue.
-    fn wanted(&self, x: &SVector<f64, D>) -> f64;
+    /// Returns the exact quantity, up to rounding, in the unit of the eigenvalue.
+    fn wanted(&self, at: At<'_, f64, D>) -> f64;
 
-    /// Returns a proved lower bound on the exact quantity at `x`, in the unit of the constant, or
-    /// an upper bound if the constant is an infimum. It is tight up to rounding, and NaN if there
-    /// is none.
+    /// Returns a proved lower bound on the exact quantity at a point of space, in the unit of the
+    /// constant, or an upper bound if the constant is an infimum. It is tight up to rounding, and
+    /// NaN if there is none.
     fn witness(&self, x: &SVector<f64, D>) -> f64;
 
     /// Returns whether `H(x)` is certainly not that of a metric, given the largest eigenvalue
     /// `value`.
-    fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
-        value.is_nan() && self.gram().is_undefined(x)
+    fn is_refuted(&self, x: &Point, value: f64) -> bool {
+        value.is_nan() && self.gram().is_undefined(&self.in_space(x))
+    }
+
+    /// Returns the point of space with the largest quantity among those with about these coordinates
+    /// of the search.
+    fn in_space(&self, x: &Point) -> SVector<f64, D> {
+        let points = self.gram().in_space(x);
+        let [x] = points[..] else {
+            let valued = points.into_iter().map(|x| (self.wanted(At::Space(&x)), x));
+            let best = valued.max_by(|(a, _), (b, _)| a.total_cmp(b));
+            return best.map_or_else(SVector::zeros, |(_, x)| x);
+        };
+        x
     }
 }
 
 /// The largest eigenvalue, as a function that can be bounded on boxes.
-pub(super) struct LargestEigenvalue<'a, S>(pub(super) &'a S);
+pub(super) struct LargestEigenvalue<'a, S, const D: usize>(pub(super) &'a S);
 
-impl<S: Spectral<D>, const D: usize> Bounded<D> for LargestEigenvalue<'_, S> {
-    fn bound(&self, cell: &Cell<D>) -> Bound {
-        let middle = cell.midpoint();
+impl<S: Spectral<D>, const D: usize> Bounded for LargestEigenvalue<'_, S, D> {
+    fn bound(&self, patch: &Patch) -> Bound {
+        let (middle, sides, chart) = (patch.middle(), &patch.sides, patch.chart);
         let choice = self.0.choice(&middle);
-        let centres = self.0.matrices(&middle.map(Interval::point), &choice);
-        let sides = cell.sides();
-        let jets = self.0.matrices(&SVector::from(Jet1::variables(sides)), &choice);
-        let offsets: Vec<_> = (0..D).map(|k| sides[k] - Interval::point(middle[k])).collect();
-        let mut bound = Bound { upper: f64::NEG_INFINITY, cut: 0 };
-        let mut influence = [0.0; D];
-        for (centre, jet) in centres.into_iter().zip(jets) {
-            let slopes: Vec<_> = (0..D).map(|k| jet.map(|entry| entry.first(k))).collect();
-            for k in 0..D {
+        let centre: Vec<_> = middle.at.iter().map(|&x| Interval::point(x)).collect();
+        let centres = self.0.matrices(At::Search(&centre, chart), &choice);
+        // The derivatives by the variables, D at a time.
+        let groups: Vec<_> = (0..sides.len().max(1))
+            .step_by(D)
+            .map(|first| {
+                let seed = |(k, &side): (usize, &Interval)| {
+                    let slope = |i: usize| if first + i == k { 1.0 } else { 0.0 };
+                    Jet1::new(side, std::array::from_fn(|i| Interval::point(slope(i))))
+                };
+                let jets: Vec<Jet1<Interval, D>> = sides.iter().enumerate().map(seed).collect();
+                self.0.matrices(At::Search(&jets, chart), &choice)
+            })
+            .collect();
+        let offsets: Vec<_> = sides.iter().zip(&centre).map(|(&side, &x)| side - x).collect();
+        let mut bound = Bound { upper: f64::NEG_INFINITY, cut: 0, middle: f64::NEG_INFINITY };
+        let mut influence = vec![0.0; sides.len()];
+        for (index, centre) in centres.into_iter().enumerate() {
+            let slope = |k: usize| groups[k / D][index].map(|entry| entry.first(k % D));
+            let slopes: Vec<_> = (0..sides.len()).map(slope).collect();
+            for k in 0..sides.len() {
                 let size: f64 = slopes[k].iter().map(|slope| slope.magnitude()).sum();
-                influence[k] += size * sides[k].width();
+                influence[k] += size * patch.length(k);
             }
-            let value = jet.map(|entry| entry.value());
-            let upper =
+            let value = groups[0][index].map(|entry| entry.value());
+            let (upper, middle) =
                 largest_eigenvalue(&Enclosed { centre, value, slopes, offsets: offsets.clone() });
-            if !(upper <= bound.upper) {
-                bound.upper = upper;
-            }
+            bound.upper = largest(bound.upper, upper);
+            bound.middle = largest(bound.middle, middle);
             if bound.upper.is_nan() {
                 break;
             }
         }
-        // If a derivative has no bound, or if all of them vanish, the widest side is cut.
-        if !influence.iter().sum::<f64>().is_finite() || influence.iter().all(|i| *i == 0.0) {
-            influence = std::array::from_fn(|k| sides[k].width());
-        }
-        bound.cut = (0..D).fold(0, |most, k| if influence[k] > influence[most] { k } else { most });
+        // If a derivative has no bound, or if all of them vanish, the longest side is cut.
+        bound.cut =
+            if !influence.iter().sum::<f64>().is_finite() || influence.iter().all(|i| *i == 0.0) {
+                patch.longest()
+            } else {
+                (0..sides.len())
+                    .fold(0, |most, k| if influence[k] > influence[most] { k } else { most })
+            };
         bound
     }
 
-    fn value(&self, x: &SVector<f64, D>) -> f64 {
-        let matrices = self.0.matrices(x, &self.0.choice(x));
+    fn value(&self, x: &Point) -> f64 {
+        let matrices = self.0.matrices(x.into(), &self.0.choice(x));
         let eigenvalues =
             matrices.iter().map(|s| eigen(s).map_or(f64::NAN, |e| e.eigenvalues.max()));
-        eigenvalues.fold(f64::NEG_INFINITY, |most, x| if x > most || x.is_nan() { x } else { most })
+        eigenvalues.fold(f64::NEG_INFINITY, largest)
     }
 
-    fn wanted(&self, x: &SVector<f64, D>) -> f64 {
-        self.0.wanted(x)
+    fn wanted(&self, x: &Point) -> f64 {
+        self.0.wanted(x.into())
     }
 
-    fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
+    fn is_refuted(&self, x: &Point, value: f64) -> bool {
         self.0.is_refuted(x, value)
     }
+}
+
+/// Returns the larger number, or NaN if one of them is NaN.
+fn largest(most: f64, x: f64) -> f64 {
+    if x > most || x.is_nan() { x } else { most }
 }
 
 /// Unit vectors `u` and `v` at which a form in both is large, and its absolute value there, up to
@@ -166,8 +198,37 @@ pub(super) fn basis_with<const D: usize>(u: &SVector<f64, D>) -> SMatrix<f64, D,
     reflection
 }
 
+/// Maximises a form in two unit vectors by steps that take `v` to a better pair and the next `v`.
+/// The best of several starts, after a few steps, goes on until it settles.
+pub(super) fn alternating<const D: usize>(
+    step: impl Fn(&SVector<f64, D>) -> Option<(Direction<D>, SVector<f64, D>)>,
+) -> Option<Direction<D>> {
+    let mut best: Option<(Direction<D>, SVector<f64, D>)> = None;
+    for start in starts() {
+        let mut now = step(&start)?;
+        for _ in 1..FIRST_TURNS {
+            now = step(&now.1)?;
+        }
+        if best.is_none_or(|best| now.0.norm > best.0.norm) {
+            best = Some(now);
+        }
+    }
+    let (mut best, mut v) = best?;
+    for _ in FIRST_TURNS..TURNS {
+        let (found, next) = step(&v)?;
+        if found.norm > best.norm {
+            best = found;
+        }
+        if (next - v).norm_squared() < 1e-20 {
+            break;
+        }
+        v = next;
+    }
+    Some(best)
+}
+
 /// Starting vectors for maximising forms: the axes, and the bisectors of any two axes.
-pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> {
+fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> {
     let axis = |i: usize| SVector::<f64, D>::from_fn(|k, _| if k == i { 1.0 } else { 0.0 });
     let bisectors = (0..D).flat_map(move |j| (0..j).flat_map(move |i| [(i, j, 1.0), (i, j, -1.0)]));
     (0..D).map(axis).chain(
@@ -176,5 +237,8 @@ pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> 
     )
 }
 
-/// The maximal number of alternating steps.
-pub(super) const TURNS: usize = 40;
+/// The number of alternating steps from every start.
+const FIRST_TURNS: usize = 3;
+
+/// The maximal number of alternating steps from the best start.
+const TURNS: usize = 40;

@@ -10,23 +10,35 @@ use tautline_metrics::gallery::{
 use tautline_scalar::Interval;
 
 use super::Domain;
-use crate::{Cell, CertifyError, testing::parsed};
+use crate::{
+    CertifyError,
+    patch::{Patch, Point, Region},
+    testing::parsed,
+};
+
+fn patch<const D: usize>(lo: [f64; D], hi: [f64; D]) -> Patch {
+    let side = |i: usize| Interval::new(lo[i], hi[i]).expect("in order");
+    Patch { sides: (0..D).map(side).collect(), chart: 0 }
+}
+
+fn point<const D: usize>(at: [f64; D]) -> Option<Point> {
+    Some(Point { at: at.into(), chart: 0 })
+}
 
 #[test]
 fn a_ball_contains_its_points_and_misses_the_corners_of_its_box() {
     let ball = Domain::ball([1.0, 0.0], 2.0).expect("a radius");
-    let cell = |lo: [f64; 2], hi: [f64; 2]| Cell::new(lo, hi).expect("in order");
-    assert!(ball.misses(&cell([2.9, 1.9], [3.0, 2.0])));
-    assert!(!ball.misses(&cell([2.0, 1.0], [3.0, 2.0])));
+    assert!(ball.misses(&patch([2.9, 1.9], [3.0, 2.0])));
+    assert!(!ball.misses(&patch([2.0, 1.0], [3.0, 2.0])));
     // The cell meets the ball only in the point (3, 0).
-    assert!(!ball.misses(&cell([3.0, -1.0], [4.0, 1.0])));
-    let whole = *ball.bounding_cell();
-    assert_eq!(ball.point_in(&whole), Some(vector![1.0, 0.0]));
-    let x = ball.point_in(&cell([2.0, 1.0], [3.0, 2.0])).expect("they meet");
+    assert!(!ball.misses(&patch([3.0, -1.0], [4.0, 1.0])));
+    assert_eq!(ball.point_in(&ball.patches()[0]), point([1.0, 0.0]));
+    let x = ball.point_in(&patch([2.0, 1.0], [3.0, 2.0])).expect("they meet").at;
+    let x = vector![x[0], x[1]];
     assert!((x - vector![1.0, 0.0]).norm() <= 2.0 && x[0] >= 2.0 && x[1] >= 1.0, "{x}");
-    assert_eq!(ball.point_in(&cell([2.9, 1.9], [3.0, 2.0])), None);
-    let point = Domain::ball([1.0], 0.0).expect("a radius");
-    assert_eq!(point.point_in(point.bounding_cell()), Some(vector![1.0]));
+    assert_eq!(ball.point_in(&patch([2.9, 1.9], [3.0, 2.0])), None);
+    let alone = Domain::ball([1.0], 0.0).expect("a radius");
+    assert_eq!(alone.point_in(&alone.patches()[0]), point([1.0]));
 }
 
 #[test]
@@ -80,8 +92,8 @@ fn a_metric_that_keeps_changing_does_not_settle() {
 #[test]
 fn a_small_change_is_detected() {
     for text in [
-        "tanh(x1*2^-100)*1e-3 + 1",
-        "sin(x1*2^-80 + tanh(x1))*1e-17 + 1",
+        "x1*2^-100/sqrt(1 + sqr(x1*2^-100))*1e-3 + 1",
+        "sin(x1*2^-80 + x1/(1 + sqr(x1)))*1e-17 + 1",
         "exp(x1*-2^-95)*1e-6 + 1",
         "exp(x1*2^-95)*1e-6 + 1",
     ] {
@@ -94,13 +106,18 @@ fn a_small_change_is_detected() {
 #[test]
 fn a_domain_represents_space_for_its_own_metric() {
     let constant = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
-    let lens = Lens::new(1.0, 1.0).expect("a width");
+    let bump = parsed::<2>("1 + 1/(sqr(x1) + sqr(x2) + 1) I");
     let point = Domain::space(&constant);
-    assert!(point.represents_space_for(&constant) && !point.represents_space_for(&lens));
-    let settled = Domain::<2>::settled_space(&lens).expect("it settles");
-    assert!(settled.represents_space_for(&lens));
+    assert!(point.represents_space_for(&constant) && !point.represents_space_for(&bump));
+    let settled = Domain::settled_space(&bump).expect("it settles");
+    assert!(settled.represents_space_for(&bump));
     assert!(!settled.represents_space_for(&Sphere));
-    assert!(!Domain::<2>::space(&lens).represents_space_for(&lens));
+    assert!(!Domain::space(&bump).represents_space_for(&bump));
+    // Both domains have the same box.
+    let lens = Lens::new(1.0, 1.0).expect("a width");
+    let lifted = Domain::<2>::space(&lens);
+    assert_eq!(lifted.bounding_cell(), settled.bounding_cell());
+    assert!(lifted.represents_space_for(&lens) && !lifted.represents_space_for(&bump));
 }
 
 /// The centre plus the radius is rounded, but the box must not become too small.
@@ -120,7 +137,8 @@ fn the_box_of_a_ball_holds_its_ends() {
 #[test]
 fn each_coordinate_and_each_entry_must_settle() {
     let settled = |entries: &str| {
-        let parts = "f1 = tanh(x1*2^-100)*1e-3; f2 = tanh(x2*2^-100)*1e-3;
+        let parts = "u1 = x1*2^-100; u2 = x2*2^-100;
+            f1 = u1/sqrt(1 + sqr(u1))*1e-3; f2 = u2/sqrt(1 + sqr(u2))*1e-3;
             near1 = exp(-sqr(x1)); near2 = exp(-sqr(x2));";
         Domain::<2>::settled_space(&parsed(&format!("{parts} {entries}")))
     };
@@ -143,6 +161,19 @@ fn each_coordinate_and_each_entry_must_settle() {
     assert!(bump.is_ok_and(|space| space.is_all_of_space()));
 }
 
+/// Only what changes along the coordinate that grows must settle.
+#[test]
+fn a_metric_may_change_along_other_coordinates() {
+    for text in ["3 + 1/(1 + sqr(x1)) + sin(x2) I", "diag(3 + sin(x2), 2 + 1/(1 + x1^4) + cos(x2))"]
+    {
+        let settled = Domain::<2>::settled_space(&parsed(text));
+        assert!(settled.is_ok_and(|space| space.is_all_of_space()), "{text}");
+    }
+    // The amplitude of the wave does not settle.
+    let error = Domain::<2>::settled_space(&parsed("3 + x1/sqrt(1 + sqr(x1*2^-100))*sin(x2) I"));
+    assert!(matches!(error, Err(CertifyError::NotSettled { coordinate: 0, .. })), "{error:?}");
+}
+
 /// Returns the exact sign of `x − c − r`, for an `x` near `c + r`. It uses the first difference
 /// with its rounding error, and the second difference, which is exact (Sterbenz).
 fn beyond(x: f64, c: f64, r: f64) -> f64 {
@@ -162,7 +193,7 @@ fn in_doubt_a_point_is_not_missed_and_not_taken() {
         let ball = Domain::ball([c], r).expect("a radius");
         let mut x = (c + r).next_down().next_down();
         for _ in 0..5 {
-            let cell = Cell::new([x], [x]).expect("in order");
+            let cell = patch([x], [x]);
             if beyond(x, c, r) <= 0.0 {
                 assert!(!ball.misses(&cell), "{x} is within {r} of {c}");
                 inside += 1;

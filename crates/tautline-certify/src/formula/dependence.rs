@@ -8,7 +8,7 @@ use tautline_scalar::{Interval, Scalar};
 ///
 /// Any two doubles have a common divisor, but for `0.1` and `0.3` it is `2⁻⁵⁵`, and the resulting
 /// period is useless.
-const LARGEST_RATIO: f64 = 1024.0;
+pub(super) const LARGEST_RATIO: f64 = 1024.0;
 
 /// What a formula shows about the dependence of a step on `D` coordinates. The step has the form
 ///
@@ -20,11 +20,11 @@ const LARGEST_RATIO: f64 = 1024.0;
 /// The formula is followed step by step, with exact arithmetic on its constants, so every period
 /// found is proved. There may be others: `sin x / cos x` is known to have the period `2π`, not `π`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Dependence<const D: usize> {
+pub(super) struct Dependence<const D: usize> {
     /// The value if the step is a constant; otherwise meaningless.
     constant: Interval,
     /// The linear coefficients `a`.
-    slope: [Interval; D],
+    pub(super) slope: [Interval; D],
     /// For each coordinate, a common divisor of all wave numbers, in `1/ℓ`; 0 if there is no wave.
     wave_number: [f64; D],
     /// Whether the dependence on a coordinate is unknown.
@@ -44,12 +44,8 @@ pub(crate) enum Along {
 
 /// Returns how the Gram matrix depends on each coordinate.
 pub(crate) fn dependence<const D: usize>(formula: &Formula<D>) -> [Along; D] {
-    let x = std::array::from_fn(|i| {
-        let mut variable = Dependence { constant: Interval::REALS, ..Dependence::constant(0.0) };
-        variable.slope[i] = Interval::point(1.0);
-        variable
-    });
-    let all = entries(formula, x).fold(Dependence::<D>::constant(0.0), Dependence::joined);
+    let all = entries(formula, &steps(formula, coordinates()))
+        .fold(Dependence::<D>::constant(0.0), Dependence::joined);
     std::array::from_fn(|i| {
         if all.aperiodic[i] {
             Along::Unknown
@@ -72,14 +68,33 @@ pub(crate) fn is_constant_along<const D: usize>(
         slope: [Interval::point(direction[i])],
         ..Dependence::<1>::constant(0.0)
     });
-    entries(formula, x).all(|entry| entry.is_constant())
+    entries(formula, &steps(formula, x)).all(|entry| entry.is_constant())
+}
+
+/// Returns the dependence of the coordinates on themselves.
+pub(super) fn coordinates<const D: usize>() -> [Dependence<D>; D] {
+    std::array::from_fn(|i| {
+        let mut variable = Dependence { constant: Interval::REALS, ..Dependence::constant(0.0) };
+        variable.slope[i] = Interval::point(1.0);
+        variable
+    })
 }
 
 /// Returns the entries on and above the diagonal, which are the only ones read elsewhere.
-fn entries<const D: usize, const N: usize>(
+fn entries<'s, const D: usize, const N: usize>(
+    formula: &Formula<D>,
+    steps: &'s [Dependence<N>],
+) -> impl Iterator<Item = Dependence<N>> + 's {
+    let upper = (0..D).flat_map(|j| (0..=j).map(move |i| (i, j)));
+    let places: Vec<_> = upper.map(|(i, j)| formula.entry(i, j) as usize).collect();
+    places.into_iter().map(|place| steps[place])
+}
+
+/// Returns the dependence of each step.
+pub(super) fn steps<const D: usize, const N: usize>(
     formula: &Formula<D>,
     x: [Dependence<N>; D],
-) -> impl Iterator<Item = Dependence<N>> {
+) -> Vec<Dependence<N>> {
     let mut steps: Vec<Dependence<N>> = Vec::with_capacity(formula.operations().len());
     for (place, &operation) in formula.operations().iter().enumerate() {
         let at = |step: u32| steps[step as usize];
@@ -104,8 +119,7 @@ fn entries<const D: usize, const N: usize>(
         };
         steps.push(step);
     }
-    let upper = (0..D).flat_map(|j| (0..=j).map(move |i| (i, j)));
-    upper.map(move |(i, j)| steps[formula.entry(i, j) as usize])
+    steps
 }
 
 impl<const D: usize> Dependence<D> {
@@ -118,10 +132,16 @@ impl<const D: usize> Dependence<D> {
         }
     }
 
-    fn is_constant(&self) -> bool {
+    pub(super) fn is_constant(&self) -> bool {
         let none =
             |i: usize| is_zero(self.slope[i]) && self.wave_number[i] == 0.0 && !self.aperiodic[i];
         (0..D).all(none)
+    }
+
+    /// Returns whether the step is `a·x + c` with `a ≠ 0` and a constant `c`.
+    pub(super) fn is_linear(&self) -> bool {
+        let is_straight = |i: usize| self.wave_number[i] == 0.0 && !self.aperiodic[i];
+        (0..D).all(is_straight) && !self.slope.iter().all(|&a| is_zero(a))
     }
 
     /// Applies a function to the step. If the step is constant, so is the result, and its value may
@@ -212,13 +232,13 @@ impl<const D: usize> Dependence<D> {
     }
 }
 
-fn is_zero(x: Interval) -> bool {
+pub(super) fn is_zero(x: Interval) -> bool {
     x.lo() == 0.0 && x.hi() == 0.0
 }
 
 /// Returns the greatest common divisor of two doubles. Both are multiples of a power of two, and
 /// the remainder of two doubles is exact.
-fn common_divisor(mut a: f64, mut b: f64) -> f64 {
+pub(super) fn common_divisor(mut a: f64, mut b: f64) -> f64 {
     while b > 0.0 {
         (a, b) = (b, a % b);
     }

@@ -6,11 +6,18 @@
 
 mod dependence;
 mod expression;
+mod form;
+mod hill;
 mod invariance;
 #[cfg(test)]
 mod laws;
+mod lift;
+mod wall;
 
 pub(crate) use dependence::{Along, dependence};
 pub use expression::is_isotropic;
 pub(crate) use expression::is_radial;
+pub(crate) use form::Place;
 pub(crate) use invariance::superfluous;
+pub(crate) use lift::{Lift, Role, operate};
+pub(crate) use wall::Wall;

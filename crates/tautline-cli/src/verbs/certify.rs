@@ -28,7 +28,7 @@ pub(crate) fn certify(arguments: &Certify) -> Result<ExitCode, CommandError> {
     let limit = limit.or(problem.question.time_limit());
     let question = problem.question.clone();
     let wanted = Wanted { gap, cubes: arguments.cubes };
-    let found = timed(limit, "certifying", move |_| {
+    let found = timed(limit, "certifying", move |_, _| {
         let start = Instant::now();
         let mut last = start;
         question.certify(wanted, &mut |_| {

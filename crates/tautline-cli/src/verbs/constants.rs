@@ -19,7 +19,7 @@ pub(crate) fn constants(arguments: &Constants) -> Result<ExitCode, CommandError>
     let problem = ProblemText::read(&arguments.file)?;
     let limit = limit.or(problem.question.time_limit());
     let question = problem.question.clone();
-    let proved = timed(limit, "proving", move |_| question.constants())?;
+    let proved = timed(limit, "proving", move |_, clock| question.constants_watched(clock))?;
     let too_late = || Failure::NotComputed("nothing was proved within the time limit".to_owned());
     let proved = proved.unwrap_or_else(|| Err(too_late()));
     let proved = proved.map_err(|failure| problem.explain(failure))?;

@@ -66,11 +66,12 @@ pub(crate) fn solved(
     limit: Option<std::time::Duration>,
 ) -> Result<Answer, CommandError> {
     let question = problem.question.clone();
-    let reported = timed(limit, "solving", move |report| {
-        question.solve(&mut |answer: &Answer| {
+    let reported = timed(limit, "solving", move |report, clock| {
+        let mut solved = |answer: &Answer| {
             // Nobody listens any more once time has run out.
             let _ = report.send(Ok(answer.clone()));
-        })
+        };
+        question.solve_watched(&mut solved, clock)
     })?;
     let too_late = || Failure::NotComputed("no curve was found within the time limit".to_owned());
     reported.unwrap_or_else(|| Err(too_late())).map_err(|failure| problem.explain(failure))

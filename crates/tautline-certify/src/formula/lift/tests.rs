@@ -1,0 +1,287 @@
+//! Lifted formulas have the values of their formulas, and little else.
+
+use nalgebra::SVector;
+use tautline_formula::Formula;
+use tautline_metrics::Metric;
+use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
+
+use super::{Lift, Place};
+use crate::{
+    Accuracy, CertifiedConstants, Domain, Quantity, certify,
+    constants::lifted,
+    patch::{Patch, Region},
+    testing::parsed,
+};
+
+type Expansion = Jet2<Jet1<Interval, 2>, 2>;
+
+/// Formulas in two coordinates, with all kinds of roles.
+const FORMULAS: [&str; 13] = [
+    "1 + exp(x1 - sqr(x1)*2)",
+    "4 + tanh(x1*3 - 1) + sin(x2)",
+    "cos(x1) + sin(x1*0.7 + x2*0.4) + 3",
+    "3 + sin(x1*2) + cos(x1*3 + 1) + cos(x1*sqrt(2)) + tan(sin(x2))",
+    "2 + exp(-sqr(x1 - 1))*sin(x1*5)",
+    "2 + exp(-(x1 - 1)*(x1*2 + 3) - x2^2/3 + x2)*cos(x2*2 + 1)*atan(x1)",
+    "1 + 1/(1 + exp(-(x1 + x2*2)*3)) + atan(x1/3 - x2)",
+    "2 - 2/(2 + 5*exp(x1)) + recip(exp(x2*4 - 1) + 3) + (1 + exp(x1 - x2))^-1",
+    "tanh(x1)*atan(x2)*sin(x1 + x2) + tanh(x1*0.5 + x2*0.5)",
+    "sqrt(2 + tanh(x1)*sin(x2 - x1)) + ln(2 + exp(-sqr(x1 + x2)))",
+    "sin(x1/3) + cos(x1/3 + 1) + cos(x1*7 - 2)*tanh(x1)",
+    "x2*(1 + 1/(2*exp(-x1) + 0.5)) + x1",
+    "exp(-(sqr(x1) + sqr(x2))/2)*(3 - 4*exp(2*x1 - sqr(x1)))",
+];
+
+impl<const D: usize> Lift<D> {
+    /// Returns a patch without width, up to rounding, with the values of the variables at `x`.
+    fn variables_at(&self, x: [f64; D]) -> Patch {
+        let value = |direction: &[Interval; D]| {
+            (0..D).fold(Interval::point(0.0), |sum, i| sum + direction[i] * x[i])
+        };
+        let chart = (0..self.charts.len()).find(|&chart| {
+            self.forms.iter().zip(&self.charts[chart]).all(|(form, place)| {
+                let y = value(&form.direction).midpoint();
+                match place {
+                    Place::Anywhere => true,
+                    Place::Near => y.abs() <= form.reach,
+                    Place::Far(sign) => y * sign > form.reach,
+                }
+            })
+        });
+        let mut sides = vec![Interval::point(0.0); self.variables];
+        for form in self.forms.iter().filter(|form| !form.is_still) {
+            let y = value(&form.direction);
+            if let Some(variable) = form.variable {
+                sides[variable] = y;
+            }
+            for phase in &form.phases {
+                let angle = y * phase.wave_number;
+                let turns = (angle.midpoint() / std::f64::consts::TAU).floor();
+                sides[phase.variable] = angle - Interval::point(1.0).atan() * 8.0 * turns;
+            }
+        }
+        Patch { sides, chart: chart.expect("a chart for every point") }
+    }
+}
+
+/// Widens the sides of a patch at random; some become half-lines.
+fn widened(patch: &Patch, mut below: impl FnMut(u64) -> u64) -> Patch {
+    let mut wide = patch.clone();
+    for side in &mut wide.sides {
+        let mut away = || match below(6) {
+            0 => f64::INFINITY,
+            1 => 0.0,
+            k => 10.0_f64.powi(k as i32 - 4),
+        };
+        let (lo, hi) = (side.lo() - away(), side.hi() + away());
+        *side = Interval::new(lo, hi).expect("in order");
+    }
+    wide
+}
+
+fn same_place(a: Interval, b: Interval) -> bool {
+    a.intersection(b).is_some()
+}
+
+/// Both enclosures contain the truth, in every chart and with every order of derivatives. A patch
+/// around the point contains both, even if it reaches to infinity.
+#[test]
+fn a_lifted_formula_has_the_values_and_derivatives_of_its_formula() {
+    let mut state = tautline_chance::seed(61);
+    let mut below = move |n: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (state >> 33) % n
+    };
+    let (mut far, mut bounded) = (0, 0);
+    for text in FORMULAS {
+        let formula = parsed::<2>(&format!("{text} I"));
+        let lift = Lift::new(&formula, [false; 2]).expect("few variables");
+        for case in 0..tautline_chance::cases(300) {
+            let scale = [0.5, 2.0, 10.0, 60.0][case as usize % 4];
+            let x = [0; 2].map(|_| (below(2001) as f64 - 1000.0) * 1e-3 * scale);
+            let exact = formula.gram(&SVector::from(Jet2::variables(&x.map(Interval::point))));
+            let narrow = lift.variables_at(x);
+            far += usize::from(narrow.chart > 0);
+            for patch in [narrow.clone(), widened(&narrow, &mut below)] {
+                let (jets, chart) = (seeded(&patch), patch.chart);
+                let found: nalgebra::SMatrix<Expansion, 2, 2> = lifted::gram(&lift, &jets, chart);
+                let (found, exact) = (&found[(0, 0)], &exact[(0, 0)]);
+                let name = || format!("{text} at {x:?} in {patch:?}: {found:?} {exact:?}");
+                // A root of a number that may be negative is undefined.
+                let agree = |found: Jet1<Interval, 2>, exact: Interval| {
+                    found.value().is_undefined() || same_place(found.value(), exact)
+                };
+                assert!(agree(found.value(), exact.value()), "{}", name());
+                for (k, l) in [(0, 0), (0, 1), (1, 1)] {
+                    assert!(agree(found.first(k), exact.first(k)), "{}", name());
+                    assert!(agree(found.second(k, l), exact.second(k, l)), "{}", name());
+                    bounded += usize::from(
+                        found.second(k, l).value().is_finite()
+                            && patch.sides.iter().any(|side| !side.is_finite()),
+                    );
+                }
+            }
+        }
+    }
+    assert!(far > 200 && bounded > 2000, "{far} {bounded}");
+}
+
+/// Returns the first two variables as such, and the others as numbers.
+fn seeded(patch: &Patch) -> Vec<Jet1<Interval, 2>> {
+    let seed = |(k, &side): (usize, &Interval)| {
+        let slope = |i: usize| Interval::point(f64::from(u8::from(i == k)));
+        Jet1::new(side, std::array::from_fn(slope))
+    };
+    patch.sides.iter().enumerate().map(seed).collect()
+}
+
+/// The derivatives by the variables of the search: between two patches that differ in one variable,
+/// each coefficient changes by no more than its slope allows, also if the slope is that on a
+/// half-line.
+#[test]
+fn the_slopes_of_a_search_bound_its_changes() {
+    for text in FORMULAS {
+        let lift = Lift::new(&parsed::<2>(&format!("{text} I")), [false; 2]).expect("few");
+        for x in [[0.3, -0.7], [1.5, 2.0], [-40.0, 30.0], [70.0, -45.0]] {
+            let (from, mut to) = (lift.variables_at(x), lift.variables_at(x));
+            to.sides[0] += Interval::point(0.25);
+            let both = from.sides[0].hull(to.sides[0]);
+            let infinity = Interval::new(both.hi(), f64::INFINITY).expect("in order");
+            let of = |patch: &Patch| -> Expansion {
+                lifted::gram(&lift, &seeded(patch), patch.chart)[(0, 0)]
+            };
+            let [before, after] = [&from, &to].map(of);
+            for side in [both, both.hull(infinity), both.hull(-infinity)] {
+                let mut hull = from.clone();
+                hull.sides[0] = side;
+                let hull = of(&hull);
+                let check = |of: fn(&Expansion) -> Jet1<Interval, 2>| {
+                    let change = of(&after).value() - of(&before).value();
+                    let bound = of(&hull).first(0) * 0.25;
+                    assert!(same_place(change, bound), "{text} at {x:?}: {change:?} {bound:?}");
+                };
+                check(|jet| jet.value());
+                check(|jet| jet.first(0));
+                check(|jet| jet.second(0, 1));
+                check(|jet| jet.second(1, 1));
+            }
+        }
+    }
+}
+
+/// Returns the constants of a metric on all of space, to one percent.
+fn constants<const D: usize>(text: &str) -> CertifiedConstants<D> {
+    let formula = parsed::<D>(text);
+    let space = Domain::space(&formula);
+    assert!(space.is_all_of_space() && space.is_sharp(), "{text}");
+    let accuracy = Accuracy { tolerance: 1e-2, budget: 100_000 };
+    CertifiedConstants::new(&formula, &space, accuracy).expect(text)
+}
+
+fn check<const D: usize>(text: &str, exact: [f64; 4]) {
+    let found = constants::<D>(text);
+    assert!(!found.constants().expect(text).is_local());
+    let m_h = found.m_h().expect("second derivatives");
+    for (found, exact) in [found.c1(), found.c2(), found.l_h(), m_h].into_iter().zip(exact) {
+        // The closed form is rounded.
+        let holds = found.lower <= exact * (1.0 + 1e-14) && exact * (1.0 - 1e-14) <= found.upper;
+        assert!(holds && found.looseness() <= 1.02, "{text}: {found:?} {exact}");
+    }
+}
+
+#[test]
+fn walls_waves_and_hills_have_constants_on_all_of_space() {
+    let root = f64::sqrt;
+    let half_turn = std::f64::consts::FRAC_PI_2;
+    // The steepest logistic wall has slope ¼ and bend 1/(6 √3).
+    let bend = 1.0 / (6.0 * root(3.0));
+    check::<2>("4 + tanh(x1) + sin(x2) I", [2.0, 6.0, root(2.0), 1.0]);
+    check::<2>("2.5 + 0.5*tanh(x1) + 0.5*sin(2*x2) I", [1.5, 3.5, root(1.25), 2.0]);
+    // The gradients of both phases, and the sum of their squares as matrices.
+    let norm = 0.825 + root(0.665 * 0.665 + 0.28 * 0.28);
+    check::<2>("cos(x1) + sin(x1*0.7 + x2*0.4) + 3 I", [1.0, 5.0, root(3.05), norm]);
+    check::<1>("3 + cos(x1) + cos(x1*sqrt(2)) I", [1.0, 5.0, 1.0 + root(2.0), 3.0]);
+    let steep = 3.0 * root(3.0) / 8.0;
+    check::<2>("3 + atan(x1 - x2) I", [3.0 - half_turn, 3.0 + half_turn, root(2.0), 2.0 * steep]);
+    check::<1>("2 + 1/(1 + exp(-4*(x1 - 1))) I", [2.0, 3.0, 1.0, 16.0 * bend]);
+    check::<1>("3 - 2/(2 + 5*exp(x1*0.5)) I", [2.0, 3.0, 0.125, 0.25 * bend]);
+    check::<2>("1 + exp(-(sqr(x1) + sqr(x2))/2) I", [1.0, 2.0, (-0.5_f64).exp(), 1.0]);
+    // e^(−|s|²/2) with s = B x: the largest singular value of B counts.
+    let square = (9.0 + root(65.0)) / 2.0;
+    let hill = "1 + exp(-(sqr(x1 - 1) + 4*sqr(x2 + x1))/2) I";
+    check::<2>(hill, [1.0, 2.0, root(square) * (-0.5_f64).exp(), square]);
+    // An eigenvalue of a full matrix.
+    let full = "s = 0.5*sin(x1 + 0.3*x2); [3 + tanh(x1), s; s, 1]";
+    let c1 = 1.5 - root(0.25 + 0.25);
+    let found = constants::<2>(full);
+    assert!(found.c1().contains(c1) && found.c1().looseness() < 1.02, "{found:?}");
+}
+
+/// Near the origin the phase of a wave is that of its form. A phase of its own would give
+/// `c₂ = 3` for the packet. If each wave had its own, `c₂` would be 8 for their sum.
+#[test]
+fn phases_are_shared_where_they_depend_on_each_other() {
+    let packet = |x: f64| 2.0 + (-x * x).exp() * (5.0 * x).sin();
+    let most = (0..4000).map(|k| packet(f64::from(k) * 1e-3)).fold(0.0, f64::max);
+    let c2 = constants::<1>("2 + exp(-sqr(x1))*sin(5*x1) I").c2();
+    // Between the samples it is larger by at most ½ · 25.5 · (5e-4)².
+    assert!(c2.upper >= most && c2.upper <= most * 1.02 && c2.lower <= most + 4e-6, "{c2:?}");
+    let c2 = constants::<2>("5 + sin(x1) + cos(2*x1) + tanh(x2) I").c2();
+    assert!(c2.contains(6.0 + 9.0 / 8.0) && c2.looseness() < 1.02, "{c2:?}");
+}
+
+#[test]
+fn what_does_not_settle_is_not_all_of_space() {
+    for text in [
+        "2 + sqr(x1) I",
+        "2 + tanh(x1)*x2 I",
+        "2 + exp(x1) I",
+        "2 + exp(sqr(x1) - sqr(x2)) I",
+        "2 + sin(x1*x2) I",
+        "2 + exp(-x1) I",
+        "2 + 1/(exp(x1) - 1) I",
+        "2 + sin(sqr(x1)) I",
+        "diag(2 + tanh(x1), x2)",
+    ] {
+        assert!(!Domain::<2>::space(&parsed(text)).is_all_of_space(), "{text}");
+    }
+    // Many variables would make the search hopeless.
+    let many: Vec<_> = (1..10).map(|k| format!("tanh(x1 + {k}*x2)")).collect();
+    let formula: Formula<2> = parsed(&format!("20 + {} I", many.join(" + ")));
+    assert!(Lift::new(&formula, [false; 2]).is_none());
+    assert!(!Domain::space(&formula).is_all_of_space());
+}
+
+/// The forms `x₁`, `x₂` and `x₁ + x₂` count as independent, so that the bounds may be too large, but
+/// they hold; the lower one is that of a point of space.
+#[test]
+fn dependent_forms_are_overestimated_and_enclosed() {
+    let formula = parsed::<2>("4 + tanh(x1) + tanh(x2) - tanh(x1 + x2) I");
+    let accuracy = Accuracy { tolerance: 1e-2, budget: 100_000 };
+    let space = Domain::space(&formula);
+    let c2 = certify(&formula, Quantity::C2, &space, accuracy).expect("a constant");
+    assert!(c2.contains(5.0) && c2.upper < 7.1 && c2.lower <= 5.0, "{c2:?}");
+    assert!(!space.is_sharp());
+    let value = formula.gram(&c2.at)[(0, 0)];
+    assert!((value / c2.lower - 1.0).abs() < 1e-14 && value > 4.5, "{c2:?}");
+}
+
+/// A network has thousands of sums, and each partial sum is linear. Only what is read counts.
+#[test]
+fn partial_sums_are_no_variables() {
+    let sum: Vec<_> = (1..40).map(|k| format!("x1*{k} + x2*{k}")).collect();
+    let formula = parsed::<2>(&format!("2 + tanh({}) I", sum.join(" + ")));
+    let lift = Lift::new(&formula, [false; 2]).expect("one variable");
+    assert_eq!((lift.forms.len(), lift.variables), (1, 1));
+    assert!(Domain::space(&formula).is_all_of_space());
+}
+
+#[test]
+fn charts_cover_all_values_of_a_form() {
+    let lift = Lift::<1>::new(&parsed("2 + tanh(x1)*sin(x1) I"), [false]).expect("two variables");
+    let sides: Vec<_> = lift.patches().iter().map(|patch| patch.sides[0]).collect();
+    let [near, left, right] = sides[..] else { panic!("{sides:?}") };
+    assert_eq!([left.hi(), right.lo()], [near.lo(), near.hi()]);
+    assert!(left.lo() == f64::NEG_INFINITY && right.hi() == f64::INFINITY);
+    assert!(lift.patches().iter().skip(1).all(|patch| patch.sides[1].hi() > std::f64::consts::TAU));
+}
