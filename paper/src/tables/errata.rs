@@ -126,7 +126,8 @@ No theorem falls: wherever a refuted statement is used, the case at hand is cove
     for statement in Statement::ALL {
         if let Verdict::OpenAnsweredBy(answer) = statement.verdict() {
             text += &format!(
-                "{} leaves open whether the rates of E(γᵖˡ) and L(γᵖˡ)² can be improved.\nAnswer: \
+                "{} leaves open whether the rates of E(γᵖˡ) and L(γᵖˡ)² can be improved under \
+                 additional discrete regularity or equidistribution information.\nAnswer: \
                  {answer}.\n\n",
                 statement.number()
             );

@@ -308,10 +308,13 @@ statements! {
         },
     }
     Remark9_2 "Remark 9.2" "Remark 9.2" {
-        claim: "The minima converge like 1/N; whether E(γᵖˡ) and L(γᵖˡ)² do better than 1/√N is \
-            left open",
+        claim: "The minima converge like 1/N; whether E(γᵖˡ) and L(γᵖˡ)² do better than 1/√N under \
+            additional discrete regularity or equidistribution information is left open",
         needs: [CONSTANTS, ENDS, GLOBAL],
-        verdict: OpenAnsweredBy("they converge like 1/N under the same hypotheses, for both rules"),
+        verdict: OpenAnsweredBy(
+            "they converge like 1/N under the same hypotheses, for both rules; and like 1/N² for \
+             the trapezoidal rule if DH is Lipschitz (Theorem D)",
+        ),
         code: remark_9_2,
     }
     LemmaS1 "Lemma S.1" "sharper:acceleration" {
