@@ -133,7 +133,7 @@ mod tests {
         close(spread.fourth, 1.2_f64.powi(4));
     }
 
-    /// At N = 1 and ε = 1, `m₃ = 1`, so `x = μ/48` with μ = 1/3.
+    /// At N = 1 and ε = 1, `m₃ = 1`, so that `x = μ/48`, which is 1/144 for μ = 1/3.
     #[test]
     fn second_order_by_hand() {
         let spread = Spread::of_second_order(setting(16.0 / 27.0), n(1), 0.0).expect("M_H");
