@@ -38,6 +38,7 @@
 //! a [`Mutant`]. [`curves`] contains the curves of Sections 3, 4, 6 and 7, and [`witnesses`]
 //! contains the cases near equality.
 
+mod curvature;
 pub mod curves;
 mod errata;
 mod evidence;
@@ -59,13 +60,14 @@ mod with_constants;
 mod with_rule;
 pub mod witnesses;
 
+pub use curvature::curvature_along;
 pub use errata::{Erratum, errata};
 pub use evidence::{Evidence, Finding};
 pub use gram_range::{GramRange, extreme_eigenvalues, operator_norm};
 pub use inequality::{Inequality, Source, Unit};
 pub use known::Known;
 pub use mutants::Mutant;
-pub use reconstruction::{Reconstruction, curvature_along, discrete_energy, mean_power, nodes};
+pub use reconstruction::{Reconstruction, discrete_energy, mean_power, nodes};
 pub use replaceable::{Asked, Bounds};
 pub use slope::slope;
 pub use statement::Statement;
