@@ -95,6 +95,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         let curve = self.admissible_curve()?;
         let extent = Extent {
             energy: curve.energy().hi(),
+            energy_at_least: curve.energy().lo(),
             length: curve.length().hi(),
             length_squared: curve.distance_squared_at_most(),
         };

@@ -5,6 +5,7 @@ mod acceleration;
 mod best;
 mod ceiling;
 mod computed;
+mod convex_excess;
 mod convexity;
 mod enclosure;
 mod length;
@@ -24,6 +25,7 @@ pub use best::{
     suggest_n,
 };
 pub use computed::{Computed, DiscreteMinimum};
+pub use convex_excess::convex_excess;
 pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity};
 pub use enclosure::{Enclosure, FromAbove, FromBelow, enclose};
 pub use length::squared_length;
