@@ -56,9 +56,26 @@ pub fn convex_excess(
     if !(modulus > 0.0) {
         return None;
     }
-    let sampled = product([length, length, ceiling::sampled(setting, n)?]);
+    let sampled = sampled_excess(setting, n)?;
     let slope = slope_of_the_gap(constants, rule, greatest, n)? + residual / wave(n);
     Some(sampled + slope * slope / (4.0 * modulus))
+}
+
+/// Bounds `E(γᵖˡ) − d²`, in `m²`, for the points `γ(n/N)` of a minimal geodesic `γ` (proof of Lemma
+/// S.4).
+///
+/// ```text
+/// P  =  (d²G²/N²) [min(κ, (1 + δ/2N)²)/12 + δ/(√360 N) + μ/240N²]
+/// ```
+///
+/// Needs: the setting of Theorem 1.1 with `M_H`. Overestimation: the bound is attained up an
+/// incline, as `N → ∞` and `L_H → 0`.
+///
+/// Returns `None` if `M_H` is unknown.
+#[must_use]
+pub fn sampled_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
+    let d = setting.distance();
+    Some(product([d, d, ceiling::sampled(setting, n)?]))
 }
 
 /// Returns `K`, in `m²/ℓ`: between two sequences with `|βₙ| ≤ B` and the same ends,

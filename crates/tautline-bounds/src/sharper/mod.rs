@@ -25,7 +25,7 @@ pub use best::{
     suggest_n,
 };
 pub use computed::{Computed, DiscreteMinimum};
-pub use convex_excess::convex_excess;
+pub use convex_excess::{convex_excess, sampled_excess};
 pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity};
 pub use enclosure::{Enclosure, FromAbove, FromBelow, enclose};
 pub use length::squared_length;

@@ -397,4 +397,11 @@ statements! {
         verdict: ProvedHere,
         code: prop_s_8,
     }
+    PropositionS9 "Proposition S.9" "sharper:convex_excess" {
+        claim: "E(γᵖˡ) − d² ≤ P + (K + S)²/4σ = O(1/N²) for any sequence between two points, for \
+            both rules, where σ > 0",
+        needs: [CONSTANTS, CURVATURE, ENDS],
+        verdict: ProvedHere,
+        code: prop_s_9,
+    }
 }
