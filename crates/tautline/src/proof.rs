@@ -239,7 +239,8 @@ mod tests {
         let upper = proof.enclosure.upper;
         assert!(upper >= length.hi() * length.hi() * (1.0 - 1e-15));
         let ball = proof.within.expect("no constants on all of space");
-        assert!(ball.r() >= length.hi() / proof.constants.c1().sqrt(), "{ball:?} for {length:?}");
+        let half = 0.5 * length.hi() / proof.constants.c1().sqrt();
+        assert!(ball.r() >= half, "{ball:?} for {length:?}");
     }
 
     #[test]

@@ -29,7 +29,7 @@ pub use convex_excess::{convex_excess, sampled_excess};
 pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity};
 pub use enclosure::{Enclosure, FromAbove, FromBelow, enclose};
 pub use length::squared_length;
-pub use locality::{LocalityError, Region, competitors, reach};
+pub use locality::{LocalityError, Region, competitors, competitors_within, reach, shrink};
 pub use sampling::{pointwise_fall, pointwise_rise, sampling_fall, sampling_rise, velocity_error};
 pub use sequence_gap::{cubic_gap, cubic_rule_gap, quartic_gap};
 pub use speeds::{difference_step, greatest_difference, greatest_speed};

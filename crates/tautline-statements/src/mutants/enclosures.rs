@@ -1,4 +1,4 @@
-//! Mistakes in Propositions S.6, S.7 and S.9.
+//! Mistakes in Propositions S.6 to S.9.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -71,6 +71,12 @@ pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
             table.convex_excess = |constants, dimension, computed| {
                 let genuine = bounds::convex_excess(constants, dimension, computed)?;
                 Some(genuine - 0.5 * sampled(constants, dimension, computed)?)
+            };
+        }
+        Mutant::LengthOfC2 => {
+            table.reach = |setting, rule, n| {
+                let constants = setting.constants();
+                bounds::reach(setting, rule, n) * (constants.c1() / constants.c2()).sqrt()
             };
         }
         _ => {}

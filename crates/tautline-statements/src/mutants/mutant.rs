@@ -162,4 +162,6 @@ mutants! {
     SampledEnergyHalved: "S.9 with half of P",
     /// The radius becomes `d̄ √e/√c₂`.
     RegionOfC2 in [Competitors]: "S.8 with c₂ for c₁",
+    /// It affects the second stage.
+    LengthOfC2: "S.8 about the middle with c₂ for c₁",
 }

@@ -392,7 +392,8 @@ statements! {
     }
     PropositionS8 "Proposition S.8" "sharper:region" {
         claim: "Where d̄² e < c₁R² with the constants within R of the bounded end, no minimal \
-            geodesic and no discrete minimiser goes farther",
+            geodesic and no discrete minimiser goes farther, nor, between points, farther than \
+            ½ d̄ √(e/c₁) from their middle",
         needs: [CONSTANTS, CURVATURE, MINIMISER, GLOBAL],
         verdict: ProvedHere,
         code: prop_s_8,
