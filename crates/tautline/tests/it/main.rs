@@ -3,3 +3,4 @@
 mod batch;
 mod enclosure;
 mod front_door;
+mod own_norms;
