@@ -14,9 +14,7 @@ pub enum BoundError {
         distance: f64,
     },
     /// A bound on a derivative is negative, infinite or NaN.
-    #[error(
-        "{name} = {value} must be nonnegative and finite: it bounds a derivative (Proposition S.11)"
-    )]
+    #[error("{name} = {value} must be nonnegative and finite: it bounds a derivative (S.11)")]
     NotABound {
         /// The name of the bound.
         name: &'static str,

@@ -99,7 +99,7 @@ pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -
 ///
 /// - `tolerance`: the tolerance for `L(γᵖˡ)² − d²`, in `m²`.
 ///
-/// The search is by doubling and bisection, since no bound increases with `N` (Proposition S.10).
+/// The search is by doubling and bisection, since no bound increases with `N` (S.10).
 /// Where a bound hardly changes from one `N` to the next, rounding may decide which is the least.
 ///
 /// Overestimation: if the bound is `r` times the excess and falls like `1/N²`, then already `N/√r`

@@ -1,4 +1,4 @@
-//! Proposition S.11: Theorems C and D with constants in the metric's own norms.
+//! S.11: Theorems C and D with constants in the metric's own norms.
 
 use std::num::NonZeroUsize;
 
@@ -112,7 +112,7 @@ impl OwnNorms {
     }
 
     /// Bounds `L(γᵖˡ)² − d²`, in `m²`, for every admissible sequence with `E_N ≤ d² e`, by the lesser
-    /// of the forms of Theorems C and D (Proposition S.11). It is `∞` if `N` is too small.
+    /// of the forms of Theorems C and D (S.11). It is `∞` if `N` is too small.
     ///
     /// ```text
     /// L(γᵖˡ)² − d²  ≤  d² [e − 1 + (k/N) δ/(1 − t) e^{3/2}],        t = kδ√(e/N)
@@ -149,7 +149,7 @@ impl OwnNorms {
     }
 
     /// Bounds `|E(γᵖˡ) − E_N|`, in `m²`, for any sequence with these discrete speeds `qₙ`, in `m`
-    /// (Proposition S.11).
+    /// (S.11).
     ///
     /// ```text
     /// (1/N) Σ (kλ/N) qₙ³/(1 − (kλ/N) qₙ)

@@ -144,7 +144,7 @@ proptest! {
         }
     }
 
-    /// No bound increases with `N` (Proposition S.10). From one chord to two the caps of the moments
+    /// No bound increases with `N` (S.10). From one chord to two the caps of the moments
     /// decide.
     #[test]
     fn more_chords_never_give_a_larger_bound(

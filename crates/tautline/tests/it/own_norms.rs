@@ -1,4 +1,4 @@
-//! Proposition S.11 on computed minimisers: bounds by constants in the metric's own norms.
+//! S.11 on computed minimisers: bounds by constants in the metric's own norms.
 
 use tautline::{
     Bounded, Ends, Jet2, KnownDistance, LeftEndpoint, Metric, Problem, RuleOfThePaper, SVector,
