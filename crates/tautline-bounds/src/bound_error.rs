@@ -13,6 +13,14 @@ pub enum BoundError {
         /// The given number.
         distance: f64,
     },
+    /// A bound on a derivative is negative, infinite or NaN.
+    #[error("{name} = {value} must be nonnegative and finite: it bounds a derivative (S.11)")]
+    NotABound {
+        /// The name of the bound.
+        name: &'static str,
+        /// The given number.
+        value: f64,
+    },
     /// A computed energy or squared length is negative, infinite or NaN.
     #[error("the energy {energy} must be nonnegative and finite (Proposition S.6)")]
     NotAnEnergy {

@@ -61,7 +61,10 @@
 //! | Theorem D | order `1/N²`, by the energy alone | [`theorem_d_excess`], [`theorem_d_length_excess`], [`theorem_d_deficit`] |
 //! | Proposition S.6 | `d²`, from one computed sequence | [`enclose`] |
 //! | Proposition S.7 | the discrete minimum, from below | [`strict_convexity`] |
-//! | Proposition S.8 | the region of all competitors | [`competitors`], [`reach`] |
+//! | Proposition S.8 | the region of all competitors | [`competitors`], [`competitors_within`], [`shrink`], [`reach`] |
+//! | Proposition S.9 | `E(γᵖˡ) − d²` of one computed sequence, by convexity | [`convex_excess`], [`sampled_excess`] |
+//! | S.10 | no bound increases with `N` | [`suggest_n`] |
+//! | S.11 | `L(γᵖˡ)² − d²` by constants in the metric's own norms | [`OwnNorms`] |
 //! | Propositions 7.4, 7.6, 7.11 | as there | [`velocity_error`], [`sampling_rise`], [`sampling_fall`], [`christoffel_bound`] |
 //!
 //! [`least_excess`] returns the least of all bounds on `E(γᵖˡ) − d²`, and [`least_length_excess`]

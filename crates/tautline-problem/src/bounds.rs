@@ -160,6 +160,7 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
     let lower_by = match enclosure.from_below {
         FromBelow::Euclidean => "Proposition 3.3",
         FromBelow::Minimum => "Lemma S.4",
+        FromBelow::Convexity => "Proposition S.9",
         _ => NOTHING,
     };
     let upper_by = match enclosure.from_above {

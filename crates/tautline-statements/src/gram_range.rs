@@ -100,7 +100,7 @@ impl Evidence {
     #[must_use]
     pub fn given_curvature(self, seen: f64, m_h: f64) -> Self {
         // Where a second derivative is largest, some digits of its terms may cancel.
-        let claim = "|uᵀ D²H[u, u] u| ≤ M_H";
+        let claim = "|uᵀ D²H[w, w] u| ≤ M_H";
         let seen = self.given(claim, Unit::GRAM_CURVATURE, [seen, m_h], 1e-9 * m_h);
         seen.assumed("M_H holds elsewhere")
     }

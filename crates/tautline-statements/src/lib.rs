@@ -31,13 +31,14 @@
 //! | 7, a priori | a metric and a minimal geodesic | [`constant_k1`], [`constant_k2`], [`prop_7_12`] |
 //! | 7 and 8, any point sequence | a metric and a point sequence | [`prop_7_8`], [`prop_7_9`], [`prop_8_1`], [`prop_8_2`] |
 //! | 7 and 8, constants of the theorems | a [`Reconstruction`] | [`constant_k3_bar`], [`constant_c_1_1`], [`constant_k4_bar`], [`constant_c_1_3`] |
-//! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`] to [`prop_s_8`] |
+//! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`] to [`prop_s_9`] |
 //! | 9, excess of length | two curves, or a [`Reconstruction`] | [`prop_9_1`], [`remark_9_2`] |
 //!
 //! A [`Subject`] is the implementation under test: [`LIBRARY`], or the library with the mistake of
 //! a [`Mutant`]. [`curves`] contains the curves of Sections 3, 4, 6 and 7, and [`witnesses`]
 //! contains the cases near equality.
 
+mod curvature;
 pub mod curves;
 mod errata;
 mod evidence;
@@ -59,13 +60,14 @@ mod with_constants;
 mod with_rule;
 pub mod witnesses;
 
+pub use curvature::curvature_along;
 pub use errata::{Erratum, errata};
 pub use evidence::{Evidence, Finding};
 pub use gram_range::{GramRange, extreme_eigenvalues, operator_norm};
 pub use inequality::{Inequality, Source, Unit};
 pub use known::Known;
 pub use mutants::Mutant;
-pub use reconstruction::{Reconstruction, curvature_along, discrete_energy, mean_power, nodes};
+pub use reconstruction::{Reconstruction, discrete_energy, mean_power, nodes};
 pub use replaceable::{Asked, Bounds};
 pub use slope::slope;
 pub use statement::Statement;

@@ -4,12 +4,13 @@ use std::num::NonZeroUsize;
 
 use nalgebra::SVector;
 use tautline::{
-    AnyMetric, Bounded, Curvature, Integral, Jet2, Metric, Minimum, PointSequence, Stop,
+    Bounded, Curvature, Integral, Metric, Minimum, PointSequence, Stop,
     bounds::{PaperRule, Setting},
-    norm_squared,
 };
 
-use crate::{AnyBounded, GramRange, Known, Subject, VerifyError, with_rule::with_rule};
+use crate::{
+    AnyBounded, GramRange, Known, Subject, VerifyError, curvature_along, with_rule::with_rule,
+};
 
 /// Returns the discrete energy of a sequence by a rule of the paper, in `m²`.
 pub fn discrete_energy<const D: usize>(
@@ -44,7 +45,8 @@ pub struct Reconstruction<const D: usize> {
     pub mean_cube: f64,
     /// The speeds `qₙ` of the chords as the rule measures them, in `m`.
     pub speeds: Vec<f64>,
-    /// The greatest `|uᵀ D²H[u, u] u|` found along the chords, for unit vectors `u`, in `m²/ℓ⁴`.
+    /// The greatest `|uᵀ D²H[w, w] u|` found along the chords, for unit vectors `u` and `w`, in
+    /// `m²/ℓ⁴`.
     pub curvature: f64,
     /// The range of the metric over the points and the midpoints of the chords.
     pub gram: GramRange,
@@ -143,42 +145,6 @@ impl<const D: usize> Reconstruction<D> {
 pub fn mean_power<const D: usize>(sequence: &PointSequence<D>, power: i32) -> f64 {
     let powers: f64 = sequence.differences().map(|beta| beta.norm().powi(power)).sum();
     powers / sequence.n().get() as f64
-}
-
-/// Returns the greatest `|uᵀ D²H[u, u] u|` over the ends and midpoints of the chords, in `m²/ℓ⁴`,
-/// where `u` is the direction of the chord. It is at most `M_H`.
-#[must_use]
-pub fn curvature_along<const D: usize>(
-    metric: &impl Metric<D>,
-    sequence: &PointSequence<D>,
-) -> f64 {
-    let metric = &AnyMetric::new(metric);
-    let mut greatest = 0.0_f64;
-    for (x, chord) in sequence.chords() {
-        for fraction in [0.0, 0.5, 1.0] {
-            let found = curvature_at(metric, &(x + chord * fraction), &chord);
-            // This keeps NaN.
-            greatest = if found <= greatest { greatest } else { found };
-        }
-    }
-    greatest
-}
-
-/// Returns `|uᵀ D²H(x)[u, u] u|` in `m²/ℓ⁴` for the unit vector `u` of a direction; 0 for the
-/// direction 0.
-pub(crate) fn curvature_at<const D: usize>(
-    metric: &impl Metric<D>,
-    x: &SVector<f64, D>,
-    direction: &SVector<f64, D>,
-) -> f64 {
-    let length = direction.norm();
-    if length == 0.0 {
-        return 0.0;
-    }
-    let u = direction / length;
-    let [s] = Jet2::<f64, 1>::variables(&[0.0]);
-    let along = SVector::<_, D>::from_fn(|i, _| s * u[i] + x[i]);
-    norm_squared(metric, &along, &u).second(0, 0).abs()
 }
 
 /// Returns the points of a sequence and the midpoints of its chords, in order. The rules of the

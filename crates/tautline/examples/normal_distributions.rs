@@ -11,7 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // diag(e^{−2t}, 2) has no positive bounds on the whole plane. But no curve shorter than this
     // line leaves a certain ball, on which it has positive bounds (Proposition S.8).
     let competitors = line.competitors()?;
-    println!("all competitors are within {:.4} of the first", competitors.within.r());
+    println!("all competitors are within {:.4} of the middle", competitors.within.r());
     let enclosure = line.enclosure_among(&competitors)?;
     println!("{:.9} ≤ d² ≤ {:.9}", enclosure.lower, enclosure.upper);
 

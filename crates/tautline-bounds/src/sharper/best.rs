@@ -93,14 +93,14 @@ pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -
     }
 }
 
-/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, although it is not for
-/// `N − 1`, together with the theorem that proves the bound. Returns `None` if no power of 2 up to
-/// `2⁴⁰` is enough or if the tolerance is NaN.
+/// Returns the least `N` for which [`least_length_excess`] is at most `tolerance`, together with the
+/// theorem that proves the bound. Returns `None` if no power of 2 up to `2⁴⁰` is enough or if the
+/// tolerance is NaN.
 ///
 /// - `tolerance`: the tolerance for `L(γᵖˡ)² − d²`, in `m²`.
 ///
-/// The search is by doubling and bisection. The bounds decreased with `N` in every case we tried.
-/// If one did not, the returned `N` would still be enough, but perhaps not the least.
+/// The search is by doubling and bisection, since no bound increases with `N` (S.10).
+/// Where a bound hardly changes from one `N` to the next, rounding may decide which is the least.
 ///
 /// Overestimation: if the bound is `r` times the excess and falls like `1/N²`, then already `N/√r`
 /// subintervals are enough.

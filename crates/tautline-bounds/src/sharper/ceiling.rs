@@ -35,14 +35,27 @@ pub(crate) fn second_order(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 ///
 /// follows from the second variation of the energy at the geodesic.
 pub(crate) fn second_variation(setting: Setting, n: NonZeroUsize) -> Option<f64> {
+    let (mu, count) = (setting.mu()?, n.get() as f64);
+    let surplus = (bent(setting, n)? + mu / 24.0) / count / count;
+    Some(surplus.min(second_order(setting, n)?))
+}
+
+/// Returns `s − 1`, where `E(γᵖˡ) ≤ d² s` for the sequence of the points `γ(n/N)` of a minimal
+/// geodesic. It is `ê − 1` without `μ/24`, by which `E_tra,N` may exceed `E(γᵖˡ)`. Returns `None`
+/// if `M_H` is unknown.
+pub(crate) fn sampled(setting: Setting, n: NonZeroUsize) -> Option<f64> {
+    let count = n.get() as f64;
+    Some(bent(setting, n)? / count / count)
+}
+
+/// Returns the part of `N² (ê − 1)` that is proportional to `G²`.
+fn bent(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (delta, mu, bend) = (setting.delta(), setting.mu()?, setting.bend());
     let count = n.get() as f64;
     let step = delta / count;
     let moved = (1.0 + 0.5 * step).powi(2).min(1.0 + setting.kappa_above_one());
     let factor = moved / 12.0 + step / 360_f64.sqrt() + mu / (240.0 * count * count);
-    let bent = product([bend, bend, factor]);
-    let surplus = (bent + mu / 24.0) / count / count;
-    Some(surplus.min(second_order(setting, n)?))
+    Some(product([bend, bend, factor]))
 }
 
 /// Returns the least of these surpluses for a rule.
@@ -57,7 +70,7 @@ pub(crate) fn least(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{first_order, second_order, second_variation};
+    use super::{first_order, sampled, second_order, second_variation};
     use crate::{
         PaperRule, Setting,
         by_hand::{close, constants, n, with_m_h},
@@ -87,6 +100,7 @@ mod tests {
         // by 9.
         let factor = 2.25 / 12.0 + 1.0 / 360_f64.sqrt() + 1.0 / 120.0;
         close(second_variation(line, n(3)), (2.25 * factor + 0.75) / 9.0, TOLERANCE);
+        close(sampled(line, n(3)), 0.25 * factor, TOLERANCE);
     }
 
     #[test]
@@ -117,5 +131,6 @@ mod tests {
         let setting = Setting::new(constants(1.0, 2.0, 1.0), 1.0, 2).expect("valid");
         assert_eq!(second_order(setting, n(8)), None);
         assert_eq!(second_variation(setting, n(8)), None);
+        assert_eq!(sampled(setting, n(8)), None);
     }
 }

@@ -50,7 +50,7 @@ pub fn convexity_modulus(
 /// Returns the greatest ratio of the root mean square at the nodes to the root mean square of the
 /// differences, over the variations that vanish at both ends. At `N = 1` there are none, and the
 /// result is 0.
-fn poincare(rule: PaperRule, n: NonZeroUsize) -> f64 {
+pub(super) fn poincare(rule: PaperRule, n: NonZeroUsize) -> f64 {
     let count = n.get() as f64;
     match rule {
         _ if n == NonZeroUsize::MIN => 0.0,
@@ -74,6 +74,22 @@ pub struct BetweenPoints {
     pub greatest_difference: f64,
     /// `((1/N) Σ |ρₙ|²)^{1/2}` over the inner points, in `m²/ℓ`, with `∂E_N/∂xₙ = −2hρₙ`.
     pub residual: f64,
+}
+
+impl BetweenPoints {
+    /// Returns whether every number is nonnegative and finite.
+    pub(super) fn is_valid(&self) -> bool {
+        let &Self { discrete_energy, length, greatest_difference, residual, .. } = self;
+        let numbers = [discrete_energy, length, greatest_difference, residual];
+        numbers.iter().all(|number| *number >= 0.0 && number.is_finite())
+    }
+}
+
+/// Returns `N sin(π/2N)`. The root mean square of the differences of a variation that vanishes at
+/// both ends is at least twice this number times that of its values.
+pub(super) fn wave(n: NonZeroUsize) -> f64 {
+    let count = n.get() as f64;
+    count * (FRAC_PI_2 / count).sin()
 }
 
 /// Returns a lower bound on the minimum of `E_N` over *all* sequences between the two points, in
@@ -100,8 +116,7 @@ pub fn strict_convexity(
 ) -> Option<f64> {
     let &BetweenPoints { rule, n, discrete_energy, length, greatest_difference, residual } =
         computed;
-    let numbers = [discrete_energy, length, greatest_difference, residual];
-    if !numbers.iter().all(|number| *number >= 0.0 && number.is_finite()) {
+    if !computed.is_valid() {
         return None;
     }
     let setting = Setting::new(constants, length, dimension).ok()?;
@@ -113,9 +128,7 @@ pub fn strict_convexity(
     let greatest = greatest_difference.max(minimisers);
     let modulus = convexity_modulus(constants, rule, greatest, n)?;
     if modulus > 0.0 {
-        let count = n.get() as f64;
-        let wave = count * (FRAC_PI_2 / count).sin();
-        let left = residual / wave;
+        let left = residual / wave(n);
         Some(discrete_energy - left * left / (4.0 * modulus))
     } else {
         None

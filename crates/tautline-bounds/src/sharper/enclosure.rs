@@ -16,6 +16,8 @@ pub enum FromBelow {
     Euclidean,
     /// Lemma S.4: `min E_N ≤ d² e`, solved for `d`.
     Minimum,
+    /// Proposition S.9: a bound on `E(γᵖˡ) − d²` by convexity.
+    Convexity,
 }
 
 /// The number that serves as the upper bound on `d²`.
@@ -53,6 +55,25 @@ impl Enclosure {
     #[must_use]
     pub fn width(&self) -> f64 {
         self.upper - self.lower
+    }
+
+    /// Returns the enclosure with the lower bound `lower`, in `m²`, of Proposition S.9 if that is
+    /// larger. It assumes nothing about a minimum.
+    ///
+    /// # Errors
+    ///
+    /// [`BoundError::Contradiction`] if it is larger than the upper bound by more than rounding.
+    pub fn with_convexity(self, lower: f64) -> Result<Enclosure, BoundError> {
+        let upper = self.upper;
+        if lower > upper * (1.0 + 1e-12) {
+            return Err(BoundError::Contradiction { lower, upper });
+        }
+        // A lower bound that is NaN carries no information.
+        if !(lower > self.lower) {
+            return Ok(self);
+        }
+        let (lower, from_below) = (lower.min(upper), FromBelow::Convexity);
+        Ok(Enclosure { lower, from_below, assumes_global_minimum: false, ..self })
     }
 }
 
@@ -176,6 +197,26 @@ mod tests {
             minimum,
             gap: 0.25,
         }
+    }
+
+    #[test]
+    fn the_larger_lower_bound_counts_and_convexity_assumes_nothing() {
+        let computed = computed(PaperRule::Trapezoidal, DiscreteMinimum::Assumed);
+        let assumed = enclose(constants(), 2, &computed).expect("valid");
+        assert!(assumed.assumes_global_minimum && assumed.lower > 1.0);
+        for less in [assumed.lower, 1.0, -3.0, f64::NEG_INFINITY, f64::NAN] {
+            assert_eq!(assumed.with_convexity(less), Ok(assumed));
+        }
+        let convex = assumed.with_convexity(9.4).expect("below 9.5");
+        assert_eq!((convex.lower, convex.from_below), (9.4, FromBelow::Convexity));
+        assert!(!convex.assumes_global_minimum);
+        // Rounding may lift the bound above the upper one, but not far.
+        let touching = assumed.with_convexity(9.5 * (1.0 + 1e-13)).expect("rounding");
+        assert_eq!(touching.width(), 0.0);
+        assert!(matches!(
+            assumed.with_convexity(9.6),
+            Err(BoundError::Contradiction { lower: 9.6, upper: 9.5 })
+        ));
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::{BoundError, PaperRule, Setting};
 /// A region that contains every competitor, with the constants on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Region {
-    /// `R`, in `ℓ`: the region contains all points within this distance of the bounded end.
+    /// The radius, in `ℓ`, as [`competitors`], [`competitors_within`] or [`shrink`] defines it.
     pub radius: f64,
     /// The constants of the metric on this region.
     pub constants: Constants,
@@ -48,8 +48,15 @@ pub enum LocalityError<E> {
     Bound(BoundError),
 }
 
+/// The factor by which a radius exceeds the least sufficient one.
+const MARGIN: f64 = 1.01;
+
+/// The greatest number of smaller regions, and the part of the radius that the next one must save.
+const STEPS: usize = 12;
+const SAVED: f64 = 0.02;
+
 /// Finds a region that contains every competitor: every minimal geodesic and every sequence with
-/// `E_N ≤ d² e` (Proposition S.8).
+/// `E_N ≤ d² e` (Proposition S.8). It contains all points within its radius of the bounded end.
 ///
 /// While it stays in the region, a curve or a sequence of energy `E` is within `√(E/c₁)` of the
 /// bounded end. So a radius `R` is enough if the constants on the region satisfy
@@ -79,9 +86,30 @@ pub fn competitors<E>(
     rule: PaperRule,
     n: NonZeroUsize,
     upper: f64,
+    constants_within: impl FnMut(f64) -> Result<Constants, E>,
+) -> Result<Region, LocalityError<E>> {
+    competitors_within(dimension, rule, n, upper, |length| length, constants_within)
+}
+
+/// Finds a region like [`competitors`], among regions of any shape that grow with a radius.
+///
+/// - `radius_for`: returns the radius of a region that no curve of a given Euclidean length from
+///   set to set can leave, as far as its parts in the region show. It must increase. For a ball
+///   about the middle `m` of two points `x`, `y` it is `½ (length + |x − y|)`: a curve that leaves
+///   the ball has a part from `x` to its boundary and another one from the boundary to `y`.
+///
+/// # Errors
+///
+/// The errors of [`competitors`].
+pub fn competitors_within<E>(
+    dimension: usize,
+    rule: PaperRule,
+    n: NonZeroUsize,
+    upper: f64,
+    radius_for: impl Fn(f64) -> f64,
     mut constants_within: impl FnMut(f64) -> Result<Constants, E>,
 ) -> Result<Region, LocalityError<E>> {
-    let (mut radius, mut first) = (0.0_f64, f64::INFINITY);
+    let (mut radius, mut first) = (radius_for(0.0), f64::INFINITY);
     let (mut tried, mut last) = (0.0, 0.0);
     // The radius increases by at least 1 % each time, which is up to 2100 times. At nine decades
     // beyond the first reach, c₁ has decreased by eighteen decades, and the bounds are worthless.
@@ -90,13 +118,13 @@ pub fn competitors<E>(
             .map_err(|reason| LocalityError::NoConstants { radius, reason })?
             .on_a_region();
         let setting = Setting::new(constants, upper, dimension).map_err(LocalityError::Bound)?;
-        let reach = reach(setting, rule, n);
+        let reach = radius_for(reach(setting, rule, n));
         if reach < radius || upper == 0.0 {
             return Ok(Region { radius, constants });
         }
         first = first.min(reach);
         (tried, last) = (radius, reach);
-        let next = 1.01 * reach;
+        let next = MARGIN * reach;
         if !(next > radius && next.is_finite()) {
             break;
         }
@@ -105,9 +133,59 @@ pub fn competitors<E>(
     Err(LocalityError::Escapes { radius: tried, reach: last })
 }
 
+/// Returns smaller and smaller regions that contain every competitor, given one that contains them
+/// (Proposition S.8, second stage). The last one is the smallest, and the list may be empty.
+///
+/// In a region that they do not leave, competitors are no longer than [`reach`] says. Between the
+/// points `x` and `y` they lie in the ellipsoid `|z − x| + |z − y| ≤ d̄ √e/√c₁`, hence in the ball
+/// of *half* this radius about the middle of the two points. On that ball `c₁` is larger, so that
+/// competitors are still shorter, and again.
+///
+/// - `outer`: the given region. It may have another shape; its radius is only compared.
+/// - `radius_for`: returns the radius of a region that contains every curve of a given Euclidean
+///   length from set to set. It must increase.
+/// - `constants_within`: returns the constants on the region of a given radius, or an error, which
+///   ends the list.
+///
+/// Needs: constants that hold on each region. Overestimation: a radius exceeds the one of
+/// `radius_for` by 1 %. The last region is within a few percent of the smallest that repetition
+/// can reach.
+#[must_use]
+pub fn shrink<E>(
+    dimension: usize,
+    rule: PaperRule,
+    n: NonZeroUsize,
+    upper: f64,
+    outer: Region,
+    radius_for: impl Fn(f64) -> f64,
+    mut constants_within: impl FnMut(f64) -> Result<Constants, E>,
+) -> Vec<Region> {
+    let radius_by = |constants| {
+        let setting = Setting::new(constants, upper, dimension).ok()?;
+        Some(radius_for(reach(setting, rule, n)))
+    };
+    let mut regions: Vec<Region> = Vec::new();
+    let mut last = outer;
+    for _ in 0..STEPS {
+        let Some(radius) = radius_by(last.constants).map(|radius| MARGIN * radius) else { break };
+        if !(radius < (1.0 - SAVED) * last.radius) {
+            break;
+        }
+        let Ok(constants) = constants_within(radius) else { break };
+        let constants = constants.on_a_region();
+        // Constants that are only known to some accuracy may be worse on a smaller region.
+        if !radius_by(constants).is_some_and(|least| least < radius) {
+            break;
+        }
+        last = Region { radius, constants };
+        regions.push(last);
+    }
+    regions
+}
+
 /// Bounds the distance of a competitor from the bounded end, in `ℓ`, by `d̄ √e/√c₁`, where `d̄` is
-/// the distance of `setting` (Proposition S.8). The constants must hold at least that far from the
-/// bounded end.
+/// the distance of `setting` (Proposition S.8). It bounds the Euclidean length of a competitor. The
+/// constants must hold at least that far from the bounded end.
 ///
 /// Overestimation: the bound is attained in the limit `H → c₁ I`.
 #[must_use]
@@ -118,7 +196,7 @@ pub fn reach(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{LocalityError, competitors};
+    use super::{LocalityError, Region, competitors, competitors_within, shrink};
     use std::{convert::Infallible, num::NonZeroUsize};
 
     use crate::{
@@ -191,6 +269,46 @@ mod tests {
             assert!((2.0..1.03 * 2.0).contains(&region.radius), "{region:?}");
             assert!(region.constants.is_local());
         }
+    }
+
+    /// Between the points at the distance `s` on both sides of the origin `√c₁ = 2/(1 + R²)`, and
+    /// `d̄ = 4 arctan s`. With `ρ = d̄ (1 + R²)/2` the first stage needs `½ (ρ + 2s) < R`, and the
+    /// second one only `½ ρ < R`. Along the line the surplus of the energy is below 10⁻⁴.
+    #[test]
+    fn the_second_stage_halves_the_radius_on_the_sphere() {
+        // The smaller root of a R² − R + a + s = 0.
+        let root = |a: f64, s: f64| (1.0 - (1.0 - 4.0 * a * (a + s)).sqrt()) / (2.0 * a);
+        for s in [0.1_f64, 0.2, 0.3] {
+            let (d, n) = (4.0 * s.atan(), n(1000));
+            let first = competitors_within(2, TRA, n, d, |l| 0.5 * (l + 2.0 * s), sphere);
+            let first = first.expect("near");
+            let least = root(0.25 * d, s);
+            assert!((least..1.02 * least).contains(&first.radius), "{first:?} {least}");
+            let regions = shrink(2, TRA, n, d, first, |length| 0.5 * length, sphere);
+            // The ball of the diameter d̄ on the sphere.
+            let least = root(0.25 * d, 0.0);
+            let last = regions.last().expect("smaller");
+            // With the factor 1.01 it is the root for 1.01 d̄, and the last step saved too little.
+            assert!((least..1.06 * least).contains(&last.radius), "{last:?} {least}");
+            let radii: Vec<f64> = [first].iter().chain(&regions).map(|at| at.radius).collect();
+            assert!(radii.windows(2).all(|pair| pair[1] < 0.98 * pair[0]), "{radii:?}");
+        }
+    }
+
+    /// A region that does not save enough, lacks constants or has worse ones ends the list.
+    #[test]
+    fn a_region_that_is_no_better_is_left_out() {
+        let flat = |_| Ok::<_, f64>(constants(4.0, 4.0, 0.0));
+        let outer = Region { radius: 0.6, constants: constants(4.0, 4.0, 0.0) };
+        let halved = |length: f64| 0.5 * length;
+        let regions = shrink(2, TRA, N, 1.0, outer, halved, flat);
+        assert_eq!(regions.iter().map(|at| at.radius).collect::<Vec<_>>(), [1.01 * 0.25]);
+        let near = Region { radius: 0.257, ..outer };
+        assert!(shrink(2, TRA, N, 1.0, near, halved, flat).is_empty());
+        assert!(shrink(2, TRA, N, 1.0, outer, halved, Err::<Constants, f64>).is_empty());
+        let worse = |_| Ok::<_, f64>(constants(3.9, 4.0, 0.0));
+        assert!(shrink(2, TRA, N, 1.0, outer, halved, worse).is_empty());
+        assert!(shrink(2, TRA, N, f64::NAN, outer, halved, flat).is_empty());
     }
 
     #[test]

@@ -5,10 +5,12 @@ mod acceleration;
 mod best;
 mod ceiling;
 mod computed;
+mod convex_excess;
 mod convexity;
 mod enclosure;
 mod length;
 mod locality;
+mod own_norms;
 mod sampling;
 mod sequence_gap;
 mod speeds;
@@ -24,10 +26,12 @@ pub use best::{
     suggest_n,
 };
 pub use computed::{Computed, DiscreteMinimum};
+pub use convex_excess::{convex_excess, sampled_excess};
 pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity};
 pub use enclosure::{Enclosure, FromAbove, FromBelow, enclose};
 pub use length::squared_length;
-pub use locality::{LocalityError, Region, competitors, reach};
+pub use locality::{LocalityError, Region, competitors, competitors_within, reach, shrink};
+pub use own_norms::OwnNorms;
 pub use sampling::{pointwise_fall, pointwise_rise, sampling_fall, sampling_rise, velocity_error};
 pub use sequence_gap::{cubic_gap, cubic_rule_gap, quartic_gap};
 pub use speeds::{difference_step, greatest_difference, greatest_speed};

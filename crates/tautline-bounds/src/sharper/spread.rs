@@ -125,6 +125,22 @@ mod tests {
         close(left.shortfall, 1.0 / 6.0);
     }
 
+    /// At `ε = 1` and `x = 1` all of the energy may be variance. Then `m₃/N` is 1 for one chord, and
+    /// without its cap `√2` it would be `(1 + 3/2 + 1)/2` for two; `m₄/N²` would be `10/4`.
+    #[test]
+    fn the_caps_keep_the_gaps_from_growing_from_one_chord_to_two() {
+        let steep = Setting::new(constants(4.0, 4e6, 8.0), 48.0, 2).expect("valid");
+        let [one, two] = [1, 2]
+            .map(|count| Spread::of_first_order(steep, PaperRule::LeftEndpoint, n(count), 0.0));
+        assert_eq!((one.variance, two.variance), (1.0, 1.0));
+        assert_eq!((one.cube, one.fourth), (1.0, 1.0));
+        close(two.cube, 2_f64.sqrt());
+        close(two.fourth, 2.0);
+        let Spread { variance: v, deviation: r, .. } = two;
+        let (cube, fourth) = (1.0 + 1.5 * v + r * v, 1.0 + 4.0 * v + 4.0 * r * v + r * r * v);
+        assert_eq!((0.5 * cube, 0.25 * fourth), (1.75, 2.5));
+    }
+
     #[test]
     fn one_chord_has_one_speed() {
         let spread = Spread::of_first_order(setting(32.0), PaperRule::LeftEndpoint, n(1), 0.44);
@@ -133,7 +149,7 @@ mod tests {
         close(spread.fourth, 1.2_f64.powi(4));
     }
 
-    /// At N = 1 and ε = 1, `m₃ = 1`, so `x = μ/48` with μ = 1/3.
+    /// At N = 1 and ε = 1, `m₃ = 1`, so that `x = μ/48`, which is 1/144 for μ = 1/3.
     #[test]
     fn second_order_by_hand() {
         let spread = Spread::of_second_order(setting(16.0 / 27.0), n(1), 0.0).expect("M_H");

@@ -158,10 +158,12 @@ mod tests {
         for (rule, leading, older) in [(TRA, 1.5, 3.75), (LEFT, 3.0, 7.5)] {
             let at = |bound: f64| bound / 9.0 * huge as f64;
             let new = at(theorem_c_excess(setting(400.0), rule, n(huge)));
-            // The next term is of relative order N^{-1/2}.
-            assert!((new / leading - 1.0).abs() < 1e-5, "{new}");
+            // The next terms are of relative order 1/N, that of m₃ too: v = O(1/N), and
+            // √N v^{3/2} = O(1/N). Their factors are below 50.
+            let next = 50.0 / huge as f64;
+            assert!((new / leading - 1.0).abs() < next, "{new}");
             let old = at(theorem_a_excess(setting(400.0), rule, n(huge)));
-            assert!((old / older - 1.0).abs() < 1e-5, "{old}");
+            assert!((old / older - 1.0).abs() < next, "{old}");
         }
     }
 

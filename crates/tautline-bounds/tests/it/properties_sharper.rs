@@ -144,6 +144,29 @@ proptest! {
         }
     }
 
+    /// No bound increases with `N` (S.10). From one chord to two the caps of the moments
+    /// decide.
+    #[test]
+    fn more_chords_never_give_a_larger_bound(
+        s in numbers(), n in subintervals(), more in prop_oneof![Just(1), 1..50_usize]
+    ) {
+        let (s, finer) = (s.setting(), crate::n(n.get() + more));
+        for (name, bound) in ENERGIES {
+            let (coarse, fine) = (bound(s, n).unwrap_or(0.0), bound(s, finer).unwrap_or(0.0));
+            prop_assert!(fine <= coarse * (1.0 + TOLERANCE), "{name}: {coarse:e} {fine:e}");
+        }
+        for rule in PaperRule::BOTH {
+            for bound in [bounds::least_excess, bounds::least_length_excess] {
+                let (coarse, fine) = (bound(s, rule, n).value, bound(s, rule, finer).value);
+                prop_assert!(fine <= coarse * (1.0 + TOLERANCE), "{coarse:e} {fine:e}");
+            }
+            let reach = |n| bounds::reach(s, rule, n);
+            prop_assert!(reach(finer) <= reach(n) * (1.0 + TOLERANCE));
+        }
+        let sampled = |n| bounds::sampled_excess(s, n).unwrap_or(0.0);
+        prop_assert!(sampled(finer) <= sampled(n) * (1.0 + TOLERANCE));
+    }
+
     /// Without `M_H`, the bounds that need it are `None`. The others have the same values as with
     /// `M_H` on a region, where `M_H` does not improve the bend.
     #[test]

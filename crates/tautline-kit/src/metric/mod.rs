@@ -190,7 +190,7 @@ macro_rules! __metric_laws {
                 sharper::of_minima;
             theorems_a_to_d, "Theorems A to D: all gaps are of order 1/N, or 1/N² with M_H",
                 sharper::theorems;
-            prop_s_6, "Proposition S.6: the distance is enclosed by one minimiser",
+            prop_s_6, "Propositions S.6 and S.9: the distance is enclosed by one minimiser",
                 sharper::enclosures;
             prop_s_8, "Proposition S.8: competitors stay where the constants hold",
                 sharper::localities;

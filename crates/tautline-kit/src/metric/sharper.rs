@@ -1,8 +1,8 @@
 //! The sharper statements, as laws of a metric.
 
 use tautline_statements::{
-    LIBRARY, PaperRule, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, theorem_a,
-    theorem_b, theorem_c, theorem_d,
+    LIBRARY, PaperRule, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, prop_s_9,
+    theorem_a, theorem_b, theorem_c, theorem_d,
 };
 
 use super::{
@@ -40,9 +40,13 @@ pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// Checks Proposition S.6.
+/// Checks Proposition S.6, and Proposition S.9 where convexity is proved.
 pub(super) fn enclosures<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    case.of_both_rules(&|minimiser| judge(&prop_s_6(&LIBRARY, minimiser.seen, 0.0)?))
+    case.of_both_rules(&|minimiser| {
+        let (known, seen) = (minimiser.known, minimiser.seen);
+        let convex = prop_s_9(&LIBRARY, known, seen.rule, &seen.minimum.sequence)?;
+        judge_all([prop_s_6(&LIBRARY, seen, 0.0)?].into_iter().chain(convex))
+    })
 }
 
 /// Checks Proposition S.8.

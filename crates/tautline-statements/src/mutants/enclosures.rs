@@ -1,10 +1,10 @@
-//! Mistakes in Propositions S.6 and S.7.
+//! Mistakes in Propositions S.6 to S.9.
 
 use std::f64::consts::FRAC_PI_2;
 
 use tautline::{
     Constants,
-    bounds::{self, BetweenPoints, Enclosure},
+    bounds::{self, BetweenPoints, Enclosure, Setting},
 };
 
 use super::{Mutant, with_l_h};
@@ -51,8 +51,42 @@ pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
                 Some(computed.discrete_energy - left * (wave(computed) / FRAC_PI_2).powi(2))
             };
         }
+        Mutant::GapOfConvexityForgotten => {
+            table.convex_excess = |constants, dimension, computed| {
+                let &BetweenPoints { rule, n, length, residual, .. } = computed;
+                let sampled = sampled(constants, dimension, computed)?;
+                let greatest = computed.greatest_difference.max(length / constants.c1().sqrt());
+                let modulus = bounds::convexity_modulus(constants, rule, greatest, n)?;
+                let left = (residual / wave(computed)).powi(2) / (4.0 * modulus);
+                (modulus > 0.0).then_some(sampled + left)
+            };
+        }
+        Mutant::ResidualOfConvexityForgotten => {
+            table.convex_excess = |constants, dimension, computed| {
+                let stationary = BetweenPoints { residual: 0.0, ..*computed };
+                bounds::convex_excess(constants, dimension, &stationary)
+            };
+        }
+        Mutant::SampledEnergyHalved => {
+            table.convex_excess = |constants, dimension, computed| {
+                let genuine = bounds::convex_excess(constants, dimension, computed)?;
+                Some(genuine - 0.5 * sampled(constants, dimension, computed)?)
+            };
+        }
+        Mutant::LengthOfC2 => {
+            table.reach = |setting, rule, n| {
+                let constants = setting.constants();
+                bounds::reach(setting, rule, n) * (constants.c1() / constants.c2()).sqrt()
+            };
+        }
         _ => {}
     }
+}
+
+/// Returns the `P` of Proposition S.9.
+fn sampled(constants: Constants, dimension: usize, computed: &BetweenPoints) -> Option<f64> {
+    let setting = Setting::new(constants, computed.length, dimension).ok()?;
+    bounds::sampled_excess(setting, computed.n)
 }
 
 /// Returns `N sin(π/2N)`.

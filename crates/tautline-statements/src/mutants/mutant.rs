@@ -156,6 +156,12 @@ mutants! {
     CompetitorsForgotten: "S.7 on a set without the competitors",
     /// `π/2` is the Poincaré constant of curves.
     PoincareOfCurves: "S.7 with π/2 for N sin(π/2N)",
+    /// The left-endpoint rule shows it.
+    GapOfConvexityForgotten: "S.9 without K",
+    ResidualOfConvexityForgotten: "S.9 without S",
+    SampledEnergyHalved: "S.9 with half of P",
     /// The radius becomes `d̄ √e/√c₂`.
     RegionOfC2 in [Competitors]: "S.8 with c₂ for c₁",
+    /// It affects the second stage.
+    LengthOfC2: "S.8 about the middle with c₂ for c₁",
 }

@@ -131,6 +131,8 @@ macro_rules! for_each_bound {
             enclose(constants, dimension, computed) -> Result<Enclosure, BoundError> = bounds::enclose;
             convexity_modulus(constants, rule, greatest, n) -> Option<f64> = bounds::convexity_modulus;
             strict_convexity(constants, dimension, between) -> Option<f64> = bounds::strict_convexity;
+            convex_excess(constants, dimension, between) -> Option<f64> = bounds::convex_excess;
+            reach(setting, rule, n) -> f64 = bounds::reach;
         }
     };
 }

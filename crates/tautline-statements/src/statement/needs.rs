@@ -22,7 +22,7 @@ pub(super) const CONSTANTS: Needs = Needs {
 };
 
 pub(super) const CURVATURE: Needs =
-    Needs { checked: &["|uᵀ D²H[u, u] u| ≤ M_H"], assumed: &["M_H holds elsewhere"] };
+    Needs { checked: &["|uᵀ D²H[w, w] u| ≤ M_H"], assumed: &["M_H holds elsewhere"] };
 
 pub(super) const ENDS: Needs = checked(&["the ends lie in X⁽⁰⁾ and X⁽¹⁾"]);
 

@@ -308,10 +308,13 @@ statements! {
         },
     }
     Remark9_2 "Remark 9.2" "Remark 9.2" {
-        claim: "The minima converge like 1/N; whether E(γᵖˡ) and L(γᵖˡ)² do better than 1/√N is \
-            left open",
+        claim: "The minima converge like 1/N; whether E(γᵖˡ) and L(γᵖˡ)² do better than 1/√N under \
+            additional discrete regularity or equidistribution information is left open",
         needs: [CONSTANTS, ENDS, GLOBAL],
-        verdict: OpenAnsweredBy("they converge like 1/N under the same hypotheses, for both rules"),
+        verdict: OpenAnsweredBy(
+            "they converge like 1/N under the same hypotheses, for both rules; and like 1/N² for \
+             the trapezoidal rule if DH is Lipschitz (Theorem D)",
+        ),
         code: remark_9_2,
     }
     LemmaS1 "Lemma S.1" "sharper:acceleration" {
@@ -389,9 +392,17 @@ statements! {
     }
     PropositionS8 "Proposition S.8" "sharper:region" {
         claim: "Where d̄² e < c₁R² with the constants within R of the bounded end, no minimal \
-            geodesic and no discrete minimiser goes farther",
+            geodesic and no discrete minimiser goes farther, nor, between points, farther than \
+            ½ d̄ √(e/c₁) from their middle",
         needs: [CONSTANTS, CURVATURE, MINIMISER, GLOBAL],
         verdict: ProvedHere,
         code: prop_s_8,
+    }
+    PropositionS9 "Proposition S.9" "sharper:convex_excess" {
+        claim: "E(γᵖˡ) − d² ≤ P + (K + S)²/4σ = O(1/N²) for any sequence between two points, for \
+            both rules, where σ > 0",
+        needs: [CONSTANTS, CURVATURE, ENDS],
+        verdict: ProvedHere,
+        code: prop_s_9,
     }
 }

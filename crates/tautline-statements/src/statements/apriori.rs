@@ -5,8 +5,8 @@ use tautline::{Bounded, Constants, bounds::Setting, norm_squared};
 
 use crate::{
     Evidence, GramRange, Statement, Subject, Unit, VerifyError,
+    curvature::curvature_at,
     curves::{BoundedCurve, curve_energy, l2_norm},
-    reconstruction::curvature_at,
 };
 
 /// The state of a minimal geodesic at one time.
@@ -153,15 +153,14 @@ pub fn lemma_s_1<const D: usize>(
     let instant = Instant::of(Statement::LemmaS1, subject, metric, curve, distance, t)?;
     let setting = instant.setting;
     let bound = subject.k2_sharp(setting);
-    let [position, velocity, acceleration] = curve.motion(t).derivatives();
+    let [position, _, acceleration] = curve.motion(t).derivatives();
     let force = norm_squared(metric, &position, &acceleration);
     let force_bound = setting.constants().c1() * bound * bound;
     let granted = instant.granted[1] + 16.0 * f64::EPSILON * bound;
     let momentum = 2.0 * (setting.constants().c2() * force_bound.max(force)).sqrt();
     let mut evidence = instant.evidence;
     if let (true, Some(m_h)) = (setting.bend_needs_m_h(), setting.constants().m_h()) {
-        let seen = [velocity, acceleration].map(|u| curvature_at(metric, &position, &u));
-        evidence = evidence.given_curvature(seen[0].max(seen[1]), m_h);
+        evidence = evidence.given_curvature(curvature_at(metric, &position), m_h);
     }
     Ok(evidence
         .stated("|γ̈(t)| ≤ G d/√c₁", Unit::COORDINATE, [instant.acceleration, bound], granted)

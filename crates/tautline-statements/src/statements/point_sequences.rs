@@ -4,7 +4,8 @@ use tautline::{Bounded, Constants, LeftEndpoint, MetricError, PointSequence, Tra
 
 use crate::{
     Evidence, GramRange, PaperRule, Statement, Subject, Unit,
-    reconstruction::{curvature_along, mean_power, nodes},
+    curvature::curvature_along,
+    reconstruction::{mean_power, nodes},
 };
 
 /// Evaluates Proposition 7.8 for nonnegative numbers: `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}`.

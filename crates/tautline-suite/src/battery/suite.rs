@@ -37,6 +37,7 @@ pub fn suite() -> Vec<Check> {
         sharper::locality::CHECKS,
         sharper::witnesses::CHECKS,
         sharper::speeds::CHECKS,
+        sharper::convex_excess::CHECKS,
         sharper::convexity::CHECKS,
         sharper::leading::CHECKS,
         sharper::golden::CHECKS,

@@ -4,3 +4,4 @@ mod batch;
 mod certificates;
 mod enclosure;
 mod front_door;
+mod own_norms;

@@ -1,4 +1,5 @@
-//! Propositions S.6 and S.7: an enclosure of the distance, and global discrete minima.
+//! Propositions S.6, S.7 and S.9: an enclosure of the distance, global discrete minima, and the
+//! excess of one sequence by convexity.
 
 use tautline::{
     Bounded, PointSequence,
@@ -7,7 +8,7 @@ use tautline::{
 
 use crate::statements::section_1::{GLOBAL, admitted};
 use crate::{
-    Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
+    Evidence, GramRange, Known, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
     discrete_energy, reconstruction::nodes, with_rule::with_rule,
 };
 
@@ -127,6 +128,63 @@ pub fn prop_s_7<const D: usize>(
         evidence = evidence.stated("E(x) − R²/4σN²sin² ≤ E(y)", Unit::ENERGY, numbers, granted);
     }
     Ok(evidence)
+}
+
+/// Evaluates Proposition S.9 on any sequence between two points at a known distance. Returns `None`
+/// if `M_H` is unknown, if convexity is not proved, or if an end is not a point.
+///
+/// ```text
+/// E(γᵖˡ) − d²  ≤  P + (K + S)²/4σ
+/// ```
+///
+/// Needs: the setting of Theorem 1.1, and `DH` Lipschitz with `M_H`. The sequence need be neither a
+/// minimiser nor stationary.
+///
+/// The bound is attained by minimisers of the trapezoidal rule up an incline, and by a wave under a
+/// constant metric.
+///
+/// # Errors
+///
+/// [`VerifyError`] where `H` is not positive definite.
+pub fn prop_s_9<M: Bounded<D>, const D: usize>(
+    subject: &Subject,
+    known: &Known<M, D>,
+    rule: PaperRule,
+    sequence: &PointSequence<D>,
+) -> Result<Option<Evidence>, VerifyError> {
+    let (metric, distance) = (&known.metric, known.distance);
+    let constants = subject.constants(metric);
+    let energy = subject.curve_energy(metric, sequence);
+    let computed = BetweenPoints {
+        rule,
+        n: sequence.n(),
+        discrete_energy: discrete_energy(subject, rule, metric, sequence),
+        length: distance,
+        greatest_difference: sequence.differences().map(|beta| beta.norm()).fold(0.0, f64::max),
+        residual: residual(subject, metric, rule, sequence),
+    };
+    let fixed = known.ends.are_points();
+    let (Some(m_h), Some(bound), true) =
+        (constants.m_h(), subject.convex_excess(constants, D, &computed), fixed)
+    else {
+        return Ok(None);
+    };
+    // As for a reconstruction, the sums are compensated, and the points are rounded.
+    let size = sequence.points().iter().map(|x| x.norm()).fold(0.0, f64::max);
+    let momentum = 2.0 * (constants.c2() * energy.value).sqrt();
+    let granted = 1e-14 * (distance * distance + energy.value)
+        + 8.0 * f64::EPSILON * size * momentum
+        + known.squared_error()
+        + energy.error;
+    let ends = [(known.ends.first(), sequence.first()), (known.ends.second(), sequence.last())];
+    let off = ends.map(|(end, x)| (end.project(x) - x).norm()).into_iter().fold(0.0, f64::max);
+    let excess = energy.value - distance * distance;
+    let evidence = Evidence::of(Statement::PropositionS9)
+        .given_constants(constants, &GramRange::along(metric, nodes(sequence))?)
+        .given_curvature(crate::curvature_along(metric, sequence), m_h)
+        .given("the ends lie in X⁽⁰⁾ and X⁽¹⁾", Unit::COORDINATE, [off, 0.0], 1e-13 * size)
+        .stated("E(γᵖˡ) − d² ≤ P + (K + S)²/4σ", Unit::ENERGY, [excess, bound], granted);
+    Ok(Some(evidence))
 }
 
 /// Returns `((1/N) Σ |ρₙ|²)^{1/2}` over the inner points, in `m²/ℓ`.

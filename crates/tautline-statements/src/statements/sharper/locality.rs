@@ -17,6 +17,7 @@ const WAY: usize = 4;
 ///
 /// ```text
 /// |xₙ − x|  ≤  R        for every point of the sequence, where x is its bounded end
+/// |xₙ − m|  ≤  ½ d̄ √e/√c₁,        where m is the middle of its two ends
 /// d  ≤  √c₁ R           so that no minimal geodesic leaves
 /// E_N  ≤  c₁ R²         so that no minimal sequence leaves
 /// √c₁ R  ≤  L(γ)        for segments γ of Euclidean length R from x along axes
@@ -25,8 +26,8 @@ const WAY: usize = 4;
 /// Needs: the setting of Theorem 1.1 within the distance `R` of the end, and a *global* minimiser
 /// in this ball.
 ///
-/// The radius is 1 % larger than necessary, which costs 1 % in the first two inequalities and 2 %
-/// in the third. The last is attained for the metric `c₁ I`.
+/// The radius is 1 % larger than necessary, which costs 1 % in the first and third inequality and 2 %
+/// in the fourth. The last is attained for the metric `c₁ I`, and so is the second.
 ///
 /// # Errors
 ///
@@ -45,7 +46,12 @@ pub fn prop_s_8<M: Bounded<D>, const D: usize>(
     let sequence = &seen.minimum.sequence;
     let is_bounded = known.ends.first().radius().is_some_and(f64::is_finite);
     let end = if is_bounded { sequence.first() } else { sequence.last() };
-    let farthest = sequence.points().iter().map(|x| (x - end).norm()).fold(0.0, f64::max);
+    let farthest_from = |place: SVector<f64, D>| {
+        sequence.points().iter().map(|x| (x - place).norm()).fold(0.0, f64::max)
+    };
+    let farthest = farthest_from(*end);
+    let from_the_middle = farthest_from((sequence.first() + sequence.last()) * 0.5);
+    let half = 0.5 * subject.reach(setting, rule, n);
     // Points are rounded. Lengths are roots of energies and are at least d.
     let rounding = 1e-14 * (end.norm() + radius);
     let of_lengths = if d2 > 0.0 { granted / distance } else { granted.sqrt() };
@@ -61,6 +67,7 @@ pub fn prop_s_8<M: Bounded<D>, const D: usize>(
     let mut evidence = begin(Statement::PropositionS8, seen, rule, premise)
         .assumed(GLOBAL)
         .stated("|xₙ − x| ≤ R", Unit::COORDINATE, [farthest, radius], rounding)
+        .stated("|xₙ − m| ≤ ½ρ", Unit::COORDINATE, [from_the_middle, half], rounding)
         .stated("d ≤ √c₁ R", Unit::LENGTH, [distance, root * radius], of_lengths)
         .stated("E_N ≤ c₁ R²", Unit::ENERGY, energies, granted);
     if let (Some(m_h), PaperRule::Trapezoidal) = (constants.m_h(), rule) {

@@ -3,7 +3,9 @@
 //! `c₂` is needed only for the cap `e ≤ κ` of Lemma S.4. Only Theorems A and B assume a stationary
 //! sequence. Theorems C and D do not, and Theorem C is no weaker than Theorem A.
 
-use tautline::{Constants, Ends, PointSequence, Trapezoidal};
+use std::f64::consts::PI;
+
+use tautline::{Constants, Ends, PointSequence, Trapezoidal, gallery::Valleys};
 use tautline_statements::{
     Known, LIBRARY, PaperRule, Reconstruction,
     Statement::{
@@ -28,7 +30,7 @@ use crate::battery::{
     },
 };
 
-const M_H: &[&str] = &["|uᵀ D²H[u, u] u| ≤ M_H"];
+const M_H: &[&str] = &["|uᵀ D²H[w, w] u| ≤ M_H"];
 
 pub(crate) const CHECKS: &[Check] = &[
     Dropped.check(
@@ -48,6 +50,11 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
     Dropped.check("lemma_s_4_fails_where_c2_is_understated", &[LemmaS4], without_c2),
     Dropped.check("prop_s_7_fails_where_c1_is_overstated", &[PropositionS7], without_c1),
+    Dropped.check(
+        "prop_s_7_fails_where_m_h_is_understated_across_the_chords",
+        &[PropositionS7],
+        without_m_h_across,
+    ),
     Dropped.check(
         "theorems_a_and_c_and_prop_s_8_fail_for_a_minimiser_that_is_not_global",
         &[TheoremA, TheoremC, PropositionS8],
@@ -127,6 +134,22 @@ fn without_c1(_: &Trial<'_>) -> Outcome {
     let (metric, [x, y]) = slopes([1.5, 1.6, 1.0])?;
     let evidence = prop_s_7(&LIBRARY, &metric, PaperRule::Trapezoidal, [&x, &y], 1.0)?;
     fails_without(&[BELOW], evidence)
+}
+
+/// Two chords run along the crest `x₁ = π` of the valleys, where `H = 9`, and the second derivative
+/// is −6 across them and 0 along them. If the point between them moves sideways, `E_N` is convex
+/// with the modulus `9 − ½ · 6 · 4²/4² = 6`, but with a tenth of the curvature claimed it would be
+/// 8.5. The middle point moves by so little that no chord shows a second derivative above `10⁻⁵`
+/// along itself.
+fn without_m_h_across(_: &Trial<'_>) -> Outcome {
+    let constants = Constants::new(8.99, 9.01, 0.01)?.with_m_h(0.6)?;
+    let through =
+        |x: f64| PointSequence::new([[PI, 0.0], [x, 2.0], [PI, 4.0]].map(Into::into).to_vec());
+    let (metric, both) = (Valleys, [through(PI)?, through(PI + 1e-3)?]);
+    let crest = WithConstants { metric, constants };
+    let [x, y] = &both;
+    let evidence = prop_s_7(&LIBRARY, &crest, PaperRule::Trapezoidal, [x, y], 12.0)?;
+    fails_without(M_H, evidence)
 }
 
 /// The curve is twice as long as `d` under a constant metric, for which the bounds are 0.

@@ -28,7 +28,7 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("prop_s_8_fails_where_c1_is_overstated", S8, without_c1),
 ];
 
-/// Under `H = 4 I` the bound is attained between points, and from a half-plane to a ball, where the
+/// Under `H = 4 I` the bounds are attained between points, and from a half-plane to a ball, where the
 /// last end is the bounded one.
 fn flat(trial: &Trial<'_>) -> Outcome {
     let points = flat_problem()?;
@@ -49,6 +49,7 @@ fn attained<M: Bounded<2>>(
         let seen = Reconstruction::observe(trial.subject, known, rule, n)?;
         trial.one([prop_s_8(trial.subject, known, &seen)?
             .claim_is_attained("|xₙ − x| ≤ R", PERCENT)?
+            .claim_is_attained("|xₙ − m| ≤ ½ρ", 1.0 + 1e-4)?
             .claim_is_attained("d ≤ √c₁ R", PERCENT)?
             .claim_is_attained("√c₁ R ≤ L(γ) on the way out", way_out)?])
     })

@@ -1,5 +1,6 @@
-//! The sharper statements: Lemmas S.1 to S.5, Theorems A to D, Propositions S.6 to S.8.
+//! The sharper statements: Lemmas S.1 to S.5, Theorems A to D, Propositions S.6 to S.9.
 
+pub(super) mod convex_excess;
 pub(super) mod convexity;
 pub(super) mod dropped;
 pub(super) mod golden;
