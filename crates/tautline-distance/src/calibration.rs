@@ -219,3 +219,45 @@ pub(crate) fn shoot<const D: usize>(
     }
     Some((state.0, state.1))
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SVector, vector};
+    use tautline_formula::Formula;
+    use tautline_metrics::{KnownDistance, gallery::Sphere};
+
+    use super::{Calibration, shoot};
+
+    /// Rays that meet at a point of the sphere give the distance from it, up to the third order in
+    /// the distance from the geodesic.
+    #[test]
+    fn a_calibration_is_a_distance_up_to_the_third_order() {
+        let sphere = Formula::<2>::parse("4/sqr(1 + x1^2 + x2^2) I", &[]).expect("a formula");
+        let (focus, p): (SVector<f64, 2>, _) = (vector![-0.6, 0.1], vector![1.0, 0.4]);
+        let near = 0.01;
+        let (x, p) = shoot(&sphere, (focus, p), near / 20.0, 20).expect("defined");
+        let rays = Calibration::integrate(&sphere, (x, p), |h, _| h / near, near, 1e-3, 1500);
+        let rays = rays.expect("no conjugate point");
+        let error = |away: f64| {
+            let on = rays.place(1000);
+            let x = on + vector![-0.3, 1.0] * away;
+            let exact = Sphere.distance(&focus, &x).expect("known");
+            (rays.value(&x, rays.foot(&x)) - exact).abs()
+        };
+        let (far, close) = (error(0.04), error(0.01));
+        assert!(far < 1e-4 && close < far / 30.0, "{far:e} {close:e}");
+        // On the geodesic itself, only the start is approximate.
+        assert!(error(0.0) < 1e-7, "{:e}", error(0.0));
+    }
+
+    /// Riccati's equation has no bounded solution past a point conjugate to the start.
+    #[test]
+    fn a_conjugate_point_ends_a_calibration() {
+        let sphere = Formula::<2>::parse("4/sqr(1 + x1^2 + x2^2) I", &[]).expect("a formula");
+        let start = (vector![0.0, 0.0], vector![1.0, 0.0]);
+        // Rays that converge meet before the antipode, which is at infinity.
+        let converging = |h: &nalgebra::SMatrix<f64, 2, 2>, _: &SVector<f64, 2>| h * -2.0;
+        assert!(Calibration::integrate(&sphere, start, converging, 0.0, 1e-3, 1500).is_none());
+        assert!(Calibration::integrate(&sphere, start, converging, 0.0, 1e-3, 300).is_some());
+    }
+}

@@ -63,3 +63,42 @@ pub(crate) fn eigenvalues<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Vec<f6
     let matrix = nalgebra::DMatrix::from_fn(D, D, |i, j| matrix[(i, j)]);
     matrix.symmetric_eigenvalues().iter().copied().collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SVector, vector};
+    use tautline_formula::Formula;
+
+    use super::{Hamiltonian, eigenvalues};
+
+    /// Central differences of the first derivatives, which are those of `½ pᵀH⁻¹p`.
+    #[test]
+    fn the_second_derivatives_are_differences_of_the_first() {
+        let text = "pullback(x1 + 0.6*sin(2*x2), x2 + 0.3*x1*x2)";
+        let formula = Formula::<2>::parse(text, &[]).expect("a formula");
+        let (x, p) = (vector![0.3, -0.4], vector![0.7, 1.1]);
+        let at = |x, p| Hamiltonian::at(&formula, &x, &p).expect("invertible");
+        let (here, h) = (at(x, p), 1e-5);
+        for k in 0..2 {
+            let step = SVector::from_fn(|i, _| if i == k { h } else { 0.0 });
+            let energy = |x, p: SVector<f64, 2>| 0.5 * p.dot(&at(x, p).velocity);
+            let slope = (energy(x + step, p) - energy(x - step, p)) / (2.0 * h);
+            assert!((here.force[k] + slope).abs() < 1e-9, "{} {slope}", here.force[k]);
+            let (ahead, behind) = (at(x + step, p), at(x - step, p));
+            let xx = (behind.force - ahead.force) / (2.0 * h);
+            let xp = (ahead.velocity - behind.velocity) / (2.0 * h);
+            for l in 0..2 {
+                assert!((here.xx[(k, l)] - xx[l]).abs() < 1e-8, "{} {xx}", here.xx);
+                assert!((here.xp[(k, l)] - xp[l]).abs() < 1e-8, "{} {xp}", here.xp);
+            }
+        }
+        assert!((here.pp * here.h)[(0, 1)].abs() < 1e-14);
+    }
+
+    #[test]
+    fn eigenvalues_are_those_of_the_matrix() {
+        let mut found = eigenvalues(&nalgebra::matrix![2.0, 1.0; 1.0, 2.0]);
+        found.sort_by(f64::total_cmp);
+        assert!((found[0] - 1.0).abs() < 1e-14 && (found[1] - 3.0).abs() < 1e-14, "{found:?}");
+    }
+}
