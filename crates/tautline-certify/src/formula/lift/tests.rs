@@ -217,6 +217,25 @@ fn walls_waves_and_hills_have_constants_on_all_of_space() {
     assert!(found.c1().contains(c1) && found.c1().looseness() < 1.02, "{found:?}");
 }
 
+/// A full matrix of logistic walls, with three normals that are not along the axes.
+#[test]
+fn a_full_matrix_of_walls_has_constants_in_three_dimensions() {
+    let walls = "a = 1/(1 + exp(-(x1 + x2)*3)); b = 1/(1 + exp(-(x2 - x3 + 0.3)*2));
+        c = 1/(1 + exp((x3 - 0.2)*4));
+        [2 + a, 0.3*a*b, 0.2*c; 0.3*a*b, 1.5 + b, 0.25*b*c; 0.2*c, 0.25*b*c, 1.2 + c]";
+    let formula = parsed::<3>(walls);
+    let space = Domain::space(&formula);
+    assert!(space.is_all_of_space() && space.is_sharp());
+    let accuracy = Accuracy { tolerance: 1e-2, budget: 20_000 };
+    for quantity in [Quantity::C1, Quantity::C2, Quantity::LH] {
+        let found = certify(&formula, quantity, &space, accuracy).expect("a constant");
+        assert!(found.looseness() < 1.0102, "{quantity}: {found:?}");
+    }
+    // Where all walls are down, the matrix is diagonal, with 1.2 in a corner.
+    let c1 = certify(&formula, Quantity::C1, &space, accuracy).expect("a constant");
+    assert!(c1.lower <= 1.2 && c1.upper <= 1.2 + 1e-12, "{c1:?}");
+}
+
 /// Near the origin the phase of a wave is that of its form. A phase of its own would give
 /// `c₂ = 3` for the packet. If each wave had its own, `c₂` would be 8 for their sum.
 #[test]
