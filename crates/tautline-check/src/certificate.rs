@@ -165,13 +165,16 @@ impl<'c, const D: usize> Chain<'c, D> {
     ///
     /// # Errors
     ///
-    /// [`CheckError::Missing`] if a required cube is missing, the errors of
+    /// [`CheckError::Empty`] without a cube, [`CheckError::Missing`] if a required cube is missing, the errors of
     /// [`required`](Chain::required), and [`CheckError::Exit`] if curves may leave the first level.
     pub fn add(&mut self, level: &Level<D>, keep: f64) -> Result<(), CheckError> {
         let cubes = level.cubes();
         let required = self.required(cubes.exponent())?;
         if let Some(place) = cubes.first_missing(required.places()) {
             return Err(CheckError::Missing { level: self.levels.len(), place: place.to_vec() });
+        }
+        if cubes.places().is_empty() {
+            return Err(CheckError::Empty);
         }
         let sets = self.sets.each_ref();
         let sweep = Sweep::new(self.formula, sets, level);

@@ -76,8 +76,8 @@ pub enum CheckError {
         /// The place of the cube, in sides.
         place: Vec<i32>,
     },
-    /// There are no levels.
-    #[error("the certificate has no levels")]
+    /// There are no levels, or a level has no cubes.
+    #[error("the certificate has no levels, or a level without cubes")]
     Empty,
     /// The bound `hi` is not a positive number.
     #[error("the bound hi is {hi}")]

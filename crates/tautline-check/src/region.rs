@@ -183,9 +183,9 @@ fn prove_tubes<const D: usize>(
 ) -> Result<(), CheckError> {
     let tubes: Vec<&Shape<D>> =
         sets.into_iter().filter(|set| bounding_box(set).is_some()).collect();
-    // One tube has to be as wide as the curves are long, two together.
-    let needed = if tubes.len() == 2 { 0.5 * hi } else { hi };
-    if !(mul_down(sqrt_down(c1), radius) >= needed) || tubes.is_empty() {
+    // One tube has to be as wide as the curves are long, two together. Half of `hi` might underflow.
+    let together = mul_down(tubes.len() as f64, mul_down(sqrt_down(c1), radius));
+    if !(together >= hi) || tubes.is_empty() {
         return Err(CheckError::Tubes { radius, c1, hi });
     }
     for tube in tubes {

@@ -182,11 +182,16 @@ impl<const D: usize> Piece<D> {
                 if forms.iter().any(|b| b.range().lo() > 0.0) {
                     return None;
                 }
-                Some(polynomials.map(|polynomial| {
+                let bounds = polynomials.map(|polynomial| {
                     let least = least_on(polynomial, &forms);
-                    let most = -least_on(&polynomial.times(-1.0), &forms);
-                    Interval::new(least, most).unwrap_or(Interval::REALS)
-                }))
+                    (least, -least_on(&polynomial.times(-1.0), &forms))
+                });
+                // Bounds that cross prove that the piece has no point here.
+                if bounds.iter().any(|(least, most)| least > most) {
+                    return None;
+                }
+                let whole = Interval::REALS;
+                Some(bounds.map(|(least, most)| Interval::new(least, most).unwrap_or(whole)))
             }
         }
     }
