@@ -31,7 +31,7 @@
 //! | 7, a priori | a metric and a minimal geodesic | [`constant_k1`], [`constant_k2`], [`prop_7_12`] |
 //! | 7 and 8, any point sequence | a metric and a point sequence | [`prop_7_8`], [`prop_7_9`], [`prop_8_1`], [`prop_8_2`] |
 //! | 7 and 8, constants of the theorems | a [`Reconstruction`] | [`constant_k3_bar`], [`constant_c_1_1`], [`constant_k4_bar`], [`constant_c_1_3`] |
-//! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`] to [`prop_s_9`] |
+//! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`] to [`prop_s_10`] |
 //! | 9, excess of length | two curves, or a [`Reconstruction`] | [`prop_9_1`], [`remark_9_2`] |
 //!
 //! A [`Subject`] is the implementation under test: [`LIBRARY`], or the library with the mistake of

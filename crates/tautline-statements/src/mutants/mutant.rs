@@ -141,6 +141,8 @@ mutants! {
     /// `m₃` is replaced by `e^{3/2}`.
     SpeedsOfTheoremCEqual: "Theorem C with m₃ for equal speeds",
     LengthOfTheoremCHalved: "Theorem C with half the gap of L(γᵖˡ)",
+    /// One chord then has a smaller bound than two.
+    CapForgotten: "Theorem C without the cap of m₃",
     /// It affects the gap of the length.
     PowerOfTheoremCLost: "Theorem C with e for its power 3/2",
     /// The correct term is `μ/24N²`.

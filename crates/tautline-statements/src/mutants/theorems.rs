@@ -2,7 +2,7 @@
 
 use std::num::NonZeroUsize;
 
-use tautline::bounds::{self, PaperRule, Setting};
+use tautline::bounds::{self, PaperRule, Setting, Spread};
 
 use super::Mutant;
 use crate::replaceable::Bounds;
@@ -42,6 +42,15 @@ pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
         }
         // With m₃ = e^{3/2}, the bound has the same form as for Theorem A.
         Mutant::SpeedsOfTheoremCEqual => table.theorem_c_polyline_gap = gap_of_equal_speeds,
+        Mutant::CapForgotten => {
+            table.theorem_c_polyline_gap = |setting, rule, n| {
+                let e = ceiling(setting, bounds::theorem_a_minimum_gap(setting, rule, n));
+                let spread = Spread::of_first_order(setting, rule, n, e - 1.0);
+                let Spread { variance, deviation, .. } = spread;
+                let cube = e.powf(1.5) + 1.5 * e.sqrt() * variance + deviation * variance;
+                gap_of_equal_speeds(setting, rule, n) * cube / e.powf(1.5)
+            };
+        }
         Mutant::LengthOfTheoremCHalved => {
             table.theorem_c_length_excess = |setting, rule, n| {
                 let above = bounds::theorem_a_minimum_gap(setting, rule, n);

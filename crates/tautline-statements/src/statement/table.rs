@@ -405,4 +405,11 @@ statements! {
         verdict: ProvedHere,
         code: prop_s_9,
     }
+    PropositionS10 "Proposition S.10" "sharper:monotone" {
+        claim: "For fixed constants no bound of Lemma S.4, of Theorems A to D and of Proposition S.8 \
+            increases with N",
+        needs: [checked(&["N ≤ M"])],
+        verdict: ProvedHere,
+        code: prop_s_10,
+    }
 }

@@ -39,6 +39,7 @@ pub fn suite() -> Vec<Check> {
         sharper::speeds::CHECKS,
         sharper::convex_excess::CHECKS,
         sharper::convexity::CHECKS,
+        sharper::monotone::CHECKS,
         sharper::leading::CHECKS,
         sharper::golden::CHECKS,
         sharper::dropped::CHECKS,

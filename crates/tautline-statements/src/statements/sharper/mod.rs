@@ -4,11 +4,13 @@
 mod enclosures;
 mod least_bound;
 mod locality;
+mod monotone;
 mod speeds;
 mod theorems;
 
 pub use enclosures::*;
 pub use least_bound::*;
 pub use locality::*;
+pub use monotone::*;
 pub use speeds::*;
 pub use theorems::*;
