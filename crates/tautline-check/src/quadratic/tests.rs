@@ -99,8 +99,7 @@ fn gradients_and_ranges_in_every_dimension() {
     check::<4>(34);
 }
 
-/// The greatest value of `4t(1 − t)` lies between the nodes of `[0, 1]`, but the Bernstein
-/// coefficient is larger. The greatest value of `9 − 10t + …` at three nodes is not that in between.
+/// The greatest value lies between two nodes, and below the greatest Bernstein coefficient.
 #[test]
 fn the_range_holds_values_between_the_nodes() {
     let simplex = &simplices(1)[0];
