@@ -4,7 +4,7 @@ use std::{ops::ControlFlow, sync::Arc};
 
 use nalgebra::SVector;
 use tautline_check::CheckError;
-use tautline_discretizations::{LARGEST_N, Rule, Trapezoidal};
+use tautline_discretizations::{Rule, Trapezoidal};
 use tautline_distance::{DistanceError, Found, Progress, Wanted, search};
 use tautline_formula::{Formula, RecordError};
 use tautline_metrics::Metric;
@@ -138,7 +138,6 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         let starts = Starts::Only(vec![self.sequence().clone()]);
         let options = Options { starts, ..Options::default() };
         let mut workspace = Workspace::default();
-        let finer = finer.min(LARGEST_N);
         let (metric, ends) = (&**self.prepared(), self.ends());
         let found =
             minimise_by_batches(&mut workspace, metric, ends, Trapezoidal, finer, &options)?;
