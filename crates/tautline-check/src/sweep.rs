@@ -110,14 +110,14 @@ impl<'l, const D: usize> Sweep<'l, D> {
             let dropped: Vec<bool> = self
                 .tested
                 .par_iter()
-                .map(|tested| {
+                .zip(&kept)
+                .map(|(tested, &kept)| {
                     let ranges = tested.growths.map(|growth| growth.range);
-                    least_sum([&sets[0], &sets[1]], ranges, tested.sum) >= hi
+                    kept && least_sum([&sets[0], &sets[1]], ranges, tested.sum) >= hi
                 })
                 .collect();
-            let mut changed = false;
+            let changed = dropped.contains(&true);
             for (kept, dropped) in kept.iter_mut().zip(dropped) {
-                changed |= *kept && dropped;
                 *kept &= !dropped;
             }
             if !changed {

@@ -40,7 +40,7 @@ pub enum CertificateError {
 }
 
 /// The part of the gap that the polygon may take: a polygon is longer than the geodesic.
-const OF_THE_POLYGON: f64 = 0.1;
+const OF_THE_POLYGON: f64 = 0.02;
 
 /// The most chords of a polygon in a certificate.
 const MOST_CHORDS: usize = 1 << 17;
