@@ -28,7 +28,7 @@ pub(crate) const KEPT: f64 = 1e-12;
 /// The number of steps along a ray for a gap of `1e-6`; for other gaps as in a method of fourth order.
 const STEPS: f64 = 900.0;
 
-/// If a proposal makes the gap smaller by this factor, no other one is tried.
+/// If a proposal makes the gap smaller by this factor, or as small as is wanted, no other one is tried.
 const GOOD: f64 = 0.3;
 
 /// After this many levels that each leave more than `SLOW` of the gap, the search ends.
@@ -149,7 +149,8 @@ impl<const D: usize> Search<'_, D> {
                 break Ended::TooManyCubes;
             }
             cubes += next.places().len();
-            let (level, next) = self.next_level(&chain, next, levels.len(), &mut lost)?;
+            let (level, next) =
+                self.next_level(&chain, next, (levels.len(), wanted.gap), &mut lost)?;
             slow = if self.gap(&next) > SLOW * self.gap(&chain) { slow + 1 } else { 0 };
             chain = next;
             levels.push(level);
@@ -176,7 +177,7 @@ impl<const D: usize> Search<'_, D> {
         &self,
         chain: &Chain<'c, D>,
         cubes: Cubes<D>,
-        number: usize,
+        (number, wanted): (usize, f64),
         lost: &mut Vec<Source>,
     ) -> Result<(Level<D>, Chain<'c, D>), DistanceError> {
         let before = self.gap(chain);
@@ -197,7 +198,7 @@ impl<const D: usize> Search<'_, D> {
                 Level::new(number, cubes.clone(), values).map_err(DistanceError::Refused)?;
             let mut next = chain.clone();
             next.add(&level, self.hi * (1.0 + KEPT)).map_err(DistanceError::Refused)?;
-            let is_good = self.gap(&next) < GOOD * before;
+            let is_good = self.gap(&next) < wanted.max(GOOD * before);
             let kept = |chain: &Chain<'c, D>| chain.kept().map_or(0, |kept| kept.places().len());
             // Of two that prove the same, the one that leaves fewer cubes is better.
             let is_better = best.as_ref().is_none_or(|(_, best)| {
