@@ -450,7 +450,8 @@ mod tests {
             assert_eq!(wide.within.is_some(), close.within.is_some());
             assert!(wide.constants.c1() <= close.constants.c1());
             assert!(wide.constants.l_h() > close.constants.l_h());
-            assert!(wide.enclosure.lower < close.enclosure.lower);
+            // A certificate does not depend on the constants.
+            assert!(wide.enclosure.lower < close.enclosure.lower || wide.found.is_some());
             assert_eq!(wide.enclosure.upper, close.enclosure.upper);
         };
         let few = Accuracy { tolerance: 1e-9, budget: 300 };
