@@ -113,7 +113,8 @@ impl Question {
     }
 }
 
-fn ended(ended: Ended) -> &'static str {
+/// Says why a search ended.
+pub(crate) fn ended(ended: Ended) -> &'static str {
     match ended {
         Ended::Reached => "the gap is as small as wanted",
         Ended::Stalled => {
