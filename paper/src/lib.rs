@@ -10,6 +10,8 @@ pub mod asymptotics;
 pub mod case;
 mod cases;
 #[cfg(feature = "tables")]
+mod certificates;
+#[cfg(feature = "tables")]
 mod certified;
 pub mod command;
 mod convergence;
@@ -24,6 +26,8 @@ pub mod layout;
 mod observation;
 pub mod output;
 pub mod parallel;
+#[cfg(feature = "tables")]
+mod second_checker;
 pub mod section_5;
 pub mod sweep;
 #[cfg(feature = "tables")]
