@@ -64,12 +64,13 @@ fn sheared_space(problem: &'static str) -> Result<(), Box<dyn Error>> {
 /// Measures the problem of this name.
 fn measure(problem: &'static str) -> Result<(), Box<dyn Error>> {
     match problem {
-        "shear" => known(problem, Shear::new(0.6, 3.0)?, [[-1.0, -0.7], [1.0, 0.5]], &PLANE),
+        "shear" => known(problem, Shear::new(0.6, 3.0)?, [[-0.5, -0.3], [0.5, 0.4]], &PLANE),
+        "long shear" => known(problem, Shear::new(0.6, 3.0)?, [[-1.0, -0.7], [1.0, 0.5]], &PLANE),
         "rotating anisotropy" => {
             let metric = RotatingAnisotropy::new([1.0, 4.0], [0.5, 1.5])?;
             between(problem, metric, [[-1.5, -1.0], [1.5, 1.0]], None, &PLANE)
         }
-        "sphere" => known(problem, Sphere, [[-0.5, -0.2, 0.1], [0.6, 0.3, -0.2]], &SPACE),
+        "sphere" => known(problem, Sphere, [[-0.3, -0.1, 0.1], [0.4, 0.2, -0.1]], &SPACE),
         "sheared space" => sheared_space(problem),
         // The ends are so near to opposite sides of the bump that curves around it in all planes
         // through the axis are nearly as short as the shortest.
@@ -102,6 +103,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "P4",
         "P6",
         "shear",
+        "long shear",
         "rotating anisotropy",
         "sphere",
         "sheared space",

@@ -63,7 +63,8 @@ fn search<M: Metric<D>, const D: usize>(
 }
 
 impl Peer for Measured<'_> {
-    /// Prints a row for each gap. The searches do not use the start.
+    /// Prints a row for each gap, with empty cells if there is no certificate. The searches do not use
+    /// the start.
     ///
     /// # Errors
     ///
@@ -76,7 +77,14 @@ impl Peer for Measured<'_> {
     ) -> Result<(), Box<dyn Error>> {
         let Self { problem, gaps, d } = self;
         for wanted in gaps {
-            let (seconds, found) = least(|| search(&metric, &ends, *wanted))?;
+            let (seconds, found) = match least(|| search(&metric, &ends, *wanted)) {
+                Ok(found) => found,
+                Err(error) => {
+                    println!("{problem},{D},{wanted:e},,,,,,");
+                    eprintln!("{problem}, gap {wanted:e}: no certificate: {error}");
+                    continue;
+                }
+            };
             let cubes: usize = found.proved.levels.iter().map(|(cubes, _)| cubes).sum();
             let text = found.certificate.to_string();
             let read = AnyCertificate::read(&text)?;
