@@ -18,14 +18,21 @@ const ALONG: [f64; 4] = [16.0, 8.0, 5.0, 4.0];
 /// How far the first level reaches beyond what is needed, in turn.
 const MARGINS: [f64; 3] = [1.15, 1.4, 1.8];
 
-/// By how many cubes a region is dilated at a time that short curves may leave.
+/// The margin if regions beyond that have no end, as on the sphere, whose far side is at infinity.
+const NARROW: f64 = 1.07;
+
+/// How often a region is dilated.
+const ROUNDS: usize = 16;
+
+/// By how many cubes a region is dilated at a time that short curves may leave; twice as many after
+/// every six times.
 const DILATION: i32 = 3;
 
 /// The factor of the values: slopes above 1 cost less than slopes below 1.
 const SCALE: f64 = 1.003;
 
 /// How many cubes the first level should have, and may have, by dimension.
-const COUNTS: [(usize, usize); 4] = [(64, 4096), (1500, 50_000), (4000, 120_000), (8000, 60_000)];
+const COUNTS: [(usize, usize); 4] = [(64, 4096), (1500, 100_000), (4000, 120_000), (8000, 60_000)];
 
 /// The proof so far, with its region and its first level.
 pub(crate) type First<'s, const D: usize> = (Region, Level<D>, Chain<'s, D>);
@@ -61,12 +68,19 @@ impl<const D: usize> Search<'_, D> {
         // A coarse region that is too large costs less than a fine one. Where the metric hardly
         // confines curves, larger regions may have no end.
         let mut tried: Vec<Cubes<D>> = Vec::new();
+        let mut margins = MARGINS.len();
         let mut halvings = 0;
         loop {
             let mut smallest = usize::MAX;
-            for (n, margin) in MARGINS.into_iter().enumerate() {
+            for (n, margin) in MARGINS.into_iter().enumerate().take(margins) {
                 if tried.len() == n {
-                    let Ok(mut cubes) = self.within(region, margin) else { break };
+                    let narrow =
+                        |error| if n > 0 { Err(error) } else { self.within(region, NARROW) };
+                    let found = self.within(region, margin).or_else(narrow);
+                    let Ok(mut cubes) = found else {
+                        margins = n;
+                        break;
+                    };
                     while cubes.places().len() << (D * halvings) < few {
                         cubes = cubes.halved().map_err(DistanceError::Refused)?;
                     }
@@ -122,7 +136,7 @@ impl<const D: usize> Search<'_, D> {
         places.extend(required.places());
         let near = Cubes::new(exponent, places.clone()).map_err(DistanceError::Refused)?;
         let mut wide = dilated(&near, DILATION)?;
-        for _ in 0..12 {
+        for round in 0..ROUNDS {
             let nodes = Nodes::new(self.formula, &wide);
             let values = [0, 1].map(|side| nodes.march(self.seeds(&nodes, side, Source::March)));
             let least = |all: &[f64], place: &Place<D>| {
@@ -137,11 +151,14 @@ impl<const D: usize> Search<'_, D> {
             let counted = wide.places().iter().filter(counts).chain(&places).copied();
             let cubes = Cubes::new(exponent, counted.collect()).map_err(DistanceError::Refused)?;
             let around = dilated(&cubes, 1)?;
+            if cubes.places().len() > COUNTS[D - 1].1 {
+                break;
+            }
             // If a cube at the boundary counts, more may lie beyond.
             if around.places().iter().all(|place| wide.contains(place)) {
                 return Ok(cubes);
             }
-            wide = dilated(&cubes, DILATION)?;
+            wide = dilated(&cubes, DILATION << (round / 6))?;
         }
         Err(DistanceError::Refused(CheckError::Empty))
     }
