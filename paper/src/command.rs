@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 #[cfg(feature = "tables")]
-use crate::second_checker;
+use crate::certificates::second_checker;
 use crate::{
     Failure, artefact::Artefact, figures::FIGURES, output::Output, parallel, sweep::Sweep,
 };

@@ -26,8 +26,6 @@ pub mod layout;
 mod observation;
 pub mod output;
 pub mod parallel;
-#[cfg(feature = "tables")]
-mod second_checker;
 pub mod section_5;
 pub mod sweep;
 #[cfg(feature = "tables")]

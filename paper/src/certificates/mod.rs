@@ -1,5 +1,7 @@
 //! Certificates of distances over the gallery: one pair of ends for each metric.
 
+pub(crate) mod second_checker;
+
 use std::{ops::ControlFlow, time::Instant};
 
 use tautline::{

@@ -12,10 +12,11 @@ use tautline::check::AnyCertificate;
 
 use crate::{
     Failure,
-    certificates::{CHANGES, Pair, Search, pairs},
     data::{Data, Tolerance},
     output::Output,
 };
+
+use super::{CHANGES, Pair, Search, pairs};
 
 const FILE: &str = "tables/second_checker.csv";
 
