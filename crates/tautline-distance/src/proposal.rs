@@ -21,6 +21,9 @@ const REACH: f64 = 0.25;
 /// How many nodes beyond a point the march begins.
 const BAND: f64 = 4.0;
 
+/// How many nodes are treated one after the other.
+const CHUNK: usize = 512;
+
 /// The steps along rays that are as short as the band is wide.
 const SHORT: usize = 200;
 
@@ -85,18 +88,20 @@ impl<const D: usize> Search<'_, D> {
         let nodes = cubes.nodes();
         let pencil_of = self.pencils_of(cubes, &nodes);
         [0, 1].map(|side| {
-            let value = |(n, place): (usize, &Place<D>)| {
-                let x = point(place, spacing);
-                match pencil_of.get(n) {
-                    Some(&pencil) => self.pencils[pencil].1.fans[side].value_near(&x),
-                    // Without a choice, the least value counts.
-                    None => {
-                        let values = self.pencils.iter().map(|(_, pencil)| &pencil.fans[side]);
-                        values.map(|fan| fan.value_near(&x)).fold(f64::INFINITY, f64::min)
+            let of_some = |(chunk, places): (usize, &[Place<D>])| -> Vec<f64> {
+                let mut walks: Vec<_> =
+                    self.pencils.iter().map(|(_, pencil)| pencil.fans[side].walk()).collect();
+                let value = |(n, place): (usize, &Place<D>)| {
+                    let x = point(place, spacing);
+                    match pencil_of.get(chunk * CHUNK + n) {
+                        Some(&pencil) => walks[pencil](&x),
+                        // Without a choice, the least value counts.
+                        None => walks.iter_mut().map(|walk| walk(&x)).fold(f64::INFINITY, f64::min),
                     }
-                }
+                };
+                places.iter().enumerate().map(value).collect()
             };
-            nodes.par_iter().enumerate().map(value).collect()
+            nodes.par_chunks(CHUNK).enumerate().map(of_some).collect::<Vec<_>>().concat()
         })
     }
 
