@@ -4,6 +4,7 @@
 //! the checks that kill the mutants compute anything.
 
 mod asymptotics;
+mod certified_distances;
 mod convergence;
 mod corpus;
 mod counterexample;
