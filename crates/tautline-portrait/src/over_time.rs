@@ -74,6 +74,8 @@ pub(crate) fn draw(portrait: &Portrait<'_>) -> Result<Scene, PortraitError> {
     let curves = style::curves(inside(portrait.curve), ends, others);
     let panel = lines.into_iter().chain(curves).fold(panel, Panel::curve);
 
+    let proved = portrait.corridor.iter().map(|corridor| corridor.remark("Proved:"));
+    let remarks = proved.chain(remarks).collect();
     let title = portrait.title("over time");
     style::finished(panel, title, remarks, !portrait.others.is_empty())
 }

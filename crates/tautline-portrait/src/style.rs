@@ -9,6 +9,8 @@ pub(crate) const WIDTH: f64 = 440.0;
 /// The colours of the sets at the start and at the end.
 pub(crate) const ENDS: [Colour; 2] = [palette::GREEN, palette::PURPLE];
 
+/// The colour of a corridor.
+const CORRIDOR: Colour = palette::ORANGE;
 const CURVE: Colour = palette::VERMILLION;
 
 /// Points of a curve that are closer than this share of the width of the window are omitted: a
@@ -55,6 +57,13 @@ pub(crate) fn area(ring: Vec<(f64, f64)>, colour: Colour) -> [Region; 2] {
     let veil = Region::new(vec![ring.clone()]).filled(Colour::WHITE, 0.4);
     let area = Region::new(vec![ring]).filled(colour, 0.3);
     [veil, area.outlined(colour.for_text(), 1.5).over_field()]
+}
+
+/// Returns the area of one of `count` levels of a corridor, the last of which is the finest. Levels
+/// lie over each other, so that finer ones are darker.
+pub(crate) fn corridor(rings: Vec<Vec<(f64, f64)>>, level: usize, count: usize) -> Region {
+    let (opacity, width) = if level + 1 == count { (0.4, 1.0) } else { (0.1, 0.5) };
+    Region::new(rings).filled(CORRIDOR, opacity).outlined(CORRIDOR, width)
 }
 
 /// Returns the lines of a set that has no area.
