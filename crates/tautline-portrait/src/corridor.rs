@@ -161,9 +161,9 @@ mod tests {
 
     #[test]
     fn printed_bounds_are_rounded_outward() {
-        let said = |bounds| Corridor { levels: &[], bounds }.remark("Here.");
-        assert_eq!(said([4.674_924_141, 4.675_290_285]), "Here. $d$ is in $[4.67492, 4.67530]$.");
-        assert_eq!(said([1.0, 1.0]), "Here. $d$ is in $[1.000000000000, 1.000000000000]$.");
-        assert_eq!(said([2.0e-9, 2.1e-9]), "Here. $d$ is in $[2.00, 2.10]·10^{-9}$.");
+        let said = |bounds| Corridor { levels: &[], bounds }.remark("Here;");
+        assert_eq!(said([4.674_924_141, 4.675_290_285]), "Here; $d$ is in $[4.67492, 4.67530]$.");
+        assert_eq!(said([1.0, 1.0]), "Here; $d$ is in $[1.000000000000, 1.000000000000]$.");
+        assert_eq!(said([2.0e-9, 2.1e-9]), "Here; $d$ is in $[2.00, 2.10]·10^{-9}$.");
     }
 }

@@ -106,7 +106,7 @@ pub(crate) fn draw(portrait: &Portrait<'_>) -> Result<Scene, PortraitError> {
         frame.pieces(&points).into_iter().map(|piece| view.numbers(piece)).collect()
     };
     let others = portrait.others.iter().map(|other| pieces(other)).collect();
-    let curves = style::curves(pieces(portrait.curve), ends, others);
+    let curves = style::curves(pieces(portrait.curve), ends, others, portrait.corridor.is_some());
     let panel = corridor.into_iter().chain(sets.areas).fold(panel, Panel::region);
     let panel = sets.lines.into_iter().chain(curves).fold(panel, Panel::curve);
 
@@ -156,9 +156,9 @@ fn corridor(portrait: &Portrait<'_>, view: View) -> (Vec<Region>, Vec<String>) {
         style::corridor(rings.into_iter().map(|ring| view.numbers(ring)).collect(), level, count)
     });
     let lie = if portrait.dimension > 2 {
-        "Every minimal geodesic projects into the darkest orange squares."
+        "Every minimal geodesic projects into the darkest orange squares;"
     } else {
-        "Every minimal geodesic lies in the darkest orange squares."
+        "Every minimal geodesic lies in the darkest orange squares;"
     };
     (regions.collect(), vec![corridor.remark(lie)])
 }

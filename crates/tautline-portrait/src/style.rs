@@ -17,24 +17,34 @@ const CURVE: Colour = palette::VERMILLION;
 /// quarter of a px.
 pub(crate) const FINEST: f64 = 1.0 / 1500.0;
 
-/// Returns the other minima, and the solution over them. Each is given by its visible pieces.
+/// Returns the other minima, and the solution over them. Each is given by its visible pieces. Over a
+/// corridor, which may be narrow, the solution is a thin line.
 pub(crate) fn curves(
     pieces: Vec<Vec<(f64, f64)>>,
     ends: Option<[(f64, f64); 2]>,
     others: Vec<Vec<Vec<(f64, f64)>>>,
+    over_corridor: bool,
 ) -> Vec<Curve> {
     let count = others.len();
     let name = if count == 0 { "" } else { "shortest found" };
     // The key lists names in the order of the curves, so an empty one keeps the first place.
-    let mut curves = solution(vec![Vec::new()], None, name);
+    let mut curves = solution(vec![Vec::new()], None, name, over_corridor);
     curves.extend(others.into_iter().flat_map(|other_pieces| other(other_pieces, count)));
-    curves.extend(solution(pieces, ends, name));
+    curves.extend(solution(pieces, ends, name, over_corridor));
     curves
 }
 
 /// Returns the solution, with a ring at its start and a disc at its end. The name is for the key.
-fn solution(pieces: Vec<Vec<(f64, f64)>>, ends: Option<[(f64, f64); 2]>, name: &str) -> Vec<Curve> {
-    let line = |piece| Curve::new(piece, CURVE).wide(2.6).over_field().labelled(name);
+fn solution(
+    pieces: Vec<Vec<(f64, f64)>>,
+    ends: Option<[(f64, f64); 2]>,
+    name: &str,
+    over_corridor: bool,
+) -> Vec<Curve> {
+    let line = |piece| {
+        let line = Curve::new(piece, CURVE).labelled(name);
+        if over_corridor { line.wide(1.2) } else { line.wide(2.6).over_field() }
+    };
     let mut curves: Vec<Curve> = pieces.into_iter().map(line).collect();
     if let Some([start, end]) = ends {
         curves.push(marked(vec![end], CURVE, Marker::Disc));
@@ -62,7 +72,7 @@ pub(crate) fn area(ring: Vec<(f64, f64)>, colour: Colour) -> [Region; 2] {
 /// Returns the area of one of `count` levels of a corridor, the last of which is the finest. Levels
 /// lie over each other, so that finer ones are darker.
 pub(crate) fn corridor(rings: Vec<Vec<(f64, f64)>>, level: usize, count: usize) -> Region {
-    let (opacity, width) = if level + 1 == count { (0.4, 1.0) } else { (0.1, 0.5) };
+    let (opacity, width) = if level + 1 == count { (0.9, 0.5) } else { (0.12, 0.5) };
     Region::new(rings).filled(CORRIDOR, opacity).outlined(CORRIDOR, width)
 }
 

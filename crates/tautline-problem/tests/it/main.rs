@@ -1,5 +1,6 @@
 //! Problem files: what they mean, and what is said of wrong ones.
 
+mod corridor;
 mod gallery;
 mod other_minima;
 mod schema;
