@@ -72,7 +72,7 @@ pub(crate) fn area(ring: Vec<(f64, f64)>, colour: Colour) -> [Region; 2] {
 /// Returns the area of one of `count` levels of a corridor, the last of which is the finest. Levels
 /// lie over each other, so that finer ones are darker.
 pub(crate) fn corridor(rings: Vec<Vec<(f64, f64)>>, level: usize, count: usize) -> Region {
-    let (opacity, width) = if level + 1 == count { (0.9, 0.5) } else { (0.12, 0.5) };
+    let (opacity, width) = if level + 1 == count { (0.8, 0.5) } else { (0.1, 0.5) };
     Region::new(rings).filled(CORRIDOR, opacity).outlined(CORRIDOR, width)
 }
 
