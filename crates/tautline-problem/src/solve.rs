@@ -271,7 +271,7 @@ fn estimated(Integral { value, error, .. }: Integral) -> Estimated {
     Estimated { value, error }
 }
 
-fn points<const D: usize>(sequence: &PointSequence<D>) -> Vec<Vec<f64>> {
+pub(crate) fn points<const D: usize>(sequence: &PointSequence<D>) -> Vec<Vec<f64>> {
     sequence.points().iter().map(|x| x.as_slice().to_vec()).collect()
 }
 

@@ -14,6 +14,7 @@ mod mutants;
 mod overestimation;
 mod quantities;
 mod rates;
+mod sandwich;
 mod speeds;
 mod tightness;
 
