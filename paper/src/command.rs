@@ -1,11 +1,7 @@
-//! The commands `figures`, `tables` and `second-checker`.
+//! The commands `figures` and `tables`.
 
-#[cfg(feature = "tables")]
-use std::path::Path;
 use std::time::Instant;
 
-#[cfg(feature = "tables")]
-use crate::certificates::second_checker;
 use crate::{
     Failure, artefact::Artefact, figures::FIGURES, output::Output, parallel, sweep::Sweep,
 };
@@ -13,7 +9,6 @@ use crate::{
 const USAGE: &str = "\
 usage: paper figures [ID …] [--check | --quick | --list]
        paper tables  [ID …] [--check | --quick | --list]
-       paper second-checker PYTHON
 
   --check   recompute, and compare with what is committed
   --quick   fewer subintervals, written to target/quick
@@ -66,14 +61,7 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
         #[cfg(feature = "tables")]
         Some("tables") => crate::tables::TABLES,
         #[cfg(not(feature = "tables"))]
-        Some("tables" | "second-checker") => {
-            return Err(usage("compiled without the feature `tables`".to_owned()));
-        }
-        #[cfg(feature = "tables")]
-        Some("second-checker") => match &ids[..] {
-            [python] if mode == Mode::Write => return second_checker::run(Path::new(python)),
-            _ => return Err(usage("second-checker needs one program, Python".to_owned())),
-        },
+        Some("tables") => return Err(usage("compiled without the feature `tables`".to_owned())),
         Some(other) => return Err(usage(format!("there is no command {other}"))),
         None => return Err(usage("figures or tables?".to_owned())),
     };

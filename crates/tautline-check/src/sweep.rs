@@ -15,7 +15,7 @@ use crate::{
     quadratic::{Bernstein, gradient},
     rounding::mul_up,
     set::{Piece, Spot, distance_below},
-    vertex_test::{Decomposed, curvature, gram},
+    vertex_test::{Decomposed, gram, largest_curvature},
 };
 
 /// How often the functions of the level sets are made from the simplices that are left.
@@ -110,14 +110,14 @@ impl<'l, const D: usize> Sweep<'l, D> {
             let dropped: Vec<bool> = self
                 .tested
                 .par_iter()
-                .zip(&kept)
-                .map(|(tested, &kept)| {
+                .map(|tested| {
                     let ranges = tested.growths.map(|growth| growth.range);
-                    kept && least_sum([&sets[0], &sets[1]], ranges, tested.sum) >= hi
+                    least_sum([&sets[0], &sets[1]], ranges, tested.sum) >= hi
                 })
                 .collect();
-            let changed = dropped.contains(&true);
+            let mut changed = false;
             for (kept, dropped) in kept.iter_mut().zip(dropped) {
+                changed |= *kept && dropped;
                 *kept &= !dropped;
             }
             if !changed {
@@ -187,10 +187,11 @@ impl<'l, const D: usize> Sweep<'l, D> {
     }
 }
 
-/// Returns `ε = C a²/8`, undefined if `C` is unknown.
+/// Returns `ε = M D a²/8`, undefined if `M` is unknown.
 fn shift<const D: usize>(formula: &Formula<D>, exponent: i32, place: &Place<D>) -> Interval {
-    let curvature = curvature(formula, &lattice::cube(exponent, place));
-    Interval::point(mul_up(curvature, lattice::side(exponent).powi(2) / 8.0))
+    let curvature = largest_curvature(formula, &lattice::cube(exponent, place));
+    let square = lattice::side(exponent).powi(2) * (D as f64 / 8.0);
+    Interval::point(mul_up(curvature, square))
 }
 
 /// Returns the numbers of the corners in lexicographic order, by their bits.

@@ -2,7 +2,6 @@
 
 use std::{
     io::{self, IsTerminal},
-    ops::ControlFlow,
     sync::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicBool, Ordering},
@@ -13,7 +12,7 @@ use std::{
 };
 
 use indicatif::{ProgressBar, ProgressStyle};
-use tautline_problem::{Progress, Watch, distance};
+use tautline_problem::{Progress, Watch};
 
 use crate::error::CommandError;
 
@@ -30,34 +29,24 @@ const GRACE: Duration = Duration::from_secs(1);
 #[derive(Debug, Default)]
 pub(crate) struct Clock {
     is_over: AtomicBool,
-    progress: Mutex<Option<String>>,
+    progress: Mutex<Option<Progress>>,
 }
 
 impl Watch for Clock {
-    fn goes_on(&self, Progress { quantity, boxes, bound, value }: Progress) -> bool {
-        let (least, most) = if bound < value { (bound, value) } else { (value, bound) };
-        self.shows(format!("proving {quantity}: {least:.4} to {most:.4} after {boxes} boxes"))
+    fn goes_on(&self, progress: Progress) -> bool {
+        *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
+        !self.is_over.load(Ordering::Relaxed)
     }
 }
 
 impl Clock {
-    /// Returns whether a search for a certificate goes on to its next level.
-    pub(crate) fn next_level(&self, progress: distance::Progress) -> ControlFlow<()> {
-        let distance::Progress { cubes, lower, upper, .. } = progress;
-        let goes_on = self
-            .shows(format!("proving the distance: {lower:.4} to {upper:.4} after {cubes} cubes"));
-        if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-    }
-
-    /// Takes the description of what is being proved. Returns whether there is time left.
-    fn shows(&self, progress: String) -> bool {
-        *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
-        !self.is_over.load(Ordering::Relaxed)
-    }
-
     /// Describes what is being proved.
     fn progress(&self) -> Option<String> {
-        self.progress.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        let progress = *self.progress.lock().unwrap_or_else(PoisonError::into_inner);
+        progress.map(|Progress { quantity, boxes, bound, value }| {
+            let (least, most) = if bound < value { (bound, value) } else { (value, bound) };
+            format!("proving {quantity}: {least:.4} to {most:.4} after {boxes} boxes")
+        })
     }
 }
 

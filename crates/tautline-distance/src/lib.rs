@@ -11,7 +11,6 @@ mod geodesic;
 mod hamiltonian;
 mod inside;
 mod marching;
-mod neighbourhood;
 mod proposal;
 mod reduction;
 mod search;

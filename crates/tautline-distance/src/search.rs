@@ -25,11 +25,8 @@ const LONGER: f64 = 1e-9;
 /// keeps no other cubes.
 pub(crate) const KEPT: f64 = 1e-12;
 
-/// The number of steps along a ray for a gap of `1e-6`; for other gaps as in a method of fourth order.
-const STEPS: f64 = 900.0;
-
-/// If a proposal makes the gap smaller by this factor, or as small as is wanted, no other one is tried.
-const GOOD: f64 = 0.3;
+/// If a proposal makes the gap smaller by this factor, no other one is tried.
+const GOOD: f64 = 0.5;
 
 /// After this many levels that each leave more than `SLOW` of the gap, the search ends.
 const SLOW_LEVELS: usize = 2;
@@ -106,10 +103,9 @@ pub fn search<const D: usize>(
     if !(length > 0.0 && length.is_finite()) {
         return Err(DistanceError::Length { length });
     }
-    let steps = (STEPS * (1e-6 / wanted.gap).powf(0.25)).clamp(400.0, 4000.0) as usize;
     let pencil = |curve: &Vec<SVector<f64, D>>| {
         let geodesic = Geodesic::near(formula, curve)?;
-        Some((geodesic, Pencil::along(formula, sets, &geodesic, steps)?))
+        Some((geodesic, Pencil::along(formula, sets, &geodesic)?))
     };
     let pencils = curves.iter().filter(|curve| curve.len() > 1).filter_map(pencil).collect();
     let hi = length * (1.0 + LONGER);
@@ -131,7 +127,6 @@ impl<const D: usize> Search<'_, D> {
         let mut cubes = first.cubes().places().len();
         let mut levels = vec![first];
         let mut slow = 0;
-        let mut lost = Vec::new();
         let ended = loop {
             let (lower, upper) = (chain.lower(), self.length);
             if observe(Progress { levels: levels.len(), cubes, lower, upper }).is_break() {
@@ -149,8 +144,7 @@ impl<const D: usize> Search<'_, D> {
                 break Ended::TooManyCubes;
             }
             cubes += next.places().len();
-            let (level, next) =
-                self.next_level(&chain, next, (levels.len(), wanted.gap), &mut lost)?;
+            let (level, next) = self.next_level(&chain, next, levels.len())?;
             slow = if self.gap(&next) > SLOW * self.gap(&chain) { slow + 1 } else { 0 };
             chain = next;
             levels.push(level);
@@ -171,34 +165,26 @@ impl<const D: usize> Search<'_, D> {
         (self.length - chain.lower()) / self.length
     }
 
-    /// Returns the best level on these cubes of those that are proposed, and the proof with it. Sources
-    /// that `lost` at the level before are tried last; then it has those that lose at this one.
+    /// Returns the best level on these cubes of those that are proposed, and the proof with it.
     fn next_level<'c>(
         &self,
         chain: &Chain<'c, D>,
         cubes: Cubes<D>,
-        (number, wanted): (usize, f64),
-        lost: &mut Vec<Source>,
+        number: usize,
     ) -> Result<(Level<D>, Chain<'c, D>), DistanceError> {
         let before = self.gap(chain);
         // Slopes above 1 cost less than slopes below 1.
         let scale = 1.0 + 0.3 * before.min(0.01);
         let mut best: Option<(Level<D>, Chain<'c, D>)> = None;
         let mut marched = None;
-        let mut sources = [Source::Rays, Source::MarchFromRays, Source::March];
-        if self.is_shared(&cubes) {
-            sources.rotate_right(1);
-        }
-        sources.sort_by_key(|source| lost.contains(source));
-        lost.clear();
-        for source in sources {
+        for source in [Source::Rays, Source::MarchFromRays, Source::March] {
             let Some(values) = self.propose(&cubes, source, &mut marched)? else { continue };
             let values = values.map(|values| scaled(values, scale));
             let level =
                 Level::new(number, cubes.clone(), values).map_err(DistanceError::Refused)?;
             let mut next = chain.clone();
             next.add(&level, self.hi * (1.0 + KEPT)).map_err(DistanceError::Refused)?;
-            let is_good = self.gap(&next) < wanted.max(GOOD * before);
+            let is_good = self.gap(&next) < GOOD * before;
             let kept = |chain: &Chain<'c, D>| chain.kept().map_or(0, |kept| kept.places().len());
             // Of two that prove the same, the one that leaves fewer cubes is better.
             let is_better = best.as_ref().is_none_or(|(_, best)| {
@@ -211,7 +197,6 @@ impl<const D: usize> Search<'_, D> {
             if is_good {
                 break;
             }
-            lost.push(source);
         }
         best.ok_or(DistanceError::Stopped)
     }

@@ -28,7 +28,6 @@
 
 mod background;
 mod checks;
-mod corridor;
 mod determinant;
 mod ellipses;
 mod error;
@@ -44,7 +43,6 @@ mod span;
 mod style;
 mod window;
 
-pub use corridor::{Corridor, Cubes};
 pub use error::PortraitError;
 pub use portrait::{Field, Portrait};
 pub use shape::Shape;

@@ -4,7 +4,6 @@
 //! the checks that kill the mutants compute anything.
 
 mod asymptotics;
-mod certified_distances;
 mod convergence;
 mod corpus;
 mod counterexample;
@@ -14,7 +13,6 @@ mod mutants;
 mod overestimation;
 mod quantities;
 mod rates;
-mod sandwich;
 mod speeds;
 mod tightness;
 

@@ -1,6 +1,5 @@
 //! What a portrait shows, read from the finished drawing.
 
-mod corridor;
 mod extremes;
 mod metric;
 mod places;

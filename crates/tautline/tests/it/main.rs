@@ -5,4 +5,3 @@ mod certificates;
 mod enclosure;
 mod front_door;
 mod own_norms;
-mod proofs;
