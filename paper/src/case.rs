@@ -1,6 +1,10 @@
 //! `Case`: a metric, two sets and the distance between them.
 
-use std::{num::NonZeroUsize, rc::Rc};
+use std::{
+    num::NonZeroUsize,
+    rc::Rc,
+    sync::{Mutex, PoisonError},
+};
 
 use tautline::{
     Bounded, Ends, KnownDistance, Problem, SVector, Trapezoidal,
@@ -8,6 +12,7 @@ use tautline::{
         Computed, DiscreteMinimum, Enclosure, Setting, enclose, theorem_1_1_constant,
         theorem_1_3_constant,
     },
+    distance::Ended,
 };
 pub(crate) use tautline_statements::PaperRule;
 use tautline_statements::{
@@ -22,7 +27,9 @@ use crate::{Failure, observation::Observation};
 pub enum Reference {
     /// A closed form, or a quadrature accurate to rounding, with a proof of minimality.
     Exact,
-    /// An estimate by Richardson extrapolation from grids with up to 65 536 chords.
+    /// The middle of an interval that a certificate proves.
+    Proved,
+    /// An estimate by Richardson extrapolation.
     Extrapolated,
 }
 
@@ -31,6 +38,7 @@ impl Reference {
     pub fn name(self) -> &'static str {
         match self {
             Reference::Exact => "exact",
+            Reference::Proved => "proved",
             Reference::Extrapolated => "extrapolated",
         }
     }
@@ -44,6 +52,8 @@ pub(crate) struct Case {
     pub(crate) distance_squared: f64,
     /// The source of this value.
     pub(crate) reference: Reference,
+    /// How far it may be off, in `m²`.
+    error: f64,
     /// The data from which the bounds are computed.
     pub(crate) setting: Setting,
     /// The orders in `1/N` of `E_N − d²` for both rules; see [`Orders`].
@@ -89,6 +99,11 @@ impl Case {
         })
     }
 
+    /// Returns whether a difference from `d²`, in `m²`, is known to a tenth.
+    pub(crate) fn resolves(&self, difference: f64) -> bool {
+        10.0 * self.error <= difference.abs() || self.reference == Reference::Exact
+    }
+
     /// Minimises the trapezoidal energy with `n` subintervals. On the result it evaluates
     /// Proposition 7.9 and Lemma S.2, which bound the gap between the energy of the curve and the
     /// discrete energy. It fails for the same reasons as [`solve`](Case::solve).
@@ -129,10 +144,9 @@ impl Case {
             // A closed form has a dozen roundings of numbers up to 30.
             Some(d) => (d * d, 2.0 * d * 1e-13, Reference::Exact),
             None => {
-                let problem = Problem::new(metric.clone(), ends.clone());
-                let line = problem.solve(Trapezoidal, 65_536)?;
-                let d2 = line.distance_squared_estimate().ok_or(Failure::NoReference(name))?;
-                (d2.value, d2.error, Reference::Extrapolated)
+                let bounds = proved_distance(name, &metric, &ends)?;
+                let [least, most] = bounds.map(|d| d * d);
+                (0.5 * (least + most), 0.5 * (most - least), Reference::Proved)
             }
         };
         let distance = d2.sqrt();
@@ -142,7 +156,7 @@ impl Case {
         let shared = Rc::clone(&known);
         let solve = Box::new(move |rule, n| observe(&known, rule, n));
         let gaps = Box::new(move |n| gaps(&shared, n));
-        Ok(Case { name, distance_squared: d2, reference, setting, orders, solve, gaps })
+        Ok(Case { name, distance_squared: d2, reference, error, setting, orders, solve, gaps })
     }
 
     /// Returns a case between two points whose distance the metric knows.
@@ -159,6 +173,32 @@ impl Case {
         let distance = Some(distance.ok_or(Failure::NoReference(name))?);
         Case::new(name, metric, Ends::points(a, b)?, distance, orders)
     }
+}
+
+/// The gap of the certificates, relative to the distance: some seconds each.
+const GAP: f64 = 5e-7;
+
+/// Returns two bounds on a distance that a certificate proves. Several figures have the same cases,
+/// and each is proved once.
+fn proved_distance<M: Bounded<D> + Clone, const D: usize>(
+    name: &'static str,
+    metric: &M,
+    ends: &Ends<D>,
+) -> Result<[f64; 2], Failure> {
+    static PROVED: Mutex<Vec<(&str, [f64; 2])>> = Mutex::new(Vec::new());
+    let mut proved = PROVED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(&(_, bounds)) = proved.iter().find(|(known, _)| *known == name) {
+        return Ok(bounds);
+    }
+    let line = Problem::new(metric.clone(), ends.clone()).solve(Trapezoidal, 1024)?;
+    let no_reference = || Failure::NoReference(name);
+    let found = line.certificate(GAP).map_err(|_| no_reference())?;
+    let bounds = [found.proved.lower, found.proved.upper.ok_or_else(no_reference)?];
+    if found.ended != Ended::Reached {
+        return Err(no_reference());
+    }
+    proved.push((name, bounds));
+    Ok(bounds)
 }
 
 fn observe<M: Bounded<D>, const D: usize>(

@@ -1,7 +1,11 @@
-//! The commands `figures` and `tables`.
+//! The commands `figures`, `tables` and `second-checker`.
 
+#[cfg(feature = "tables")]
+use std::path::Path;
 use std::time::Instant;
 
+#[cfg(feature = "tables")]
+use crate::certificates::second_checker;
 use crate::{
     Failure, artefact::Artefact, figures::FIGURES, output::Output, parallel, sweep::Sweep,
 };
@@ -9,6 +13,7 @@ use crate::{
 const USAGE: &str = "\
 usage: paper figures [ID …] [--check | --quick | --list]
        paper tables  [ID …] [--check | --quick | --list]
+       paper second-checker PYTHON
 
   --check   recompute, and compare with what is committed
   --quick   fewer subintervals, written to target/quick
@@ -61,7 +66,14 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
         #[cfg(feature = "tables")]
         Some("tables") => crate::tables::TABLES,
         #[cfg(not(feature = "tables"))]
-        Some("tables") => return Err(usage("compiled without the feature `tables`".to_owned())),
+        Some("tables" | "second-checker") => {
+            return Err(usage("compiled without the feature `tables`".to_owned()));
+        }
+        #[cfg(feature = "tables")]
+        Some("second-checker") => match &ids[..] {
+            [python] if mode == Mode::Write => return second_checker::run(Path::new(python)),
+            _ => return Err(usage("second-checker needs one program, Python".to_owned())),
+        },
         Some(other) => return Err(usage(format!("there is no command {other}"))),
         None => return Err(usage("figures or tables?".to_owned())),
     };

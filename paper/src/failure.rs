@@ -51,6 +51,7 @@ macro_rules! from_libraries {
 
 from_libraries! {
     tautline::AsymptoticsError,
+    tautline::CertificateError,
     tautline::CertifyError,
     tautline::LocalError,
     tautline::MetricError,

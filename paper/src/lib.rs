@@ -10,6 +10,8 @@ pub mod asymptotics;
 pub mod case;
 mod cases;
 #[cfg(feature = "tables")]
+mod certificates;
+#[cfg(feature = "tables")]
 mod certified;
 pub mod command;
 mod convergence;

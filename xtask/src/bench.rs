@@ -1,4 +1,5 @@
-//! `cargo xtask bench`: measures the cost of a solve, part by part and on large problems.
+//! `cargo xtask bench`: measures the cost of a solve, part by part and on large problems, and of
+//! certificates of distances.
 
 use std::{
     fs,
@@ -7,9 +8,10 @@ use std::{
     thread,
 };
 
-/// Each benchmark of the solver, and what its table shows.
-const BENCHES: [(&str, &str); 3] = [
+/// Each benchmark, its table, and what the table shows.
+const BENCHES: [(&str, &str, &str); 4] = [
     (
+        "speed",
         "speed",
         "the least time of each part of a solve on one thread, of many runs in turn, and its \
          ratio to the same written by hand: of assembly to assembly, of a solve of the formula as \
@@ -17,6 +19,7 @@ const BENCHES: [(&str, &str); 3] = [
          nothing is written by hand, on P4 to P6",
     ),
     (
+        "scale",
         "scale",
         "whole solves of long and wide problems from the straight line, and of many from the \
          automatic starts; how many ended in a local minimum; the least time of up to five runs \
@@ -26,34 +29,58 @@ const BENCHES: [(&str, &str); 3] = [
     ),
     (
         "programs",
+        "programs",
         "the steps of each recorded formula, and the cost before the first chord of a search: the \
          least time of up to five runs to record it, and to record it and derive the program of H \
          and its contracted derivatives, the peak memory for that, and the registers of each \
          thread; a formula of very many steps runs as compiled code",
     ),
+    (
+        "certificate",
+        "certificates",
+        "the search for a certificate of the distance, from the solve of the problem to the gap that \
+         is wanted or the smallest that is reached, and its check, both on one thread: the least time \
+         of five runs, or the time of one that takes a second; gap = (hi - lo)/hi, cubes are those of \
+         all levels; a search of more than two minutes stops with its gap",
+    ),
 ];
 
-/// The parts that can run separately: problems, numbers of chords, and rows of the second table.
-const PARTS: [&str; 14] = [
+/// The parts of the first two benchmarks: problems, numbers of chords, and rows of the second table.
+const PARTS: [&str; 13] = [
     "P1", "P2", "P3", "P4", "P5", "P6", "64", "1000", "10000", "100000", "1000000", "batch",
-    "by gram", "programs",
+    "by gram",
 ];
 
-/// Runs the benchmarks. Complete tables are written to `paper/tables`, parts only to the terminal.
+/// The benchmarks that have parts.
+const IN_PARTS: [&str; 2] = ["speed", "scale"];
+
+/// Runs the benchmarks, or those that are named. Complete tables are written to `paper/tables`. Parts
+/// are only printed.
 pub(crate) fn bench(root: &Path, rest: &[&str]) -> Result<(), String> {
-    if let Some(other) = rest.iter().find(|word| !PARTS.contains(word)) {
-        return Err(format!("{other}: parts are {}", PARTS.join(", ")));
+    let (named, parts): (Vec<&str>, Vec<&str>) =
+        rest.iter().partition(|word| BENCHES.iter().any(|(name, ..)| name == *word));
+    if let Some(other) = parts.iter().find(|word| !PARTS.contains(word)) {
+        let names = BENCHES.map(|(name, ..)| name).join(", ");
+        return Err(format!("{other}: tables are {names}; parts are {}", PARTS.join(", ")));
     }
-    for (name, what) in BENCHES {
-        let rows = run(root, name, rest)?;
-        if rest.is_empty() {
-            let table = format!("paper/tables/{name}.csv");
-            let text = format!("{}{rows}", header(name, what));
-            fs::write(root.join(&table), text).map_err(|error| format!("{table}: {error}"))?;
-            eprintln!("wrote {table}");
-        }
+    for (name, table, what) in
+        BENCHES.iter().filter(|(name, ..)| parts.is_empty() && chosen(name, &named))
+    {
+        let rows = run(root, name, &[])?;
+        let file = format!("paper/tables/{table}.csv");
+        let text = format!("{}{rows}", header(name, table, what));
+        fs::write(root.join(&file), text).map_err(|error| format!("{file}: {error}"))?;
+        eprintln!("wrote {file}");
+    }
+    for name in IN_PARTS.iter().filter(|name| !parts.is_empty() && chosen(name, &named)) {
+        run(root, name, &parts)?;
     }
     Ok(())
+}
+
+/// Returns whether a benchmark is named, or none is.
+fn chosen(name: &str, named: &[&str]) -> bool {
+    named.is_empty() || named.contains(&name)
 }
 
 /// Runs one benchmark, and returns its output.
@@ -76,7 +103,7 @@ fn run(root: &Path, name: &str, rest: &[&str]) -> Result<String, String> {
 }
 
 /// Returns the comment above the rows.
-fn header(name: &str, what: &str) -> String {
+fn header(name: &str, table: &str, what: &str) -> String {
     let processor = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let processor = processor
         .lines()
@@ -84,9 +111,9 @@ fn header(name: &str, what: &str) -> String {
         .map_or(std::env::consts::ARCH, |(_, name)| name);
     let cores = thread::available_parallelism().map_or(1, usize::from);
     format!(
-        "# {name}\n\
+        "# {table}\n\
          # {what}\n\
-         # command: cargo xtask bench\n\
+         # command: cargo xtask bench {name}\n\
          # machine: {processor}, {cores} cores, {}; no flags for the processor\n",
         std::env::consts::OS
     )

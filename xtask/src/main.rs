@@ -6,6 +6,7 @@ mod guide;
 mod nightly;
 mod peers;
 mod run;
+mod second_checker;
 
 use std::{
     env,
@@ -23,8 +24,13 @@ usage: cargo xtask <task>
   nightly [-p PACKAGE] [NAME] [-- ARG …]        everything random with a fresh seed, printed first,
                                                 and 100 times the cases, unless TAUTLINE_SEED and
                                                 TAUTLINE_CASES are set
-  bench   [P1 | … | P6 | N | batch | …] …       times the parts of a solve, and large problems:
-                                                paper/tables/speed.csv, scale.csv, programs.csv
+  bench   [TABLE] … [P1 | … | N | batch | …] …  times the parts of a solve (speed), large problems
+                                                (scale), the start-up of formulas (programs), and
+                                                certificates (certificate), to paper/tables; with
+                                                parts, only prints those of speed and scale
+  second-checker [PYTHON]                       lets the checker in Python check certificates of the
+                                                gallery: paper/tables/second_checker.csv; needs
+                                                Python 3 and, the first time, the network
   peers   [--problem ID | --n N | --distance] … other programs on the same problems, timed; needs
                                                 Python 3 and downloads what docs/comparison.md lists
   guide   [--check]                             the guide, to target/guide; --check opens every page
@@ -45,6 +51,7 @@ fn main() -> ExitCode {
         ["nightly", rest @ ..] => nightly::nightly(&root(), rest),
         ["bench", rest @ ..] => bench::bench(&root(), rest),
         ["peers", rest @ ..] => peers::peers(&root(), rest),
+        ["second-checker", rest @ ..] => second_checker::second_checker(&root(), rest),
         ["guide", rest @ ..] => guide::guide(&root(), rest),
         ["ci"] => ci(),
         ["help" | "--help" | "-h"] => {

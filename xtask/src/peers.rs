@@ -54,7 +54,7 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
 }
 
 /// Makes a virtual environment unless it exists, and installs the requirements.
-fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
+pub(crate) fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
     let python = environment.join("bin/python");
     if !python.exists() {
         run(Command::new("python3").args(["-m", "venv"]).arg(environment))?;

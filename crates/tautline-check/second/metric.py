@@ -4,7 +4,7 @@ import itertools
 
 import numpy as np
 
-from intervals import INF, Interval, of
+from intervals import INF, Interval, add_up, of, up
 from jets import Jet
 
 
@@ -19,16 +19,18 @@ def gram(formula, x):
 
 
 def curvature(formula, x):
-    """An M ≥ 0 with u·D²H[e,e]u ≤ M on each box for all unit u, e; NaN if H may not be C².
+    """A C ≥ 0 with u·D²H[e,e]u ≤ Σ Mₖ eₖ² and Σ Mₖ ≤ C on each box, for all e and all unit u, with
+    Mₖ ≥ 0; NaN if H may not be C².
 
     It is the form of the symmetric matrix with entries ∂ₖ∂ₗHᵢⱼ, rows (i,k) and columns (j,l), at
-    u ⊗ e: at most its Frobenius norm, and at most Gershgorin's bound on its eigenvalues.
+    u ⊗ e. Mₖ is the largest sum of a diagonal entry and the magnitudes of the others in a row (i,k),
+    or else the Frobenius norm.
     """
     n = len(x)
     unit = [[of(1.0) if i == j else None for j in range(n)] for i in range(n)]
     h = formula([Jet(xi, first) for xi, first in zip(x, unit)], lambda c: Jet(c, [None] * n))
     zero, pairs = of(np.zeros(x[0].lo.shape)), list(itertools.product(range(n), repeat=2))
-    squares, rows = zero, []
+    squares, along = zero, [np.zeros(zero.lo.shape) for _ in range(n)]
     finite = np.ones(zero.lo.shape, bool)
     for i, k in pairs:
         row = zero
@@ -40,8 +42,11 @@ def curvature(formula, x):
             )
             squares += second.sqr()
             row += second if (i, k) == (j, l) else Interval(second.magnitude())
-        rows.append(row.hi)
-    bound = np.minimum(squares.sqrt().hi, np.maximum(0, np.max(rows, axis=0)))
+        along[k] = np.maximum(along[k], row.hi)
+    total = along[0]
+    for m in along[1:]:
+        total = add_up(total, m)
+    bound = np.minimum(up(squares.sqrt().hi * n), total)
     return np.where(finite, bound, np.nan)
 
 

@@ -18,7 +18,7 @@ class Sweep:
         self.level, self.simplices = level, simplices(n)
         self.low = [level.cubes[:, i] * side for i in range(n)]
         box = [Interval(low, low + side) for low in self.low]
-        shift = up(curvature(formula, box) * (side**2 * n / 8))
+        shift = up(curvature(formula, box) * (side**2 / 8))
         points, numbers = level.numbers(1)
         h = gram(formula, [of(x * side) for x in points])
         corners = [{ij: e[number] for ij, e in h.items()} for number in numbers]

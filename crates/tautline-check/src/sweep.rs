@@ -15,7 +15,7 @@ use crate::{
     quadratic::{Bernstein, gradient},
     rounding::mul_up,
     set::{Piece, Spot, distance_below},
-    vertex_test::{Decomposed, gram, largest_curvature},
+    vertex_test::{Decomposed, curvature, gram},
 };
 
 /// How often the functions of the level sets are made from the simplices that are left.
@@ -110,14 +110,14 @@ impl<'l, const D: usize> Sweep<'l, D> {
             let dropped: Vec<bool> = self
                 .tested
                 .par_iter()
-                .map(|tested| {
+                .zip(&kept)
+                .map(|(tested, &kept)| {
                     let ranges = tested.growths.map(|growth| growth.range);
-                    least_sum([&sets[0], &sets[1]], ranges, tested.sum) >= hi
+                    kept && least_sum([&sets[0], &sets[1]], ranges, tested.sum) >= hi
                 })
                 .collect();
-            let mut changed = false;
+            let changed = dropped.contains(&true);
             for (kept, dropped) in kept.iter_mut().zip(dropped) {
-                changed |= *kept && dropped;
                 *kept &= !dropped;
             }
             if !changed {
@@ -187,11 +187,10 @@ impl<'l, const D: usize> Sweep<'l, D> {
     }
 }
 
-/// Returns `ε = M D a²/8`, undefined if `M` is unknown.
+/// Returns `ε = C a²/8`, undefined if `C` is unknown.
 fn shift<const D: usize>(formula: &Formula<D>, exponent: i32, place: &Place<D>) -> Interval {
-    let curvature = largest_curvature(formula, &lattice::cube(exponent, place));
-    let square = lattice::side(exponent).powi(2) * (D as f64 / 8.0);
-    Interval::point(mul_up(curvature, square))
+    let curvature = curvature(formula, &lattice::cube(exponent, place));
+    Interval::point(mul_up(curvature, lattice::side(exponent).powi(2) / 8.0))
 }
 
 /// Returns the numbers of the corners in lexicographic order, by their bits.

@@ -1,24 +1,24 @@
 //! The vertex test: a bound on `pᵀH⁻¹p` over a simplex from its vertices.
 //!
-//! Let `p` be affine on a simplex `T` in a ball about `c` of radius `R`, and `uᵀD²H[e,e]u ≤ M` for
-//! all unit vectors `e`, `u`, with `M ≥ 0`. Put `ε = M R²/2` and `Sᵢ = H(vᵢ) − ε I`, and let all
-//! `Sᵢ` be positive definite. Then
+//! Let `p` be affine on a simplex `T` whose vertices are corners of a cube of side `a` and centre `c`,
+//! and `uᵀD²H[e,e]u ≤ Σ Mₖ eₖ²` on the cube for all vectors `e` and unit vectors `u`, with `Mₖ ≥ 0`.
+//! Put `ε = Σ Mₖ a²/8` and `Sᵢ = H(vᵢ) − ε I`, and let all `Sᵢ` be positive definite. Then
 //!
 //! ```text
 //! max_T pᵀH⁻¹p ≤ maxᵢ p(vᵢ)ᵀ Sᵢ⁻¹ p(vᵢ).
 //! ```
 //!
-//! Proof. For a unit vector `u`, the function `uᵀHu − M|x − c|²/2` is concave on `T`. So at
-//! `x = Σ λᵢ vᵢ` the form `uᵀH(x)u` is at least `Σ λᵢ uᵀH(vᵢ)u − ε = uᵀSu` with `S = Σ λᵢ Sᵢ`. Hence
-//! `H⁻¹ ≤ S⁻¹`. And `pᵀS⁻¹p = sup_y (2 yᵀp − yᵀSy)` is convex in `(p, S)`, which is affine in `x`: the
-//! maximum is at a vertex. ∎
-//!
-//! For a cube of side `a` and its centre, `R² = D a²/4`.
+//! Proof. For a unit vector `u`, the function `uᵀHu − Σ Mₖ(xₖ − cₖ)²/2` is concave on `T`, and the sum
+//! is `ε` at all corners. So at `x = Σ λᵢ vᵢ` the form `uᵀH(x)u` is at least `Σ λᵢ uᵀH(vᵢ)u − ε = uᵀSu`
+//! with `S = Σ λᵢ Sᵢ`. Hence `H⁻¹ ≤ S⁻¹`. And `pᵀS⁻¹p = sup_y (2 yᵀp − yᵀSy)` is convex in `(p, S)`,
+//! which is affine in `x`: the maximum is at a vertex. ∎
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Jet2, Scalar};
+
+use crate::rounding::{add_up, mul_up};
 
 /// Returns `H` at a point or on a box; the entries above the diagonal define it.
 pub(crate) fn gram<const D: usize>(
@@ -32,19 +32,19 @@ fn symmetric<S: Scalar, const D: usize>(h: &SMatrix<S, D, D>) -> SMatrix<S, D, D
     SMatrix::from_fn(|i, j| h[(i.min(j), i.max(j))])
 }
 
-/// Returns an `M ≥ 0` with `uᵀD²H[e,e]u ≤ M` for all points of a box and all unit vectors `e`, `u`;
-/// NaN if `H` is not proved to be twice differentiable there.
+/// Returns a `C ≥ 0` such that `uᵀD²H[e,e]u ≤ Σ Mₖ eₖ²` for some `Mₖ ≥ 0` with `Σ Mₖ ≤ C`, for all
+/// points of a box, all vectors `e` and all unit vectors `u`; NaN if `H` is not proved to be twice
+/// differentiable there.
 ///
 /// The form is that of the symmetric `D² × D²` matrix `∂ₖ∂ₗHᵢⱼ` (rows `ik`, columns `jl`) at `u ⊗ e`.
-/// Its largest eigenvalue is at most its Frobenius norm, and at most the largest sum of a diagonal
-/// entry and the magnitudes of the others in its row.
-pub(crate) fn largest_curvature<const D: usize>(
-    formula: &Formula<D>,
-    cube: &SVector<Interval, D>,
-) -> f64 {
+/// Let `Rᵢₖ` be the sum of the diagonal entry and the magnitudes of the others in a row. Since
+/// `2yz ≤ y² + z²`, the form is at most `Σ Rᵢₖ uᵢ²eₖ²`, so that `Mₖ = maxᵢ Rᵢₖ` will do. So will the
+/// Frobenius norm for all `Mₖ`.
+pub(crate) fn curvature<const D: usize>(formula: &Formula<D>, cube: &SVector<Interval, D>) -> f64 {
     let coordinates: [Interval; D] = std::array::from_fn(|i| cube[i]);
     let h = symmetric(&formula.gram(&SVector::from(Jet2::variables(&coordinates))));
-    let (mut squares, mut largest_row) = (Interval::point(0.0), 0.0_f64);
+    let mut squares = Interval::point(0.0);
+    let mut along = [0.0_f64; D];
     for (i, k) in (0..D * D).map(|row| (row / D, row % D)) {
         let mut row = Interval::point(0.0);
         for (j, l) in (0..D * D).map(|column| (column / D, column % D)) {
@@ -55,9 +55,10 @@ pub(crate) fn largest_curvature<const D: usize>(
             squares += second.sqr();
             row += if (i, k) == (j, l) { second } else { Interval::point(second.magnitude()) };
         }
-        largest_row = largest_row.max(row.hi());
+        along[k] = along[k].max(row.hi());
     }
-    largest_row.min(squares.sqrt().hi())
+    let sum = along.into_iter().fold(0.0, add_up);
+    sum.min(mul_up(squares.sqrt().hi(), D as f64))
 }
 
 /// `S = H − ε I` at a corner, decomposed as `L Δ Lᵀ`.

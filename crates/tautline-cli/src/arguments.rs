@@ -104,6 +104,10 @@ pub(crate) struct Certify {
     /// Print one JSON document; `tautline schema certified` describes it.
     #[arg(long)]
     pub(crate) json: bool,
+    /// Draw the problem, its curve and the cubes that hold every shortest curve: a file that ends in
+    /// .svg, .png or .pdf. May be repeated.
+    #[arg(long, value_name = "PICTURE")]
+    pub(crate) plot: Vec<PathBuf>,
     /// Stop after this many seconds, with what is proved by then.
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,

@@ -19,7 +19,7 @@ pub(crate) fn answer(answer: &Answer) -> String {
         (Some(bounds), _) => {
             line("distance", interval(bounds));
             if let Some(note) = note(bounds, answer.search.converged) {
-                line("", note.to_owned());
+                line("", note);
             }
         }
         (None, Some(reason)) => line("distance", format!("no bounds: {reason}")),
@@ -118,19 +118,30 @@ fn interval(bounds: &Bounds) -> String {
 }
 
 /// Returns what the bounds rest on.
-fn note(bounds: &Bounds, converged: bool) -> Option<&'static str> {
-    match bounds.global_minimum {
-        GlobalMinimum::Proved => None,
+fn note(bounds: &Bounds, converged: bool) -> Option<String> {
+    let note = match bounds.global_minimum {
+        GlobalMinimum::Proved => return None,
+        GlobalMinimum::NotNeeded => {
+            let certified = "the lower bound is that of a certificate, which is about all curves";
+            if bounds.certificate.as_ref().is_some_and(|certificate| certificate.reached) {
+                return Some(certified.to_owned());
+            }
+            let percent = 100.0 * (1.0 - bounds.lower.value / bounds.upper.value);
+            // It is rounded up.
+            let percent = (100.0 * percent).ceil() / 100.0;
+            return Some(format!("{certified}; one shorter by {percent:.2} % may exist"));
+        }
         GlobalMinimum::Assumed => {
-            Some("the lower bound assumes that the minimum found is the global one")
+            "the lower bound assumes that the minimum found is the global one"
         }
         GlobalMinimum::Refuted if bounds.constants.proved || !converged => {
-            Some("the minimum found is not the global one; the lower bound does without it")
+            "the minimum found is not the global one; the lower bound does without it"
         }
         GlobalMinimum::Refuted => {
-            Some("the minimum found is not the global one, or a claimed constant is wrong")
+            "the minimum found is not the global one, or a claimed constant is wrong"
         }
-    }
+    };
+    Some(note.to_owned())
 }
 
 fn constants(constants: &UsedConstants) -> String {
@@ -181,7 +192,7 @@ pub(crate) fn certified(answer: &CertifiedAnswer) -> String {
 
 #[cfg(test)]
 mod tests {
-    use tautline_problem::{GlobalMinimum, Question};
+    use tautline_problem::{CertificateAnswer, GlobalMinimum, Question};
 
     use super::{note, places, point};
 
@@ -198,6 +209,21 @@ mod tests {
             bounds.constants.proved = proved;
             let note = note(&bounds, converged).expect("a note");
             assert_eq!(note.contains("a claimed constant is wrong"), is_a_claim, "{note}");
+        }
+    }
+
+    #[test]
+    fn a_gap_that_was_not_reached_leaves_room_for_a_shorter_curve() {
+        let file = "[metric]\nphi = 1\n[from]\npoint = [0]\n[to]\npoint = [1]\n";
+        let answer = Question::read(file).expect("a problem").solve(&mut |_| ()).expect("a line");
+        let mut bounds = answer.bounds.expect("proved");
+        bounds.global_minimum = GlobalMinimum::NotNeeded;
+        (bounds.lower, bounds.upper) = (0.876_541.into(), 1.0.into());
+        for reached in [true, false] {
+            bounds.certificate = Some(CertificateAnswer { cubes: 9, reached, ended: "it ended" });
+            let note = note(&bounds, true).expect("a note");
+            assert!(note.contains("all curves"), "{note}");
+            assert_eq!(note.contains("one shorter by 12.35 % may exist"), !reached, "{note}");
         }
     }
 

@@ -2,6 +2,7 @@
 
 use std::{
     io::{self, IsTerminal},
+    ops::ControlFlow,
     sync::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicBool, Ordering},
@@ -12,7 +13,7 @@ use std::{
 };
 
 use indicatif::{ProgressBar, ProgressStyle};
-use tautline_problem::{Progress, Watch};
+use tautline_problem::{Progress, Watch, distance};
 
 use crate::error::CommandError;
 
@@ -29,24 +30,34 @@ const GRACE: Duration = Duration::from_secs(1);
 #[derive(Debug, Default)]
 pub(crate) struct Clock {
     is_over: AtomicBool,
-    progress: Mutex<Option<Progress>>,
+    progress: Mutex<Option<String>>,
 }
 
 impl Watch for Clock {
-    fn goes_on(&self, progress: Progress) -> bool {
-        *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
-        !self.is_over.load(Ordering::Relaxed)
+    fn goes_on(&self, Progress { quantity, boxes, bound, value }: Progress) -> bool {
+        let (least, most) = if bound < value { (bound, value) } else { (value, bound) };
+        self.shows(format!("proving {quantity}: {least:.4} to {most:.4} after {boxes} boxes"))
     }
 }
 
 impl Clock {
+    /// Returns whether a search for a certificate goes on to its next level.
+    pub(crate) fn next_level(&self, progress: distance::Progress) -> ControlFlow<()> {
+        let distance::Progress { cubes, lower, upper, .. } = progress;
+        let goes_on = self
+            .shows(format!("proving the distance: {lower:.4} to {upper:.4} after {cubes} cubes"));
+        if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+
+    /// Takes the description of what is being proved. Returns whether there is time left.
+    fn shows(&self, progress: String) -> bool {
+        *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
+        !self.is_over.load(Ordering::Relaxed)
+    }
+
     /// Describes what is being proved.
     fn progress(&self) -> Option<String> {
-        let progress = *self.progress.lock().unwrap_or_else(PoisonError::into_inner);
-        progress.map(|Progress { quantity, boxes, bound, value }| {
-            let (least, most) = if bound < value { (bound, value) } else { (value, bound) };
-            format!("proving {quantity}: {least:.4} to {most:.4} after {boxes} boxes")
-        })
+        self.progress.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
 

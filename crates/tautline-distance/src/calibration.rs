@@ -80,6 +80,11 @@ impl<const D: usize> Calibration<D> {
         &self.samples[sample].x
     }
 
+    /// Returns the point at so many steps from the start.
+    pub(crate) fn point(&self, at: f64) -> SVector<f64, D> {
+        self.line(at)[0]
+    }
+
     /// Returns `S` at the sample nearest to this arc length.
     pub(crate) fn curvature(&self, s: f64) -> SMatrix<f64, D, D> {
         let at = ((s - self.start) / self.step).round().max(0.0) as usize;

@@ -11,6 +11,7 @@ mod geodesic;
 mod hamiltonian;
 mod inside;
 mod marching;
+mod neighbourhood;
 mod proposal;
 mod reduction;
 mod search;

@@ -223,7 +223,7 @@ impl<const D: usize> Nodes<D> {
 
 /// A number with the order of [`f64::total_cmp`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Ordered(f64);
+pub(crate) struct Ordered(pub(crate) f64);
 
 impl Eq for Ordered {}
 
@@ -251,12 +251,6 @@ pub(crate) fn gram<const D: usize>(
 ) -> SMatrix<f64, D, D> {
     let h = formula.gram(x);
     SMatrix::from_fn(|i, j| h[(i.min(j), i.max(j))])
-}
-
-/// Returns the nodes that are corners of the cube at a place.
-pub(crate) fn corners<const D: usize>(place: &Place<D>) -> impl Iterator<Item = Place<D>> + use<D> {
-    let place = *place;
-    (0..1 << D).map(move |at: usize| std::array::from_fn(|i| 2 * (place[i] + (at >> i & 1) as i32)))
 }
 
 #[cfg(test)]

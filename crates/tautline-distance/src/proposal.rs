@@ -9,6 +9,7 @@ use tautline_sets::Shape;
 
 use crate::{
     DistanceError,
+    fan::Fan,
     marching::{Nodes, gram, point},
     search::Search,
     seed::seed,
@@ -19,6 +20,12 @@ const REACH: f64 = 0.25;
 
 /// How many nodes beyond a point the march begins.
 const BAND: f64 = 4.0;
+
+/// How many nodes are treated one after the other.
+const CHUNK: usize = 512;
+
+/// The steps along rays that are as short as the band is wide.
+const SHORT: usize = 200;
 
 /// By how many cubes the cubes are dilated before a march: along their boundary the nodes lack
 /// neighbours, and the values are too large.
@@ -81,19 +88,27 @@ impl<const D: usize> Search<'_, D> {
         let nodes = cubes.nodes();
         let pencil_of = self.pencils_of(cubes, &nodes);
         [0, 1].map(|side| {
-            let value = |(n, place): (usize, &Place<D>)| {
-                let x = point(place, spacing);
-                match pencil_of.get(n) {
-                    Some(&pencil) => self.pencils[pencil].1.fans[side].value_near(&x),
-                    // Without a choice, the least value counts.
-                    None => {
-                        let values = self.pencils.iter().map(|(_, pencil)| &pencil.fans[side]);
-                        values.map(|fan| fan.value_near(&x)).fold(f64::INFINITY, f64::min)
+            let of_some = |(chunk, places): (usize, &[Place<D>])| -> Vec<f64> {
+                let mut walks: Vec<_> =
+                    self.pencils.iter().map(|(_, pencil)| pencil.fans[side].walk()).collect();
+                let value = |(n, place): (usize, &Place<D>)| {
+                    let x = point(place, spacing);
+                    match pencil_of.get(chunk * CHUNK + n) {
+                        Some(&pencil) => walks[pencil](&x),
+                        // Without a choice, the least value counts.
+                        None => walks.iter_mut().map(|walk| walk(&x)).fold(f64::INFINITY, f64::min),
                     }
-                }
+                };
+                places.iter().enumerate().map(value).collect()
             };
-            nodes.par_iter().enumerate().map(value).collect()
+            nodes.par_chunks(CHUNK).enumerate().map(of_some).collect::<Vec<_>>().concat()
         })
+    }
+
+    /// Returns whether two geodesics run through one component of the cubes. Then no function is smooth
+    /// and has the gradients of both.
+    pub(crate) fn is_shared(&self, cubes: &Cubes<D>) -> bool {
+        self.pencils.len() > 1 && self.pencil_of(cubes, &components(cubes)).is_none()
     }
 
     /// Returns the pencil for each node, by its component; nothing if there is no choice, or if two
@@ -103,19 +118,7 @@ impl<const D: usize> Search<'_, D> {
             return Vec::new();
         }
         let component = components(cubes);
-        let cube_at = |x: &SVector<f64, D>| -> Option<usize> {
-            let place: Place<D> = std::array::from_fn(|i| (x[i] / cubes.side()).floor() as i32);
-            cubes.places().binary_search(&place).ok()
-        };
-        let mut pencil_of: HashMap<usize, usize> = HashMap::new();
-        for (n, (geodesic, _)) in self.pencils.iter().enumerate() {
-            if let Some(cube) = cube_at(geodesic.middle()) {
-                let taken = pencil_of.insert(component[cube], n);
-                if taken.is_some() {
-                    return Vec::new();
-                }
-            }
-        }
+        let Some(pencil_of) = self.pencil_of(cubes, &component) else { return Vec::new() };
         let mut of_node: HashMap<Place<D>, usize> = HashMap::new();
         for (cube, place) in cubes.places().iter().enumerate() {
             let pencil = pencil_of.get(&component[cube]).copied().unwrap_or(0);
@@ -126,6 +129,21 @@ impl<const D: usize> Search<'_, D> {
             }
         }
         nodes.iter().map(|node| of_node.get(node).copied().unwrap_or(0)).collect()
+    }
+
+    /// Returns the pencil of each component through which a geodesic runs; `None` if two run through one.
+    fn pencil_of(&self, cubes: &Cubes<D>, component: &[usize]) -> Option<HashMap<usize, usize>> {
+        let mut pencil_of = HashMap::new();
+        for (n, (geodesic, _)) in self.pencils.iter().enumerate() {
+            let x = geodesic.middle();
+            let place = std::array::from_fn(|i| (x[i] / cubes.side()).floor() as i32);
+            if let Ok(cube) = cubes.places().binary_search(&place)
+                && pencil_of.insert(component[cube], n).is_some()
+            {
+                return None;
+            }
+        }
+        Some(pencil_of)
     }
 
     /// Returns the values from which the distance from a set spreads over the nodes, and infinity at
@@ -151,8 +169,9 @@ impl<const D: usize> Search<'_, D> {
             };
             let behind: Vec<SVector<f64, D>> =
                 points.par_iter().filter(|x| is_behind(x)).copied().collect();
-            let wide = pencil.reaching(self.formula, self.sets, geodesic, rings, &behind);
-            let fan = wide.as_ref().map_or(&pencil.fans[side], |wide| &wide.fans[side]);
+            let rays = pencil.covering(side, rings, &behind, (2.0 * front, SHORT));
+            let wide = Fan::new(self.formula, &self.sets[side], geodesic, side, rays);
+            let fan = wide.as_ref().unwrap_or(&pencil.fans[side]);
             let value = |x: &SVector<f64, D>| {
                 if is_behind(x) { fan.value(x) } else { f64::INFINITY }
             };

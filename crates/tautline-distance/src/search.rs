@@ -25,8 +25,11 @@ const LONGER: f64 = 1e-9;
 /// keeps no other cubes.
 pub(crate) const KEPT: f64 = 1e-12;
 
-/// If a proposal makes the gap smaller by this factor, no other one is tried.
-const GOOD: f64 = 0.5;
+/// The number of steps along a ray for a gap of `1e-6`; for other gaps as in a method of fourth order.
+const STEPS: f64 = 900.0;
+
+/// If a proposal makes the gap smaller by this factor, or as small as is wanted, no other one is tried.
+const GOOD: f64 = 0.3;
 
 /// After this many levels that each leave more than `SLOW` of the gap, the search ends.
 const SLOW_LEVELS: usize = 2;
@@ -103,9 +106,10 @@ pub fn search<const D: usize>(
     if !(length > 0.0 && length.is_finite()) {
         return Err(DistanceError::Length { length });
     }
+    let steps = (STEPS * (1e-6 / wanted.gap).powf(0.25)).clamp(400.0, 4000.0) as usize;
     let pencil = |curve: &Vec<SVector<f64, D>>| {
         let geodesic = Geodesic::near(formula, curve)?;
-        Some((geodesic, Pencil::along(formula, sets, &geodesic)?))
+        Some((geodesic, Pencil::along(formula, sets, &geodesic, steps)?))
     };
     let pencils = curves.iter().filter(|curve| curve.len() > 1).filter_map(pencil).collect();
     let hi = length * (1.0 + LONGER);
@@ -127,6 +131,7 @@ impl<const D: usize> Search<'_, D> {
         let mut cubes = first.cubes().places().len();
         let mut levels = vec![first];
         let mut slow = 0;
+        let mut lost = Vec::new();
         let ended = loop {
             let (lower, upper) = (chain.lower(), self.length);
             if observe(Progress { levels: levels.len(), cubes, lower, upper }).is_break() {
@@ -144,7 +149,8 @@ impl<const D: usize> Search<'_, D> {
                 break Ended::TooManyCubes;
             }
             cubes += next.places().len();
-            let (level, next) = self.next_level(&chain, next, levels.len())?;
+            let (level, next) =
+                self.next_level(&chain, next, (levels.len(), wanted.gap), &mut lost)?;
             slow = if self.gap(&next) > SLOW * self.gap(&chain) { slow + 1 } else { 0 };
             chain = next;
             levels.push(level);
@@ -165,26 +171,34 @@ impl<const D: usize> Search<'_, D> {
         (self.length - chain.lower()) / self.length
     }
 
-    /// Returns the best level on these cubes of those that are proposed, and the proof with it.
+    /// Returns the best level on these cubes of those that are proposed, and the proof with it. Sources
+    /// that `lost` at the level before are tried last; then it has those that lose at this one.
     fn next_level<'c>(
         &self,
         chain: &Chain<'c, D>,
         cubes: Cubes<D>,
-        number: usize,
+        (number, wanted): (usize, f64),
+        lost: &mut Vec<Source>,
     ) -> Result<(Level<D>, Chain<'c, D>), DistanceError> {
         let before = self.gap(chain);
         // Slopes above 1 cost less than slopes below 1.
         let scale = 1.0 + 0.3 * before.min(0.01);
         let mut best: Option<(Level<D>, Chain<'c, D>)> = None;
         let mut marched = None;
-        for source in [Source::Rays, Source::MarchFromRays, Source::March] {
+        let mut sources = [Source::Rays, Source::MarchFromRays, Source::March];
+        if self.is_shared(&cubes) {
+            sources.rotate_right(1);
+        }
+        sources.sort_by_key(|source| lost.contains(source));
+        lost.clear();
+        for source in sources {
             let Some(values) = self.propose(&cubes, source, &mut marched)? else { continue };
             let values = values.map(|values| scaled(values, scale));
             let level =
                 Level::new(number, cubes.clone(), values).map_err(DistanceError::Refused)?;
             let mut next = chain.clone();
             next.add(&level, self.hi * (1.0 + KEPT)).map_err(DistanceError::Refused)?;
-            let is_good = self.gap(&next) < GOOD * before;
+            let is_good = self.gap(&next) < wanted.max(GOOD * before);
             let kept = |chain: &Chain<'c, D>| chain.kept().map_or(0, |kept| kept.places().len());
             // Of two that prove the same, the one that leaves fewer cubes is better.
             let is_better = best.as_ref().is_none_or(|(_, best)| {
@@ -197,6 +211,7 @@ impl<const D: usize> Search<'_, D> {
             if is_good {
                 break;
             }
+            lost.push(source);
         }
         best.ok_or(DistanceError::Stopped)
     }

@@ -1,16 +1,16 @@
-//! Draws ten problems into a folder, `target/portraits` unless another one is given.
+//! Draws eleven problems into a folder, `target/portraits` unless another one is given.
 
 use std::{error::Error, f64::consts::PI, fs, path::PathBuf, sync::Arc};
 
 use tautline::{
     AxisBox, Ball, Ends, FiniteSet, HalfSpace, Metric, Point, Problem, SMatrix, SVector, Scalar,
-    Sphere, Trapezoidal, Union,
+    Sphere, Trapezoidal, Union, check,
     gallery::{
         Bump, CoupledCosines, Obstacle, RotatingAnisotropy, SineProjections, SoftObstacles,
         SpherePatch, TwoLinkArm, Valleys,
     },
 };
-use tautline_portrait::{Field, Portrait, Shape, pdf, png, svg};
+use tautline_portrait::{Corridor, Cubes, Field, Portrait, Shape, pdf, png, svg};
 
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 
@@ -26,11 +26,12 @@ impl Metric<1> for Waves {
 fn main() -> Outcome {
     let folder = std::env::args().nth(1).map_or("target/portraits".into(), PathBuf::from);
     fs::create_dir_all(&folder)?;
-    let pictures: [(&str, Draw); 10] = [
+    let pictures: [(&str, Draw); 11] = [
         ("valleys", valleys),
         ("arm", arm),
         ("rotating", rotating),
         ("two_minima", two_minima),
+        ("corridor", corridor),
         ("union", union),
         ("line", line),
         ("eight_dimensions", eight_dimensions),
@@ -105,6 +106,30 @@ fn two_minima(write: &Write<'_>) -> Outcome {
     let gram = gram::<_, 2>(&metric);
     let portrait = Portrait::new(2, &gram);
     write(&Portrait { ends: [&from, &to], curve: &curve, others: &[mirrored], ..portrait })
+}
+
+fn corridor(write: &Write<'_>) -> Outcome {
+    // The way around the other side of the hill is longer by 2 per cent.
+    let metric = Bump::new(4.0, 0.5)?;
+    let ends = [[-1.5, 0.05], [1.5, -0.1]];
+    let line = Problem::new(metric, Ends::points(ends[0], ends[1])?).solve(Trapezoidal, 256)?;
+    let found = line.certificate(1e-4)?;
+    let plain = |cubes: &check::Cubes<2>| Cubes {
+        side: cubes.side(),
+        places: cubes.places().iter().flatten().copied().collect(),
+    };
+    let levels = found.certificate.levels.iter().map(|level| level.cubes());
+    let levels: Vec<Cubes> = levels.chain([&found.proved.corridor]).map(plain).collect();
+    let bounds = [found.proved.lower, found.proved.upper.ok_or("no upper bound")?];
+    let curve: Vec<Vec<f64>> =
+        line.sequence().points().iter().map(|x| x.as_slice().to_vec()).collect();
+    let [from, to] = ends.map(|x| [Shape::Point(x.to_vec())]);
+    write(&Portrait {
+        ends: [&from, &to],
+        curve: &curve,
+        corridor: Some(Corridor { levels: &levels, bounds }),
+        ..Portrait::new(2, &gram::<_, 2>(&metric))
+    })
 }
 
 fn union(write: &Write<'_>) -> Outcome {

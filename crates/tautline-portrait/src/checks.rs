@@ -1,6 +1,6 @@
 //! Refuses data that cannot be drawn.
 
-use crate::{Portrait, PortraitError, Shape};
+use crate::{Corridor, Portrait, PortraitError, Shape};
 
 /// Checks lengths and numbers of everything but the Gram matrix.
 pub(crate) fn check(portrait: &Portrait<'_>) -> Result<(), PortraitError> {
@@ -22,7 +22,31 @@ pub(crate) fn check(portrait: &Portrait<'_>) -> Result<(), PortraitError> {
             vector(point, dimension, || format!("point {k} of the other minimum {m}"))?;
         }
     }
+    if let Some(found) = &portrait.corridor {
+        corridor(found, dimension)?;
+    }
     portrait.ends.iter().flat_map(|end| end.iter()).try_for_each(|shape| set(shape, dimension))
+}
+
+fn corridor(corridor: &Corridor<'_>, dimension: usize) -> Result<(), PortraitError> {
+    for cubes in corridor.levels {
+        let what = || "the side of a cube".to_owned();
+        finite(cubes.side, what)?;
+        require(cubes.side > 0.0, cubes.side, what, "positive")?;
+        let length = cubes.places.len() % dimension;
+        if length != 0 {
+            let what = "the place of the last cube".to_owned();
+            return Err(PortraitError::Length { what, length, dimension });
+        }
+    }
+    let [lower, upper] = corridor.bounds;
+    finite(upper, || "the upper bound".to_owned())?;
+    require(
+        0.0 <= lower && lower <= upper,
+        lower,
+        || "the lower bound".to_owned(),
+        "from 0 to the upper one",
+    )
 }
 
 fn set(shape: &Shape, dimension: usize) -> Result<(), PortraitError> {

@@ -28,6 +28,7 @@
 
 mod background;
 mod checks;
+mod corridor;
 mod determinant;
 mod ellipses;
 mod error;
@@ -43,6 +44,7 @@ mod span;
 mod style;
 mod window;
 
+pub use corridor::{Corridor, Cubes};
 pub use error::PortraitError;
 pub use portrait::{Field, Portrait};
 pub use shape::Shape;

@@ -71,9 +71,11 @@ pub(crate) fn draw(portrait: &Portrait<'_>) -> Result<Scene, PortraitError> {
         tautline_drawing::clip::polyline(&graph(curve), (0.0, 1.0), (x.drawn(low), x.drawn(high)))
     };
     let others = portrait.others.iter().map(|other| inside(other)).collect();
-    let curves = style::curves(inside(portrait.curve), ends, others);
+    let curves = style::curves(inside(portrait.curve), ends, others, false);
     let panel = lines.into_iter().chain(curves).fold(panel, Panel::curve);
 
+    let proved = portrait.corridor.iter().map(|corridor| corridor.remark("Proved:"));
+    let remarks = proved.chain(remarks).collect();
     let title = portrait.title("over time");
     style::finished(panel, title, remarks, !portrait.others.is_empty())
 }

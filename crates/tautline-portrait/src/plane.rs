@@ -5,6 +5,7 @@ use tautline_drawing::{Curve, Panel, Region, Scene};
 use crate::{
     Field, Portrait, PortraitError,
     background::{Background, contours},
+    corridor,
     ellipses::ellipses,
     gram::Gram,
     lift::Lift,
@@ -96,7 +97,8 @@ pub(crate) fn draw(portrait: &Portrait<'_>) -> Result<Scene, PortraitError> {
     let ends = ends.map(|(a, b)| [a, b].map(|point| view.number(view.seen(point))));
     let frame = Frame::new(plane, [x, y]);
     let sets = sets(portrait, view, frame, ends);
-    let remarks = [sets.remarks, remarks].concat();
+    let (corridor, proved) = corridor(portrait, view);
+    let remarks = [proved, sets.remarks, remarks].concat();
 
     let pieces = |curve: &[Vec<f64>]| -> Vec<Vec<Point>> {
         let points: Vec<Point> = curve.iter().map(|point| view.seen(point)).collect();
@@ -104,8 +106,8 @@ pub(crate) fn draw(portrait: &Portrait<'_>) -> Result<Scene, PortraitError> {
         frame.pieces(&points).into_iter().map(|piece| view.numbers(piece)).collect()
     };
     let others = portrait.others.iter().map(|other| pieces(other)).collect();
-    let curves = style::curves(pieces(portrait.curve), ends, others);
-    let panel = sets.areas.into_iter().fold(panel, Panel::region);
+    let curves = style::curves(pieces(portrait.curve), ends, others, portrait.corridor.is_some());
+    let panel = corridor.into_iter().chain(sets.areas).fold(panel, Panel::region);
     let panel = sets.lines.into_iter().chain(curves).fold(panel, Panel::curve);
 
     let title = portrait.title(&format!("in the plane of x{} and x{}", plane[0] + 1, plane[1] + 1));
@@ -142,6 +144,23 @@ fn sets(portrait: &Portrait<'_>, view: View, frame: Frame, ends: Option<[(f64, f
         sets.remarks.insert(0, "Sets are projected.".to_owned());
     }
     sets
+}
+
+/// Returns what is seen of the corridor, level by level, and what is proved.
+fn corridor(portrait: &Portrait<'_>, view: View) -> (Vec<Region>, Vec<String>) {
+    let Some(corridor) = &portrait.corridor else { return (Vec::new(), Vec::new()) };
+    let near = (view.x.wider(0.2), view.y.wider(0.2));
+    let count = corridor.levels.len();
+    let regions = corridor.levels.iter().enumerate().map(|(level, cubes)| {
+        let rings = corridor::rings(cubes, portrait.dimension, view.plane, near);
+        style::corridor(rings.into_iter().map(|ring| view.numbers(ring)).collect(), level, count)
+    });
+    let lie = if portrait.dimension > 2 {
+        "Every minimal geodesic projects into the darkest orange squares;"
+    } else {
+        "Every minimal geodesic lies in the darkest orange squares;"
+    };
+    (regions.collect(), vec![corridor.remark(lie)])
 }
 
 /// Returns the metric behind the plane.

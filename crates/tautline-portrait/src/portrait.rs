@@ -2,7 +2,7 @@
 
 use tautline_drawing::Scene;
 
-use crate::{PortraitError, Shape, checks, over_time, plane};
+use crate::{Corridor, PortraitError, Shape, checks, over_time, plane};
 
 /// How the metric is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,7 +26,7 @@ pub enum Field {
 /// plane: on the curve, it is the metric that the curve sees.
 ///
 /// The curve is solid, with a ring at its start and a disc at its end; other minima are dashed. The
-/// start set is green and the end set is purple. Where `H` is not defined, the picture is hatched.
+/// start set is green and the end set is purple. A corridor is orange, and paler on coarser levels. Where `H` is not defined, the picture is hatched.
 #[derive(Clone, Copy)]
 pub struct Portrait<'a> {
     /// The dimension `D` of the space.
@@ -41,6 +41,9 @@ pub struct Portrait<'a> {
     pub curve: &'a [Vec<f64>],
     /// Other local minima.
     pub others: &'a [Vec<Vec<f64>>],
+    /// Cubes that hold every minimal geodesic, if that is proved. In one dimension, where they are an
+    /// interval, only the bounds are shown.
+    pub corridor: Option<Corridor<'a>>,
     /// The coordinates, counted from 0, that are drawn to the right and upwards; if not given, the
     /// two along which the curves extend farthest, in increasing order. In one dimension this has
     /// no effect.
@@ -63,6 +66,7 @@ impl<'a> Portrait<'a> {
             ends: [&[], &[]],
             curve: &[],
             others: &[],
+            corridor: None,
             coordinates: None,
             field: Field::default(),
             window: None,
@@ -103,6 +107,10 @@ impl<'a> Portrait<'a> {
             1 => ", with another local minimum".to_owned(),
             n => format!(", with {n} other local minima"),
         };
-        format!("{curve} {place}{field}{others}")
+        let corridor = match self.corridor {
+            Some(_) => ", in the corridor of all minimal geodesics",
+            None => "",
+        };
+        format!("{curve} {place}{field}{others}{corridor}")
     }
 }

@@ -8,7 +8,7 @@ const MARGIN: f64 = 0.1;
 const MOST: f64 = 2.5;
 
 /// Returns the ranges of the given coordinates that contain all curves, and all bounded sets that
-/// are not much larger than the curves.
+/// are not much larger than the curves, and the finest level of a corridor likewise.
 ///
 /// # Errors
 ///
@@ -33,6 +33,14 @@ pub(crate) fn choose(
         };
         if is_point || longest(&larger) <= MOST * core {
             sides = Some(larger);
+        }
+    }
+    let finest = portrait.corridor.and_then(|corridor| corridor.levels.last());
+    let extents = finest.and_then(|cubes| cubes.extents(portrait.dimension, coordinates));
+    if let (Some(whole), Some(extents)) = (&mut sides, extents) {
+        let larger = union(whole.clone(), extents);
+        if longest(&larger) <= MOST * core {
+            *whole = larger;
         }
     }
     let mut sides = sides.ok_or(PortraitError::Nothing)?;

@@ -93,6 +93,19 @@ pub struct Bounds {
     pub lower_by: String,
     /// What the upper bound is.
     pub upper_by: String,
+    /// The certificate of the lower bound; absent if a theorem gives that bound.
+    pub certificate: Option<CertificateAnswer>,
+}
+
+/// The certificate that gives a lower bound.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct CertificateAnswer {
+    /// The number of its cubes.
+    pub cubes: usize,
+    /// Whether its gap is as small as wanted. Otherwise there may be a shorter curve.
+    pub reached: bool,
+    /// Why the search for it ended.
+    pub ended: &'static str,
 }
 
 /// Whether the computed minimum is known to be the global one.
@@ -101,6 +114,8 @@ pub struct Bounds {
 pub enum GlobalMinimum {
     /// Convexity proves it, or the lower bound does not need it.
     Proved,
+    /// The lower bound does not need it, as a certificate proves it for all curves.
+    NotNeeded,
     /// It is assumed.
     Assumed,
     /// It is refuted: another curve is shorter, or by convexity some sequence of points has less

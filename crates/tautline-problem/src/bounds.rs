@@ -1,16 +1,19 @@
 //! Bounds on the distance, for an answer.
 
+use core::ops::ControlFlow;
+
 use tautline::{
     CertifyError, Constants, Formula, LocalError, Metric, PointSequence, ProofError,
     RuleOfThePaper, SMatrix, SVector, Short, TautLine,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
+    distance::{Ended, Progress},
     is_gram,
 };
 
 use crate::{
-    BallAnswer, Bounds, Estimated, GlobalMinimum, Question, UsedConstants,
-    constants::too_many_coordinates, dimension::LARGEST_PROVED_DIMENSION,
+    BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, Question, UsedConstants,
+    certify::ended, constants::too_many_coordinates, dimension::LARGEST_PROVED_DIMENSION,
 };
 
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
@@ -19,6 +22,7 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     line: &TautLine<Formula<D>, R, D>,
     others: &[TautLine<Formula<D>, R, D>],
     watch: &dyn Watch,
+    observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
     if let Some(claimed) = question.claimed {
         check_claims(claimed, line.metric(), line.sequence())?;
@@ -32,11 +36,18 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
         return Err(too_many_coordinates().to_string());
     }
     let accuracy = Accuracy { tolerance: question.accuracy, budget: question.boxes };
-    let proof = line.prove_watched(accuracy, watch).map_err(|error| no_proof(&error))?;
+    let proof = line.prove_watched(accuracy, watch, observe).map_err(|error| no_proof(&error))?;
     let within = proof
         .within
         .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
-    let found = in_words(proof.enclosure, UsedConstants::new(proof.constants, true, within));
+    let mut found = in_words(proof.enclosure, UsedConstants::new(proof.constants, true, within));
+    if proof.enclosure.from_below == FromBelow::Certificate {
+        found.certificate = proof.found.map(|found| CertificateAnswer {
+            cubes: found.proved.levels.iter().map(|(cubes, _)| cubes).sum(),
+            reached: found.ended == Ended::Reached,
+            ended: ended(found.ended),
+        });
+    }
     let curves = others.iter().filter_map(|other| other.admissible_curve().ok());
     Ok(found.and_no_longer_than(curves.map(|curve| curve.length().hi())))
 }
@@ -155,12 +166,14 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
     let global_minimum = match (enclosure.is_not_global, enclosure.assumes_global_minimum) {
         (true, _) => GlobalMinimum::Refuted,
         (false, true) => GlobalMinimum::Assumed,
+        _ if enclosure.from_below == FromBelow::Certificate => GlobalMinimum::NotNeeded,
         (false, false) => GlobalMinimum::Proved,
     };
     let lower_by = match enclosure.from_below {
         FromBelow::Euclidean => "Proposition 3.3",
         FromBelow::Minimum => "Lemma S.4",
         FromBelow::Convexity => "Proposition S.9",
+        FromBelow::Certificate => "a certificate",
         _ => NOTHING,
     };
     let upper_by = match enclosure.from_above {
@@ -174,6 +187,7 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
         constants,
         lower_by: lower_by.to_owned(),
         upper_by: upper_by.to_owned(),
+        certificate: None,
     }
 }
 
@@ -220,6 +234,14 @@ mod tests {
         assert_eq!(known(true, false), GlobalMinimum::Assumed);
         assert_eq!(known(false, true), GlobalMinimum::Refuted);
         assert_eq!(known(false, false), GlobalMinimum::Proved);
+        let certified = Enclosure {
+            assumes_global_minimum: false,
+            from_below: FromBelow::Certificate,
+            ..ENCLOSURE
+        };
+        assert_eq!(bounds(certified).global_minimum, GlobalMinimum::NotNeeded);
+        let refuted = Enclosure { is_not_global: true, ..certified };
+        assert_eq!(bounds(refuted).global_minimum, GlobalMinimum::Refuted);
     }
 
     #[test]

@@ -6,11 +6,12 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
     CertificateError, Problem, Trapezoidal,
-    check::LARGEST_DIMENSION,
+    check::{self, LARGEST_DIMENSION},
     distance::{DistanceError, Ended, Progress, Wanted},
 };
+use tautline_portrait::Cubes;
 
-use crate::{Answer, Diagnostic, Failure, Float, Question};
+use crate::{Answer, Diagnostic, Failure, Float, Question, solve::points};
 
 /// Bounds on the distance, with a certificate that anybody can check.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -35,6 +36,15 @@ pub struct CertifiedAnswer {
     /// The certificate, which `tautline check` reads.
     #[serde(skip)]
     pub certificate: String,
+    /// The points of the curve.
+    #[serde(skip)]
+    pub curve: Vec<Vec<f64>>,
+    /// The points of other local minima.
+    #[serde(skip)]
+    pub other_minima: Vec<Vec<Vec<f64>>>,
+    /// The cubes of each level, from coarse to fine, and those that hold every shortest curve.
+    #[serde(skip)]
+    pub corridor: Vec<Cubes>,
 }
 
 /// What one level proves.
@@ -85,6 +95,9 @@ impl Question {
             .levels
             .iter()
             .map(|&(cubes, lower)| LevelAnswer { cubes, lower: Float::from(lower) });
+        let corridor = found.certificate.levels.iter().map(|level| level.cubes());
+        let corridor = corridor.chain([&proved.corridor]).map(plain).collect();
+        let others = line.other_minima();
         Ok(CertifiedAnswer {
             lower: Float::from(proved.lower),
             upper: Float::from(proved.upper.unwrap_or(f64::INFINITY)),
@@ -95,6 +108,9 @@ impl Question {
             corridor_cubes: proved.corridor.places().len(),
             corridor_side: Float::from(proved.corridor.side()),
             certificate: found.certificate.to_string(),
+            curve: points(line.sequence()),
+            other_minima: others.iter().map(|other| points(other.sequence())).collect(),
+            corridor,
         })
     }
 
@@ -113,7 +129,13 @@ impl Question {
     }
 }
 
-fn ended(ended: Ended) -> &'static str {
+/// Returns cubes without their dimension.
+fn plain<const D: usize>(cubes: &check::Cubes<D>) -> Cubes {
+    Cubes { side: cubes.side(), places: cubes.places().iter().flatten().copied().collect() }
+}
+
+/// Says why a search ended.
+pub(crate) fn ended(ended: Ended) -> &'static str {
     match ended {
         Ended::Reached => "the gap is as small as wanted",
         Ended::Stalled => {

@@ -44,7 +44,8 @@ mod solve;
 mod tolerance;
 
 pub use answer::{
-    Answer, BallAnswer, Bounds, Estimated, GlobalMinimum, OtherMinimum, Search, UsedConstants,
+    Answer, BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, OtherMinimum, Search,
+    UsedConstants,
 };
 pub use certify::{CertifiedAnswer, LevelAnswer};
 pub use constants::{ConstantAnswer, ConstantsAnswer};

@@ -1,10 +1,10 @@
 //! The picture of a problem and its answer.
 
 use tautline::{Formula, Metric, SVector};
-use tautline_portrait::{Portrait, PortraitError, Scene, Shape};
+use tautline_portrait::{Corridor, Portrait, PortraitError, Scene, Shape};
 
 use crate::{
-    Answer, Diagnostic, Failure, Question,
+    Answer, CertifiedAnswer, Diagnostic, Failure, Question,
     dimension::{InDimension, in_dimension},
 };
 
@@ -16,17 +16,40 @@ impl Question {
     /// [`Failure::BadInput`] if the formula is wrong, [`Failure::NotComputed`] if there is nothing
     /// to draw.
     pub fn picture(&self, answer: Option<&Answer>) -> Result<Scene, Failure> {
+        let others = answer.into_iter().flat_map(|answer| &answer.other_minima);
+        let others: Vec<Vec<Vec<f64>>> = others.map(|other| other.curve.clone()).collect();
+        let curve = answer.map_or(&[][..], |answer| &answer.curve);
+        self.drawn(curve, &others, None)
+    }
+
+    /// Returns the picture of the metric, the sets, the curves, and the cubes that hold every shortest
+    /// curve.
+    ///
+    /// # Errors
+    ///
+    /// As for [`picture`](Question::picture).
+    pub fn certified_picture(&self, answer: &CertifiedAnswer) -> Result<Scene, Failure> {
+        let bounds = [answer.lower.value, answer.upper.value];
+        let corridor = Corridor { levels: &answer.corridor, bounds };
+        self.drawn(&answer.curve, &answer.other_minima, Some(corridor))
+    }
+
+    fn drawn(
+        &self,
+        curve: &[Vec<f64>],
+        others: &[Vec<Vec<f64>>],
+        corridor: Option<Corridor<'_>>,
+    ) -> Result<Scene, Failure> {
         let gram = self.gram()?;
         let ends = self.ends.as_ref().map(|ends| {
             ends.each_ref().map(|end| end.iter().map(|piece| piece.shape.clone()).collect())
         });
         let ends: [Vec<Shape>; 2] = ends.unwrap_or_default();
-        let others = answer.into_iter().flat_map(|answer| &answer.other_minima);
-        let others: Vec<Vec<Vec<f64>>> = others.map(|other| other.curve.clone()).collect();
         let portrait = Portrait {
             ends: [&ends[0], &ends[1]],
-            curve: answer.map_or(&[], |answer| &answer.curve),
-            others: &others,
+            curve,
+            others,
+            corridor,
             coordinates: self.view.coordinates,
             field: self.view.field,
             window: self.view.window,

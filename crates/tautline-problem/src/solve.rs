@@ -1,9 +1,12 @@
 //! Solves the problem of a file.
 
+use core::ops::ControlFlow;
+
 use tautline::{
     Curvature, Ends, Formula, Integral, LeftEndpoint, Options, PointSequence, Problem, Rule,
     SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
     certify::{Progress, Watch},
+    distance,
 };
 
 use tautline_portrait::Shape;
@@ -28,11 +31,12 @@ impl Question {
     /// [`Failure::BadInput`] with the place in the file, also if the metric turns out not to be one
     /// along a curve; [`Failure::NotComputed`] if there is no curve.
     pub fn solve(&self, solved: &mut dyn FnMut(&Answer)) -> Result<Answer, Failure> {
-        self.solve_watched(solved, &|_: Progress| true)
+        self.solve_watched(solved, &|_: Progress| true, &mut |_| ControlFlow::Continue(()))
     }
 
     /// Solves the problem like [`solve`](Question::solve), and tells `watch` of the progress of
-    /// proofs. If `watch` ends them, the bounds are those that are proved so far.
+    /// proofs of constants, and `observe` of every level of a certificate. If one of them ends them,
+    /// the bounds are those that are proved so far.
     ///
     /// # Errors
     ///
@@ -41,8 +45,9 @@ impl Question {
         &self,
         solved: &mut dyn FnMut(&Answer),
         watch: &dyn Watch,
+        observe: &mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
     ) -> Result<Answer, Failure> {
-        let solve = Solve { question: self, solved, watch };
+        let solve = Solve { question: self, solved, watch, observe };
         in_dimension(self.dimension, solve).unwrap_or(Err(Failure::NotComputed(String::new())))
     }
 }
@@ -51,24 +56,25 @@ struct Solve<'q> {
     question: &'q Question,
     solved: &'q mut dyn FnMut(&Answer),
     watch: &'q dyn Watch,
+    observe: &'q mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
 }
 
 impl InDimension for Solve<'_> {
     type Output = Result<Answer, Failure>;
 
     fn run<const D: usize>(self) -> Self::Output {
-        let Self { question, solved, watch } = self;
+        let Self { question, solved, watch, observe } = self;
         let formula = question.formula::<D>()?;
         let problem = Problem::new(formula, question.pair::<D>()?);
         let options = question.options::<D>()?;
         match question.rule {
             RuleFile::Trapezoidal => {
                 let line = question.line(&problem, Trapezoidal, &options, solved)?;
-                question.answer(&line, |q, l, o| bounds(q, l, o, watch), solved)
+                question.answer(&line, |q, l, o| bounds(q, l, o, watch, observe), solved)
             }
             RuleFile::LeftEndpoint => {
                 let line = question.line(&problem, LeftEndpoint, &options, solved)?;
-                question.answer(&line, |q, l, o| bounds(q, l, o, watch), solved)
+                question.answer(&line, |q, l, o| bounds(q, l, o, watch, observe), solved)
             }
             RuleFile::TrueTrapezoid => {
                 let line = question.line(&problem, TrueTrapezoid, &options, solved)?;
@@ -265,7 +271,7 @@ fn estimated(Integral { value, error, .. }: Integral) -> Estimated {
     Estimated { value, error }
 }
 
-fn points<const D: usize>(sequence: &PointSequence<D>) -> Vec<Vec<f64>> {
+pub(crate) fn points<const D: usize>(sequence: &PointSequence<D>) -> Vec<Vec<f64>> {
     sequence.points().iter().map(|x| x.as_slice().to_vec()).collect()
 }
 

@@ -3,6 +3,7 @@
 use std::{ops::ControlFlow, sync::Arc};
 
 use nalgebra::SVector;
+use tautline_bounds::{Enclosure, FromBelow};
 use tautline_check::CheckError;
 use tautline_discretizations::{Rule, Trapezoidal};
 use tautline_distance::{DistanceError, Found, Progress, Wanted, search};
@@ -40,13 +41,23 @@ pub enum CertificateError {
 }
 
 /// The part of the gap that the polygon may take: a polygon is longer than the geodesic.
-const OF_THE_POLYGON: f64 = 0.1;
+const OF_THE_POLYGON: f64 = 0.02;
 
 /// The most chords of a polygon in a certificate.
 const MOST_CHORDS: usize = 1 << 17;
 
 /// Other minima that are longer by more are of no use.
 const NEARLY: f64 = 1.1;
+
+/// The smallest and the largest gap that a [proof](TautLine::prove) looks for on a line or in the
+/// plane.
+const GAPS_IN_THE_PLANE: [f64; 2] = [1e-4, 1e-3];
+
+/// The gap that a proof looks for in more dimensions, where a small one costs more.
+const GAP_IN_SPACE: f64 = 1e-2;
+
+/// The most cubes in a certificate that a proof looks for: two seconds in the plane.
+const MOST_CUBES: usize = 60_000;
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// Searches for a certificate of the distance `d`, in `m`, with a gap of at most `gap` between its
@@ -94,7 +105,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         if !(wanted.gap > 0.0 && wanted.gap < 1.0) {
             return Err(CertificateError::Gap { gap: wanted.gap });
         }
-        if !(1..=tautline_check::LARGEST_DIMENSION).contains(&D) {
+        // The compiler decides.
+        if const { D == 0 || D > tautline_check::LARGEST_DIMENSION } {
             let dimension = CheckError::Dimension { dimension: D };
             return Err(DistanceError::Refused(dimension).into());
         }
@@ -118,6 +130,24 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         curves.sort_by(|a, b| a.0.total_cmp(&b.0));
         let curves: Vec<_> = curves.into_iter().map(|(_, curve)| curve).collect();
         Ok(search(&formula, &sets, &curves, wanted, observe)?)
+    }
+
+    /// Searches for a certificate that proves about as much as this enclosure does under the
+    /// assumption of a global minimum. The result is `None` if nothing is assumed and the lower bound
+    /// is more than that of Euclid, or if there is no certificate.
+    pub(crate) fn instead_of_an_assumption(
+        &self,
+        enclosure: &Enclosure,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Option<Found<D>> {
+        let gap = 1.0 - (enclosure.lower / enclosure.upper).sqrt();
+        let is_trivial = matches!(enclosure.from_below, FromBelow::Nothing | FromBelow::Euclidean);
+        if !(enclosure.assumes_global_minimum || is_trivial && gap > GAP_IN_SPACE) {
+            return None;
+        }
+        let [least, most] = GAPS_IN_THE_PLANE;
+        let gap = if D <= 2 { gap.clamp(least, most) } else { GAP_IN_SPACE };
+        self.certificate_with(Wanted { gap, cubes: MOST_CUBES }, observe).ok()
     }
 
     /// Returns the points of this line, or of a finer one from the same start, if this one is too long

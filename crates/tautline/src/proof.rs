@@ -1,21 +1,23 @@
 //! `Proof`: bounds on `d²` that follow from the formula of the metric alone.
 
-use std::sync::Arc;
+use std::{ops::ControlFlow, sync::Arc};
 
-use tautline_bounds::{BoundError, Constants, Enclosure, LocalityError, PaperRule};
+use tautline_bounds::{
+    BoundError, Constants, DiscreteMinimum, Enclosure, LocalityError, PaperRule,
+};
 use tautline_certify::{
     Accuracy, AdmissibleCurve, CertifiedConstants, CertifyError, CurveError, Domain,
     LocallyCertified, Progress, Watch,
 };
+use tautline_distance::Found;
 use tautline_formula::Prepared;
 use tautline_metrics::{LocalError, LocallyBounded, Metric};
 use tautline_sets::Ball;
 
 use crate::{RuleOfThePaper, SMatrix, SVector, Scalar, TautLine, certificate::Extent};
 
-/// Bounds on `d²` by constants that are proved from the formula of the metric.
-#[derive(Clone, Copy, Debug)]
-#[doc(alias = "certificate")]
+/// Bounds on `d²` that are proved from the formula of the metric.
+#[derive(Clone, Debug)]
 pub struct Proof<'a, const D: usize> {
     /// A curve from set to set, with rigorous bounds on its energy and length.
     pub curve: AdmissibleCurve<'a, D>,
@@ -23,11 +25,15 @@ pub struct Proof<'a, const D: usize> {
     pub constants: Constants,
     /// The region where the constants hold; `None` if it is all of `R^D`.
     pub within: Option<Ball<D>>,
-    /// The bounds on `d²`. The upper bound is the rigorous bound on the curve. The lower bound is a
-    /// theorem with rigorous constants and a rigorous length, but it is evaluated in doubles with
-    /// the discrete energy and its residual, so that its last digits are not certified. Neither
-    /// bound uses a quadrature.
+    /// The bounds on `d²`. The upper bound is the rigorous bound on the curve.
+    /// [`from_below`](Enclosure::from_below) says where the lower one is from. That of a certificate
+    /// is rigorous. That of a theorem has rigorous constants and a rigorous length, but it is
+    /// evaluated in doubles with the discrete energy and its residual, so that its last digits are
+    /// not certified. Neither bound uses a quadrature.
     pub enclosure: Enclosure,
+    /// The certificate, where the theorems would assume that the minimum is global; `None` if they
+    /// assume nothing, or if there is no certificate.
+    pub found: Option<Found<D>>,
 }
 
 /// The reason why a line has no proof.
@@ -68,6 +74,14 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// proved only where it can make the bounds closer; without a bound on it, those theorems count
     /// that do not need it.
     ///
+    /// Where the theorems would assume that the minimum found is the global one, a
+    /// [certificate](TautLine::certificate) is searched for instead, with about the same gap. The
+    /// enclosure has its lower bound, which assumes nothing: if this line is not the shortest, the
+    /// distance is in the enclosure all the same. Only where there is no certificate,
+    /// [`Enclosure::assumes_global_minimum`] may be set. The search takes up to two seconds in the plane,
+    /// for a gap of 10⁻³ or down to 10⁻⁴, and some seconds for 10⁻² in space: ask for a smaller one by
+    /// [`certificate`](TautLine::certificate).
+    ///
     /// ```
     /// use tautline::{Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, certify};
     ///
@@ -92,11 +106,13 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// [`ProofError`], which names the missing part. A formula that cannot be
     /// [recorded](tautline_formula::Formula::record) has no proof.
     pub fn prove(&self, accuracy: Accuracy) -> Result<Proof<'_, D>, ProofError> {
-        self.prove_watched(accuracy, &|_: Progress| true)
+        let go_on = &mut |_| ControlFlow::Continue(());
+        self.prove_watched(accuracy, &|_: Progress| true, go_on)
     }
 
     /// Does the same as [`prove`](TautLine::prove), and tells `watch` of the progress of each search
-    /// for a constant. If `watch` ends a search, the bounds found so far serve.
+    /// for a constant, and `observe` of every level of a certificate. If one of them ends a search,
+    /// what was found so far serves.
     ///
     /// # Errors
     ///
@@ -105,6 +121,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         &self,
         accuracy: Accuracy,
         watch: &dyn Watch,
+        observe: &mut dyn FnMut(tautline_distance::Progress) -> ControlFlow<()>,
     ) -> Result<Proof<'_, D>, ProofError> {
         let accuracy = accuracy.checked()?;
         let curve = self.admissible_curve()?;
@@ -118,12 +135,11 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         let m_h = R::OF_THE_PAPER == PaperRule::Trapezoidal || self.ends().are_points();
         let watch = Needed { m_h, watch };
         let space = Domain::space(self.metric());
-        let (constants, within, enclosure) = if space.is_one_period() {
+        let (constants, within) = if space.is_one_period() {
             let metric = self.metric();
             let proved =
                 CertifiedConstants::within_budget_watched(metric, &space, accuracy, &watch)?;
-            let constants = proved.constants()?;
-            (constants, None, self.enclosure_by(constants, extent)?)
+            (proved.constants()?, None)
         } else {
             // Constants on a ball are closer than those on all of space, if there are any.
             let proved = LocallyCertified::new(self.metric(), accuracy);
@@ -132,10 +148,19 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             let line = TautLine::new(metric, self.rule(), ends, minimum);
             let competitors = line.competitors_by(extent)?;
             competitors.hold_those_of(&line, extent)?;
-            let enclosure = line.enclosure_by(competitors.constants, extent)?;
-            (competitors.constants, Some(competitors.within), enclosure)
+            (competitors.constants, Some(competitors.within))
         };
-        Ok(Proof { curve, constants, within, enclosure })
+        let mut enclosure = self.enclosure_by(constants, extent)?;
+        let found = self.instead_of_an_assumption(&enclosure, observe);
+        if let Some(found) = &found {
+            let is_not_global = enclosure.is_not_global;
+            let without =
+                self.enclosure_unless_convex(constants, extent, DiscreteMinimum::Unknown)?;
+            // The square may be rounded up to the next double.
+            let least = (found.proved.lower * found.proved.lower).next_down();
+            enclosure = Enclosure { is_not_global, ..without.with_certificate(least)? };
+        }
+        Ok(Proof { curve, constants, within, enclosure, found })
     }
 }
 
@@ -179,7 +204,7 @@ impl<M: Metric<D>, const D: usize> LocallyBounded<D> for Watched<'_, M> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Mutex;
+    use std::{ops::ControlFlow, sync::Mutex};
 
     use tautline_bounds::LocalityError;
     use tautline_certify::{Accuracy, CurveError, Progress, Quantity};
@@ -377,7 +402,9 @@ mod tests {
                 true
             };
             let accuracy = Accuracy { tolerance: 1e-4, ..Accuracy::default() };
-            let proof = line.prove_watched(accuracy, &watch).expect("proved");
+            let proof = line
+                .prove_watched(accuracy, &watch, &mut |_| ControlFlow::Continue(()))
+                .expect("proved");
             assert_eq!(proof.constants.m_h().is_some(), needs_m_h);
             let seen = seen.into_inner().expect("no panic");
             assert!(seen.contains(&Quantity::LH));
@@ -406,7 +433,8 @@ mod tests {
         let ends = Ends::points([0.0, 0.0], [1.0, 1.0]).expect("finite");
         let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
         let accuracy = Accuracy { tolerance: 1e-9, budget: 100_000 };
-        let ended = line.prove_watched(accuracy, &|_: Progress| false).expect("proved");
+        let stop = &mut |_| ControlFlow::Break(());
+        let ended = line.prove_watched(accuracy, &|_: Progress| false, stop).expect("proved");
         let close = line.prove(accuracy).expect("proved");
         assert!(ended.constants.l_h() > close.constants.l_h());
         assert!(ended.constants.c1() <= close.constants.c1());
@@ -422,7 +450,8 @@ mod tests {
             assert_eq!(wide.within.is_some(), close.within.is_some());
             assert!(wide.constants.c1() <= close.constants.c1());
             assert!(wide.constants.l_h() > close.constants.l_h());
-            assert!(wide.enclosure.lower < close.enclosure.lower);
+            // A certificate does not depend on the constants.
+            assert!(wide.enclosure.lower < close.enclosure.lower || wide.found.is_some());
             assert_eq!(wide.enclosure.upper, close.enclosure.upper);
         };
         let few = Accuracy { tolerance: 1e-9, budget: 300 };

@@ -9,6 +9,7 @@ mod length_versus_energy;
 mod losses;
 mod overestimation;
 mod quantities;
+mod sandwich;
 mod speeds;
 mod tightness;
 mod valleys;
@@ -28,6 +29,7 @@ pub const FIGURES: &[Artefact] = &[
     speeds::FIGURE,
     tightness::FIGURE,
     certified::FIGURE,
+    sandwich::FIGURE,
 ];
 
 /// Returns a triangle half a decade below the last third of a decreasing series.

@@ -3,6 +3,7 @@
 mod asymptotics;
 mod certified_constants;
 mod certified_curves;
+mod certified_distances;
 mod certified_times;
 mod constants;
 mod convergence;
@@ -21,6 +22,7 @@ pub const TABLES: &[Artefact] = &[
     asymptotics::TABLE,
     certified_constants::TABLE,
     certified_curves::TABLE,
+    certified_distances::TABLE,
     certified_times::TABLE,
     constants::TABLE,
     convergence::TABLE,

@@ -5,7 +5,7 @@ use tautline_statements::slope;
 use crate::{
     Failure,
     artefact::Artefact,
-    case::{Case, PaperRule},
+    case::{Case, PaperRule, Reference},
     cases::cases,
     convergence,
     data::{Data, Row, Tolerance},
@@ -154,6 +154,10 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
 fn observed(solved: &Data, case: &Case, rule: PaperRule, quantity: Quantity) -> Option<f64> {
     if quantity == Quantity::Minimum {
         case.orders.of(rule)?;
+    }
+    // A proved distance resolves coarse grids only, on which no order shows yet.
+    if case.reference != Reference::Exact {
+        return None;
     }
     let series = convergence::series(solved, case.name, rule);
     let points: Vec<(f64, f64)> = series[series.len().saturating_sub(5)..]

@@ -4,6 +4,7 @@
 //! the checks that kill the mutants compute anything.
 
 mod asymptotics;
+mod certified_distances;
 mod convergence;
 mod corpus;
 mod counterexample;
@@ -13,6 +14,7 @@ mod mutants;
 mod overestimation;
 mod quantities;
 mod rates;
+mod sandwich;
 mod speeds;
 mod tightness;
 

@@ -18,6 +18,8 @@ pub enum FromBelow {
     Minimum,
     /// Proposition S.9: a bound on `E(γᵖˡ) − d²` by convexity.
     Convexity,
+    /// A certificate of the distance: a function that grows no faster than the length of any curve.
+    Certificate,
 }
 
 /// The number that serves as the upper bound on `d²`.
@@ -64,6 +66,21 @@ impl Enclosure {
     ///
     /// [`BoundError::Contradiction`] if it is larger than the upper bound by more than rounding.
     pub fn with_convexity(self, lower: f64) -> Result<Enclosure, BoundError> {
+        self.with(lower, FromBelow::Convexity)
+    }
+
+    /// Returns the enclosure with the lower bound `lower`, in `m²`, of a certificate of the distance
+    /// if that is larger. It assumes nothing about a minimum.
+    ///
+    /// # Errors
+    ///
+    /// [`BoundError::Contradiction`] if it is larger than the upper bound by more than rounding.
+    pub fn with_certificate(self, lower: f64) -> Result<Enclosure, BoundError> {
+        self.with(lower, FromBelow::Certificate)
+    }
+
+    /// Returns the enclosure with a lower bound that assumes nothing, if that is larger.
+    fn with(self, lower: f64, from_below: FromBelow) -> Result<Enclosure, BoundError> {
         let upper = self.upper;
         if lower > upper * (1.0 + 1e-12) {
             return Err(BoundError::Contradiction { lower, upper });
@@ -72,7 +89,7 @@ impl Enclosure {
         if !(lower > self.lower) {
             return Ok(self);
         }
-        let (lower, from_below) = (lower.min(upper), FromBelow::Convexity);
+        let lower = lower.min(upper);
         Ok(Enclosure { lower, from_below, assumes_global_minimum: false, ..self })
     }
 }
@@ -206,10 +223,13 @@ mod tests {
         assert!(assumed.assumes_global_minimum && assumed.lower > 1.0);
         for less in [assumed.lower, 1.0, -3.0, f64::NEG_INFINITY, f64::NAN] {
             assert_eq!(assumed.with_convexity(less), Ok(assumed));
+            assert_eq!(assumed.with_certificate(less), Ok(assumed));
         }
         let convex = assumed.with_convexity(9.4).expect("below 9.5");
         assert_eq!((convex.lower, convex.from_below), (9.4, FromBelow::Convexity));
-        assert!(!convex.assumes_global_minimum);
+        let certified = convex.with_certificate(9.45).expect("below 9.5");
+        assert_eq!((certified.lower, certified.from_below), (9.45, FromBelow::Certificate));
+        assert!(!convex.assumes_global_minimum && !certified.assumes_global_minimum);
         // Rounding may lift the bound above the upper one, but not far.
         let touching = assumed.with_convexity(9.5 * (1.0 + 1e-13)).expect("rounding");
         assert_eq!(touching.width(), 0.0);

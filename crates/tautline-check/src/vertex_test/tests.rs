@@ -6,7 +6,7 @@ use tautline_formula::Formula;
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Scalar};
 
-use super::{Decomposed, gram, largest_curvature};
+use super::{Decomposed, curvature, gram};
 
 /// `2 I` and a wave in each entry.
 struct Waves<const D: usize> {
@@ -50,9 +50,9 @@ impl<const D: usize> Place<D> {
         SVector::from_fn(|i, _| self.low[i] + self.side * (bits >> i & 1) as f64)
     }
 
-    /// Returns `ε = M D a²/8`.
-    fn shift(&self, m: f64) -> Interval {
-        Interval::point(m) * (D as f64 * self.side * self.side / 8.0)
+    /// Returns `ε = C a²/8`.
+    fn shift(&self, curvature: f64) -> Interval {
+        Interval::point(curvature) * (self.side * self.side / 8.0)
     }
 }
 
@@ -75,7 +75,7 @@ fn against_samples<const D: usize>(fixed: u64, count: u32) {
         let formula = Formula::record(&Waves::<D>::random(&mut random)).expect("no branches");
         let low = SVector::from_fn(|_, _| random.between(-2.0, 2.0));
         let place = Place { low, side: 2.0_f64.powf(random.between(-4.0, -0.5)) };
-        let m = largest_curvature(&formula, &place.cube());
+        let m = curvature(&formula, &place.cube());
         let shift = place.shift(m);
         // The affine function `p(x) = B y + p₀`, with `y` in the unit cube, on the whole cube.
         let slope: SMatrix<f64, D, D> = SMatrix::from_fn(|_, _| random.between(-0.5, 0.5));
@@ -126,8 +126,9 @@ fn the_bound_is_attained_at_the_centre_of_a_bowl() {
     fn check<const D: usize>(text: &str) {
         let formula = Formula::<D>::parse(text, &[]).expect("a formula");
         let place = Place { low: SVector::zeros(), side: 0.5 };
-        let m = largest_curvature(&formula, &place.cube());
-        assert_eq!(m, 2.0);
+        let m = curvature(&formula, &place.cube());
+        // It counts only the axes along which the metric bends.
+        assert_eq!(m, 2.0 * text.matches("sqr").count() as f64);
         for bits in 0..1 << D {
             let p = SVector::from_fn(|i, _| (i + 1) as f64);
             let bound = at_corner(&formula, &place.corner(bits), place.shift(m), &p);
@@ -137,24 +138,29 @@ fn the_bound_is_attained_at_the_centre_of_a_bowl() {
     }
     check::<1>("(1 + sqr(x1 - 0.25)) I");
     check::<2>("(1 + sqr(x1 - 0.25) + sqr(x2 - 0.25)) I");
+    check::<2>("(1 + sqr(x2 - 0.25)) I");
+    check::<3>("(1 + sqr(x1 - 0.25) + sqr(x3 - 0.25)) I");
     check::<3>("(1 + sqr(x1 - 0.25) + sqr(x2 - 0.25) + sqr(x3 - 0.25)) I");
     check::<4>("(1 + sqr(x1-0.25) + sqr(x2-0.25) + sqr(x3-0.25) + sqr(x4-0.25)) I");
 }
 
 /// Forms of the array of second derivatives whose largest value is known.
 #[test]
-fn the_curvature_is_the_smaller_of_two_bounds() {
+fn the_curvature_counts_each_axis_by_itself() {
     let of = |text: &str| {
         let formula = Formula::<2>::parse(text, &[]).expect("a formula");
-        largest_curvature(&formula, &SVector::repeat(Interval::new(-1.0, 1.0).expect("a side")))
+        curvature(&formula, &SVector::repeat(Interval::new(-1.0, 1.0).expect("a side")))
     };
     // A concave metric needs no shift.
     assert_eq!(of("(9 - sqr(x1) - sqr(x2)) I"), 0.0);
     // `D²H = 2 e₁e₁ᵀ ⊗ e₁e₁ᵀ`.
     assert_eq!(of("[4 + sqr(x1), 0; 0, 4]"), 2.0);
     // An entry beside the diagonal counts twice: with `u = (1, 1)/√2` the form is `2 e₁²`.
-    let beside = of("[4, sqr(x1); sqr(x1), 4]");
-    assert!((2.0..=2.0 * 2.0_f64.sqrt()).contains(&beside), "{beside}");
+    assert_eq!(of("[4, sqr(x1); sqr(x1), 4]"), 2.0);
+    // A saddle bends upwards along one axis only, by `2 e₁² − 2 e₂²`.
+    assert_eq!(of("(9 + sqr(x1) - sqr(x2)) I"), 2.0);
+    // `D²H = 2 e₁e₁ᵀ ⊗ (e₁e₂ᵀ + e₂e₁ᵀ)`, which is at most `2 e₁² + 2 e₂²`.
+    assert_eq!(of("[9 + 2*x1*x2, 0; 0, 9]"), 4.0);
     // Where the second derivative is unknown, so is the bound.
     assert!(of("sqrt(x1) I").is_nan() && of("(4 + sqrt(sqr(x1))) I").is_nan());
 }

@@ -10,14 +10,15 @@ use crate::{
     problem::ProblemText,
     report,
     timed::{seconds, timed},
-    write::{print, write},
+    write::{check_pictures, print, write, write_picture},
 };
 
 /// A level takes at most about this many times as long as the one before.
 const NEXT: u32 = 3;
 
-/// Searches for a certificate of the distance of a file, and writes it.
+/// Searches for a certificate of the distance of a file, writes it, and draws it.
 pub(crate) fn certify(arguments: &Certify) -> Result<ExitCode, CommandError> {
+    check_pictures(&arguments.plot)?;
     let gap = arguments.gap;
     if !(gap > 0.0 && gap < 1.0) {
         let message = format!("a gap of {gap:e} is not between 0 and 1");
@@ -53,6 +54,10 @@ pub(crate) fn certify(arguments: &Certify) -> Result<ExitCode, CommandError> {
         print(&format!("{json}\n"))?;
     } else {
         print(&report::certified(&found))?;
+    }
+    for path in &arguments.plot {
+        let picture = problem.question.certified_picture(&found);
+        write_picture(path, &picture.map_err(|failure| problem.explain(failure))?)?;
     }
     Ok(if found.reached { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }

@@ -71,7 +71,7 @@ pub(crate) fn solved(
             // Nobody listens any more once time has run out.
             let _ = report.send(Ok(answer.clone()));
         };
-        question.solve_watched(&mut solved, clock)
+        question.solve_watched(&mut solved, clock, &mut |progress| clock.next_level(progress))
     })?;
     let too_late = || Failure::NotComputed("no curve was found within the time limit".to_owned());
     reported.unwrap_or_else(|| Err(too_late())).map_err(|failure| problem.explain(failure))

@@ -29,6 +29,21 @@ fn a_certificate_is_written_and_checked() {
     assert!(verdict.contains(&lower), "{lower} {verdict}");
 }
 
+#[test]
+fn a_certificate_is_drawn_with_its_corridor() {
+    let folder = folder("corridor");
+    fs::write(folder.join("v.toml"), VALLEYS).expect("written");
+    let made = tautline(&folder, &["certify", "v.toml", "--plot", "v.svg", "--plot", "v.png"]);
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    let picture = fs::read_to_string(folder.join("v.svg")).expect("drawn");
+    assert!(picture.contains("in the corridor of all minimal geodesics"), "{picture}");
+    assert!(fs::read(folder.join("v.png")).expect("drawn").starts_with(b"\x89PNG"));
+    // Nothing is computed for a name that is no picture.
+    let refused = tautline(&folder, &["certify", "v.toml", "-o", "v.cert", "--plot", "v.gif"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(!folder.join("v.cert").exists());
+}
+
 /// A value is a proposal; a changed one proves less, or nothing, but the file is read.
 #[test]
 fn a_certificate_that_is_no_proof_is_refused() {

@@ -20,8 +20,8 @@ fn an_answer_is_printed_for_a_person() {
     assert!(output.status.success() && output.stderr.is_empty());
     let answer = text(&output.stdout);
     let expected = "\
-distance     between 5.337962737 and 5.338305531
-             the lower bound assumes that the minimum found is the global one
+distance     between 5.338113597 and 5.338305531
+             the lower bound is that of a certificate, which is about all curves
 length       5.338305531 of a curve of 256 chords, trapezoidal rule
              from [0.5, 0] to [3, 0]
 extrapolated 5.338305531 ± 2e-9, an estimate

@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use tautline_statements::{PaperRule, Reconstruction, VerifyError};
 
-use super::{claims::Found, problems::Posed};
+use super::{claims::Found, problems::Posed, proved_distances::ProvedDistance};
 use crate::{Claim, Failure};
 
 /// A map from keys to values. There are only a few keys, so the search is linear.
@@ -59,6 +59,8 @@ pub(super) struct Solved<const D: usize> {
     pub(super) extremes: Memory<Claim, Result<Option<Found>, Failure>>,
     pub(super) distances: Memory<Posed<D>, Estimate>,
     pub(super) minimisers: Memory<(PaperRule, Posed<D>), Solutions<D>>,
+    /// A distance with its proof, for a metric that knows none.
+    pub(super) proved: OnceLock<Option<ProvedDistance<D>>>,
 }
 
 #[cfg(test)]

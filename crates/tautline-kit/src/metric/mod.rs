@@ -20,6 +20,7 @@ mod on_a_ball;
 mod orders;
 mod problems;
 mod proofs;
+mod proved_distances;
 mod sampled_curves;
 mod sharper;
 mod solutions;
@@ -53,7 +54,8 @@ pub struct MetricCase<M, const D: usize> {
 }
 
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
-    /// Returns the case of a metric whose distances are extrapolated from fine grids.
+    /// Returns the case of a metric whose distances are extrapolated from fine grids. In up to two
+    /// dimensions one of them is also proved by a certificate, and the theorems have to hold with it.
     pub fn new(metric: M, region: Region<D>, effort: Effort) -> Self {
         Self { metric, region, ends: region, effort, distance: None, solved: Arc::default() }
     }
@@ -94,7 +96,8 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
 /// To add a statement of `tautline_statements`, add a row: `case.of_points(…)` for a statement
 /// about the metric at a point, `case.of_point_sequences(…)` for one about any point sequence,
 /// `case.of_known(…)` for one about a distance and the curves that are no shorter,
-/// `case.of_minimisers(rule, …)` for one about computed minimisers, and
+/// `case.of_minimisers(rule, …)` for one about computed minimisers, `case.of_theorem(rule, …)` if
+/// it is to hold with a proved distance too, and
 /// `case.of_constants(rule, …)` if it is an equality for every metric. All laws about minimisers
 /// share the same minimisers, which are computed once.
 #[doc(hidden)]
@@ -159,13 +162,13 @@ macro_rules! __metric_laws {
             prop_8_2, "Proposition 8.2: |E(γᵖˡ) − E_l,N| ≤ L_H K₃³/2√N",
                 |case| case.of_point_sequences(of_the_paper::prop_8_2);
             theorem_1_1, "Theorem 1.1: energies of the trapezoidal rule",
-                |case| case.of_minimisers(PaperRule::Trapezoidal, of_the_paper::theorem_1_1);
+                |case| case.of_theorem(PaperRule::Trapezoidal, of_the_paper::theorem_1_1);
             theorem_1_2, "Theorem 1.2: lengths of the trapezoidal rule",
-                |case| case.of_minimisers(PaperRule::Trapezoidal, of_the_paper::theorem_1_2);
+                |case| case.of_theorem(PaperRule::Trapezoidal, of_the_paper::theorem_1_2);
             theorem_1_3, "Theorem 1.3: energies of the left-endpoint rule",
-                |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::theorem_1_3);
+                |case| case.of_theorem(PaperRule::LeftEndpoint, of_the_paper::theorem_1_3);
             theorem_1_4, "Theorem 1.4: lengths of the left-endpoint rule",
-                |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::theorem_1_4);
+                |case| case.of_theorem(PaperRule::LeftEndpoint, of_the_paper::theorem_1_4);
             constant_c_tra, "C_tra(N) is its formula",
                 |case| case.of_constants(PaperRule::Trapezoidal, minimisers::c_tra, None);
             constant_c_tra_sharp, "C_tra(N) ≤ C_tra♯/N, with equality at N = 1",
@@ -227,7 +230,8 @@ __metric_laws! {
     { [M: Bounded<D>, const D: usize] MetricCase<M, D>, MetricCase::erased }
 }
 
-/// Checks all laws of a metric whose distances are extrapolated from fine grids.
+/// Checks all laws of a metric whose distances are extrapolated from fine grids, and proved in one
+/// case: see [`MetricCase::new`].
 ///
 /// The tests of [`metric_suite!`](crate::metric_suite) call the same functions.
 pub fn verify_metric<M: Bounded<D>, const D: usize>(

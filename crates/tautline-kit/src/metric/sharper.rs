@@ -1,8 +1,8 @@
 //! The sharper statements, as laws of a metric.
 
 use tautline_statements::{
-    LIBRARY, PaperRule, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, prop_s_9,
-    theorem_a, theorem_b, theorem_c, theorem_d,
+    LIBRARY, PaperRule, Reconstruction, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6,
+    prop_s_8, prop_s_9, theorem_a, theorem_b, theorem_c, theorem_d,
 };
 
 use super::{
@@ -32,12 +32,14 @@ pub(super) fn of_minima<const D: usize>(case: &Case<'_, D>) -> LawResult {
 
 /// Checks Theorems A to D.
 pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    case.of_both_rules(&|minimiser| {
-        let seen = minimiser.seen;
+    let theorems = |seen: &Reconstruction<D>| -> Vec<_> {
         let first_order = [theorem_a(&LIBRARY, seen), theorem_c(&LIBRARY, seen)];
         let second_order = [theorem_b(&LIBRARY, seen), theorem_d(&LIBRARY, seen)];
-        judge_all(first_order.into_iter().chain(second_order.into_iter().flatten()))
-    })
+        first_order.into_iter().chain(second_order.into_iter().flatten()).collect()
+    };
+    let solved = case.of_both_rules(&|minimiser| judge_all(theorems(minimiser.seen)))?;
+    let trapezoidal = case.of_proved(PaperRule::Trapezoidal, &theorems)?;
+    Ok(solved.and(trapezoidal).and(case.of_proved(PaperRule::LeftEndpoint, &theorems)?))
 }
 
 /// Checks Proposition S.6, and Proposition S.9 where convexity is proved.

@@ -94,6 +94,12 @@ impl<const D: usize> Case<'_, D> {
         self.of_solutions(rule, &|minimiser| judge(&statement(&LIBRARY, minimiser.seen)))
     }
 
+    /// Checks a statement about the minimisers for a rule, also with a proved distance.
+    pub(super) fn of_theorem(&self, rule: PaperRule, theorem: OfMinimisers<D>) -> LawResult {
+        let proved = self.of_proved(rule, &|seen| vec![theorem(&LIBRARY, seen)])?;
+        Ok(self.of_minimisers(rule, theorem)?.and(proved))
+    }
+
     /// Checks a statement whose claims are attained by every metric: equalities of constants, and
     /// equalities at `N = 1`. The report shows the overestimation of the claim `shown`, or none.
     pub(super) fn of_constants(

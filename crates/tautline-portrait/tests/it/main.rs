@@ -1,5 +1,6 @@
 //! What a portrait shows, read from the finished drawing.
 
+mod corridor;
 mod extremes;
 mod metric;
 mod places;

@@ -1,6 +1,6 @@
 //! What cannot be drawn is refused, with the number to change.
 
-use tautline_portrait::{Portrait, PortraitError, Shape};
+use tautline_portrait::{Corridor, Cubes, Portrait, PortraitError, Shape};
 
 fn identity(_: &[f64]) -> Option<Vec<f64>> {
     Some(vec![1.0, 0.0, 0.0, 1.0])
@@ -27,6 +27,22 @@ fn vectors_need_a_finite_coordinate_for_each_dimension() {
     assert_refused(Portrait { ends: [&[], &flat], ..good }, "normal of a half-space is 0");
     let turned = [Shape::AxisBox { low: vec![0.0, 1.0], high: vec![1.0, 0.5] }];
     assert_refused(Portrait { ends: [&turned, &[]], ..good }, "from 1 is 0.5");
+}
+
+#[test]
+fn a_corridor_needs_whole_places_a_positive_side_and_ordered_bounds() {
+    let good = Portrait::new(2, &identity);
+    let refused = |side, places: &[i32], bounds, words| {
+        let levels = [Cubes { side, places: places.to_vec() }];
+        assert_refused(
+            Portrait { corridor: Some(Corridor { levels: &levels, bounds }), ..good },
+            words,
+        );
+    };
+    refused(0.5, &[0, 1, 2], [1.0, 2.0], "the last cube has 1 coordinates");
+    refused(-0.5, &[0, 1], [1.0, 2.0], "the side of a cube is -0.5");
+    refused(0.5, &[0, 1], [2.0, 1.0], "the lower bound is 2");
+    refused(0.5, &[0, 1], [0.0, f64::INFINITY], "the upper bound is inf");
 }
 
 #[test]

@@ -1,7 +1,9 @@
 //! Problem files: what they mean, and what is said of wrong ones.
 
+mod corridor;
 mod gallery;
 mod other_minima;
+mod random_certificates;
 mod schema;
 mod tolerance;
 mod twins;

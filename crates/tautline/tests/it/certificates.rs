@@ -50,6 +50,16 @@ fn known_distances_lie_between_the_bounds() {
     assert!(lower <= d && d <= upper, "{lower} {d} {upper}");
 }
 
+/// On the sphere, curves a little longer than the shortest one get near the far side, which is at
+/// infinity: no region that reaches much farther has an end.
+#[test]
+fn ends_far_apart_on_the_sphere_have_a_certificate() {
+    let (a, b) = ([-0.8, 0.3], [1.1, 0.6]);
+    let d = gallery::Sphere.distance(&a.into(), &b.into()).expect("known");
+    let (lower, upper) = bounds(gallery::Sphere, a, b, 1e-3);
+    assert!(lower > 0.999 * d && lower <= d && d <= upper, "{lower} {d} {upper}");
+}
+
 /// The curve on the other side of the hill is a strict local minimum, 2 % longer than the shortest.
 #[test]
 fn a_longer_local_minimum_is_never_certified() {

@@ -5,3 +5,4 @@ mod certificates;
 mod enclosure;
 mod front_door;
 mod own_norms;
+mod proofs;

@@ -1,0 +1,22 @@
+//! `cargo xtask second-checker`: lets the checker in Python check the certificates of the gallery.
+
+use std::{env, path::Path};
+
+use crate::{peers::install, run::cargo};
+
+/// Installs what the second checker needs into `target/second-checker`, unless a Python is named that
+/// has it, and compares the two checkers.
+pub(crate) fn second_checker(root: &Path, rest: &[&str]) -> Result<(), String> {
+    let python = match rest {
+        [] => {
+            let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into()));
+            let environment = target.join("second-checker");
+            let requirements = root.join("crates/tautline-check/second/requirements.txt");
+            install(&environment, &requirements)?;
+            environment.join("bin/python").display().to_string()
+        }
+        [python] => (*python).to_owned(),
+        _ => return Err("second-checker needs at most one program, Python".to_owned()),
+    };
+    cargo(&["run", "--package", "paper", "--", "second-checker", &python], &[])
+}
