@@ -1,0 +1,108 @@
+//! Bounds as they are printed, and claims that are refuted.
+
+use tautline::{
+    Constants, Formula, PointSequence,
+    bounds::{Enclosure, FromAbove, FromBelow},
+};
+
+use super::{Bounds, GlobalMinimum, NOTHING, UsedConstants, check_claims, in_words};
+
+const ENCLOSURE: Enclosure = Enclosure {
+    lower: 4.0,
+    upper: 9.0,
+    from_below: FromBelow::Minimum,
+    from_above: FromAbove::Length,
+    assumes_global_minimum: true,
+    is_not_global: false,
+    is_local: false,
+};
+
+fn bounds(enclosure: Enclosure) -> Bounds {
+    let constants = Constants::new(1.0, 2.0, 3.0).expect("constants");
+    in_words(enclosure, UsedConstants::new(constants, true, None))
+}
+
+/// A root is rounded to nearest, so that it may be on the wrong side.
+#[test]
+fn roots_are_rounded_outwards() {
+    let found = bounds(ENCLOSURE);
+    assert!(found.lower.value < 2.0 && found.lower.value > 2.0 - 1e-15);
+    assert!(found.upper.value > 3.0 && found.upper.value < 3.0 + 1e-15);
+    let touching = bounds(Enclosure { lower: 0.0, upper: 0.0, ..ENCLOSURE });
+    assert_eq!([touching.lower.value, touching.upper.value], [0.0, 0.0]);
+}
+
+#[test]
+fn what_is_known_of_the_minimum_is_said() {
+    let known = |assumes_global_minimum, is_not_global| {
+        let with = Enclosure { assumes_global_minimum, is_not_global, ..ENCLOSURE };
+        bounds(with).global_minimum
+    };
+    assert_eq!(known(true, false), GlobalMinimum::Assumed);
+    assert_eq!(known(false, true), GlobalMinimum::Refuted);
+    assert_eq!(known(false, false), GlobalMinimum::Proved);
+    let certified = Enclosure {
+        assumes_global_minimum: false,
+        from_below: FromBelow::Certificate,
+        ..ENCLOSURE
+    };
+    assert_eq!(bounds(certified).global_minimum, GlobalMinimum::NotNeeded);
+    let refuted = Enclosure { is_not_global: true, ..certified };
+    assert_eq!(bounds(refuted).global_minimum, GlobalMinimum::Refuted);
+}
+
+#[test]
+fn bounds_that_contradict_each_other_refute_the_claims() {
+    let good = bounds(ENCLOSURE);
+    assert_eq!(good.clone().without_contradiction(), Ok(good));
+    let reason = |bounds: Bounds| bounds.without_contradiction().expect_err("a contradiction");
+    let inverted = bounds(Enclosure { lower: 16.0, ..ENCLOSURE });
+    let says = "at least 3.9999999999999996, but a curve has length 3.0000000000000004;";
+    assert!(reason(inverted).contains(says));
+    // Another curve may be what contradicts them, if nothing is assumed of the minimum.
+    let proved = bounds(Enclosure { assumes_global_minimum: false, ..ENCLOSURE });
+    assert!(reason(proved.and_no_longer_than([1.5].into_iter())).contains("length 1.5;"));
+}
+
+/// The least eigenvalue of `(2 1; 1 2)` is 1, and that of a rotation of
+/// `diag(1, 10¹²)` is 1 however it rounds.
+#[test]
+fn claims_that_are_attained_hold() {
+    let sequence = PointSequence::straight([0.0, 0.0], [1.0, 1.0], 4).expect("finite");
+    let check = |text: &str, c1, c2| {
+        let metric = Formula::<2>::parse(text, &[]).expect("a formula");
+        check_claims(Constants::new(c1, c2, 9.0).expect("constants"), &metric, &sequence)
+    };
+    let dense = "[2, 1; 1, 2]";
+    assert_eq!(check(dense, 1.0, 3.0), Ok(()));
+    assert!(check(dense, 1.0 + 1e-8, 3.0).is_err_and(|why| why.contains("the claim c1 = 1")));
+    assert!(check(dense, 1.0, 3.0 - 3e-8).is_err_and(|why| why.contains("the claim c2 = 2")));
+    // The entries beside the diagonal differ by a rounding of 10⁶.
+    let rounded = "[1e6, x1*0 + (1e6 + 0.3) - 1e6; 0.3, 1e6]";
+    assert_eq!(check(rounded, 1e6 - 0.3, 1e6 + 0.3), Ok(()));
+    // The sum of the squares of the entries overflows.
+    assert_eq!(check("[1e160, 0; 0, 1e160]", 1e160, 1e160), Ok(()));
+    // A rotation of diag(1, 10¹²): its least eigenvalue rounds to 1 − 1.2e−4.
+    let stretched = "s = 0.36 + 0.64e12; c = 0.48 - 0.48e12; [s, c; c, 0.64 + 0.36e12]";
+    assert_eq!(check(stretched, 1.0, 1e12), Ok(()));
+    assert!(check(stretched, 1.1, 1e12).is_err());
+    assert!(check(stretched, 1.0, 1e12 * (1.0 - 1e-8)).is_err());
+}
+
+#[test]
+fn a_shorter_curve_lowers_the_upper_bound_and_may_refute_the_minimum() {
+    let beside = |lengths: &[f64]| bounds(ENCLOSURE).and_no_longer_than(lengths.iter().copied());
+    assert_eq!(beside(&[]), bounds(ENCLOSURE));
+    assert_eq!(beside(&[3.5, 4.0]), bounds(ENCLOSURE));
+    let shorter = beside(&[3.5, 2.5, 2.75]);
+    assert_eq!((shorter.upper.value, shorter.global_minimum), (2.5, GlobalMinimum::Assumed));
+    assert_eq!(shorter.lower, bounds(ENCLOSURE).lower);
+    let refuted = beside(&[1.5]);
+    assert_eq!((refuted.lower.value, refuted.upper.value), (0.0, 1.5));
+    assert_eq!(refuted.global_minimum, GlobalMinimum::Refuted);
+    assert_eq!(refuted.lower_by, NOTHING);
+    // Nothing was assumed, so that there is no assumption to refute.
+    let proved = bounds(Enclosure { assumes_global_minimum: false, ..ENCLOSURE });
+    let beside = proved.clone().and_no_longer_than([1.5].into_iter());
+    assert_eq!((beside.global_minimum, beside.lower), (GlobalMinimum::Proved, proved.lower));
+}
