@@ -23,6 +23,13 @@ pub(crate) fn cases_named(names: &[&str]) -> Result<Vec<Case>, Failure> {
     names.iter().map(take).collect()
 }
 
+/// Returns the case of a ridge that is crossed between two points of nearly the same cost. The
+/// leading term of the left rule is proportional to the logarithm of the ratio of these costs, and
+/// so small that the term of second order hides it up to some hundred chords.
+pub(crate) fn over_a_ridge() -> Result<Case, Failure> {
+    Case::between("valleys_ridge", Valleys, [[1.0, 0.0], [5.29, 1.0]], Orders::LeftHidden)
+}
+
 /// Returns all cases.
 pub(crate) fn cases() -> Result<Vec<Case>, Failure> {
     let shear = Shear::new(0.5, 1.0)?;

@@ -8,9 +8,8 @@ use super::{Row, Table};
 
 /// The cases in which the left rule does not show the order 1, and the reason. In the last one,
 /// neither rule shows its own order.
-const EXCEPTIONS: [(&str, &str); 3] = [
+const EXCEPTIONS: [(&str, &str); 2] = [
     ("valleys_points", "the metric is even about the middle of the curve"),
-    ("bump_points", "both ends are nearly at the same distance from the bump"),
     ("shear_ball", "both discrete energies attain d²"),
 ];
 
@@ -46,7 +45,15 @@ fn convergence_has_the_promised_columns_and_rows() {
     for ((case, rule), rows) in &series {
         assert!(["trapezoidal", "left_endpoint"].contains(rule), "{rule}");
         let grids: Vec<usize> = rows.iter().map(Row::n).collect();
-        assert_eq!(grids, powers, "{case}, {rule}");
+        if rows[0].text("reference") == "exact" {
+            assert_eq!(grids, powers, "{case}, {rule}");
+        } else {
+            // A proved distance is known to some digits only.
+            assert!(
+                powers.starts_with(&grids) && grids.contains(&128),
+                "{case}, {rule}: {grids:?}"
+            );
+        }
         let d2 = rows[0].text("d_squared");
         assert!(rows.iter().all(|row| row.text("d_squared") == d2), "{case} has one distance");
     }
@@ -117,15 +124,23 @@ fn convergence_was_converged() {
 fn convergence_has_the_predicted_orders() {
     let table = table();
     for ((case, rule), rows) in series(&table) {
+        let is_exact = rows[0].text("reference") == "exact";
+        // N = 256, …, 4096, or the last three grids of a case whose distance is proved.
+        let window = &rows[rows.len() - if is_exact { 5 } else { 3 }..];
         let fit = |value: &dyn Fn(&Row<'_>) -> f64| {
-            let window = rows.iter().filter(|row| row.n() >= 256);
-            let points: Vec<_> = window.map(|row| (row.n() as f64, value(row))).collect();
-            assert_eq!(points.len(), 5, "N = 256, …, 4096");
+            let points: Vec<_> = window.iter().map(|row| (row.n() as f64, value(row))).collect();
             slope(&points)
         };
         let excess = fit(&|row| row.number("excess"));
-        // At N = 256 the next term of the expansion is a few per cent of the first one.
-        assert!((excess + 2.0).abs() <= 0.05, "{case}, {rule}: excess has the slope {excess}");
+        // At N = 256 the next term of the expansion is a few per cent of the first one. A proved
+        // distance leaves a tenth of the last excess open, and the slope over two octaves changes by
+        // at most 0.1/ln 4 = 0.07.
+        let open = if is_exact { 0.05 } else { 0.12 };
+        assert!((excess + 2.0).abs() <= open, "{case}, {rule}: excess has the slope {excess}");
+        // The discrete energy is nearer to d², so that less of it is known.
+        if !is_exact {
+            continue;
+        }
         if EXCEPTIONS.iter().any(|exception| exception.0 == case)
             && (case == "shear_ball" || rule == "left_endpoint")
         {

@@ -15,13 +15,13 @@ fn quantities_of_the_curve_are_never_below_d_squared() {
     assert!(below > 0, "the figure shows that the discrete energy may be below");
 }
 
-/// The case is the bump. Between these two grids, the first-order term of the left rule overtakes
+/// The case is the ridge. Between these two grids, the first-order term of the left rule overtakes
 /// the second-order term.
 #[test]
 fn quantities_show_where_the_first_order_takes_over() {
     let table = Table::read("data/quantities.csv");
-    let [before, after] = ["1024", "2048"].map(|n| {
-        let row = table.row(&[("case", "bump_points"), ("rule", "left_endpoint"), ("n", n)]);
+    let [before, after] = ["512", "1024"].map(|n| {
+        let row = table.row(&[("case", "valleys_ridge"), ("rule", "left_endpoint"), ("n", n)]);
         row.number("discrete_energy_gap")
     });
     assert!(before < 0.0 && after > 0.0, "{before} and {after}");

@@ -20,7 +20,7 @@ fn an_answer_is_printed_for_a_person() {
     assert!(output.status.success() && output.stderr.is_empty());
     let answer = text(&output.stdout);
     let expected = "\
-distance     between 5.338113597 and 5.338305531
+distance     between 5.338147761 and 5.338305531
              the lower bound is that of a certificate, which is about all curves
 length       5.338305531 of a curve of 256 chords, trapezoidal rule
              from [0.5, 0] to [3, 0]
