@@ -13,7 +13,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
 
-use crate::hamiltonian::Hamiltonian;
+use crate::{hamiltonian::Hamiltonian, marching::gram};
 
 /// One place of a geodesic, with derivatives by arc length.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +21,8 @@ struct Sample<const D: usize> {
     x: SVector<f64, D>,
     p: SVector<f64, D>,
     s: SMatrix<f64, D, D>,
+    /// The metric.
+    h: SMatrix<f64, D, D>,
     slopes: (SVector<f64, D>, SVector<f64, D>, SMatrix<f64, D, D>),
 }
 
@@ -35,6 +37,9 @@ pub(crate) struct Calibration<const D: usize> {
 
 /// The number of samples that are compared before the nearest ones are.
 const STRIDE: usize = 24;
+
+/// How far a foot may be from where it is sought, relative to the number of samples.
+const MOST_OF_ALL: f64 = 0.25;
 
 impl<const D: usize> Calibration<D> {
     /// Integrates from `x` along the momentum `p`, which is made to have length 1, with `steps` steps
@@ -64,7 +69,7 @@ impl<const D: usize> Calibration<D> {
         for taken in 0..=steps {
             let slopes = slopes(formula, &state, true)?;
             let (x, p, s) = state;
-            samples.push(Sample { x, p, s, slopes });
+            samples.push(Sample { x, p, s, h: gram(formula, &x), slopes });
             if taken < steps {
                 state = runge_kutta(formula, &state, slopes, step, true)?;
             }
@@ -92,9 +97,13 @@ impl<const D: usize> Calibration<D> {
     }
 
     /// Returns where on the geodesic `p(s)·(x − c(s)) = 0`, in steps from the start, near the sample
-    /// that is nearest to `x`.
+    /// that is nearest to `x` by the metric there, which is the foot up to the second order.
     pub(crate) fn foot(&self, x: &SVector<f64, D>) -> f64 {
-        let distance = |at: usize| (self.samples[at].x - x).norm_squared();
+        let distance = |at: usize| {
+            let sample = &self.samples[at];
+            let away = sample.x - x;
+            away.dot(&(sample.h * away))
+        };
         let nearest = |range: &mut dyn Iterator<Item = usize>| {
             range.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
         };
@@ -106,12 +115,13 @@ impl<const D: usize> Calibration<D> {
 
     /// Returns the same, near `at` steps from the start.
     pub(crate) fn foot_near(&self, x: &SVector<f64, D>, mut at: f64) -> f64 {
+        let most = MOST_OF_ALL * self.samples.len() as f64;
         for _ in 0..6 {
             let [c, p, dc, dp] = self.line(at);
             let away = x - c;
             let slope = dp.dot(&away) - p.dot(&dc);
             let correction = p.dot(&away) / slope / self.step;
-            if !(correction.abs() <= (4 * STRIDE) as f64) {
+            if !(correction.abs() <= most) {
                 break;
             }
             at -= correction;
@@ -253,6 +263,20 @@ mod tests {
         assert!(far < 1e-4 && close < far / 30.0, "{far:e} {close:e}");
         // On the geodesic itself, only the start is approximate.
         assert!(error(0.0) < 1e-7, "{:e}", error(0.0));
+    }
+
+    /// Under an anisotropic metric the foot is far from the nearest point of the geodesic.
+    #[test]
+    fn a_foot_far_from_the_nearest_point_is_found() {
+        let flat = Formula::<2>::parse("[1, 3; 3, 10]", &[]).expect("a formula");
+        let start = (vector![0.0, 0.0], vector![1.0, 3.0]);
+        let straight = |h: &nalgebra::SMatrix<f64, 2, 2>, _: &SVector<f64, 2>| h * 0.0;
+        let ray = Calibration::integrate(&flat, start, straight, 0.0, 1e-3, 1000);
+        let ray = ray.expect("defined");
+        // The geodesic is x₂ = 0, and p = (1, 3).
+        for (x, foot) in [(vector![0.2, 0.1], 500.0), (vector![-0.1, 0.3], 800.0)] {
+            assert!((ray.foot(&x) - foot).abs() < 1e-6, "{} at {x}", ray.foot(&x));
+        }
     }
 
     /// Riccati's equation has no bounded solution past a point conjugate to the start.

@@ -22,6 +22,9 @@ pub(crate) const OVERHANG: f64 = 0.1;
 /// The support of the weight of a ray, in distances between rays.
 const SUPPORT: f64 = 1.6;
 
+/// How many samples apart points may be of which one foot is sought near the other.
+const WALK: f64 = 24.0;
+
 /// Rays, the first of which is the geodesic.
 #[derive(Clone, Debug)]
 pub(crate) struct Fan<const D: usize> {
@@ -161,13 +164,15 @@ impl<const D: usize> Fan<D> {
     /// Returns the same for points of which each is near the one before, which is faster.
     pub(crate) fn walk(&self) -> impl FnMut(&SVector<f64, D>) -> f64 {
         let ray = &self.rays[0];
+        let stride = WALK * (ray.place(1) - ray.place(0)).norm();
         let mut last: Option<(SVector<f64, D>, f64, f64)> = None;
         move |x| {
             let away = |foot: f64| (ray.point(foot) - x).norm();
             let near = last.and_then(|(before, foot, distance)| {
-                let foot = ray.foot_near(x, foot);
+                let moved = (x - before).norm();
+                let foot = (moved <= stride).then(|| ray.foot_near(x, foot))?;
                 // Another part of the geodesic may be nearer.
-                (away(foot) <= distance + (x - before).norm()).then_some(foot)
+                (away(foot) <= distance + moved).then_some(foot)
             });
             let foot = near.unwrap_or_else(|| ray.foot(x));
             last = Some((*x, foot, away(foot)));
