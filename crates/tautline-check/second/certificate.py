@@ -33,6 +33,9 @@ class Lines:
     def words(self, first):
         return self.next(f"{first} (.+)")[0].split(" ")
 
+    def word(self, first):
+        return self.next(f"{first} ([^ ]+)")[0]
+
 
 def integer(word):
     require(re.fullmatch(r"0|-?[1-9]\d{0,17}", word, re.ASCII), f"{word[:60]!r} is no integer")
@@ -54,11 +57,11 @@ class Certificate:
         self.dimension = integer(lines.next(r"dimension (\S+)")[0])
         require(1 <= self.dimension <= 3, f"dimension {self.dimension}: only 1 to 3 can be checked")
         start = lines.at
-        count = integer(lines.words("metric")[0])
+        count = integer(lines.word("metric"))
         require(1 <= count <= len(lines.lines), "the formula has no lines")
         self.formula = Formula([lines.next("(.*)")[0] for _ in range(count)], self.dimension)
         self.sets = [self.read_set(lines, name) for name in ("from", "to")]
-        self.hi = doubles(lines.words("hi"))[0]
+        self.hi = doubles([lines.word("hi")])[0]
         (kind, *bits), numbers = (
             lines.words("region"),
             {"tubes": 2, "declared": 1, "exit-one": 0, "exit-two": 0},
@@ -68,7 +71,7 @@ class Certificate:
         self.statement = lines.lines[start + 1 : start + 1 + count]
         self.curve = None
         if lines.peek().startswith("curve "):
-            count = integer(lines.words("curve")[0])
+            count = integer(lines.word("curve"))
             self.curve = self.rows(lines, count, self.dimension)
         self.levels = []
         while lines.peek().startswith("level "):

@@ -9,10 +9,14 @@ from jets import Jet
 
 
 def length_above(formula, points):
-    """An upper bound on the length of a polygon.
+    """An upper bound on the length of a polygon, infinite if the metric is undefined somewhere on it.
 
     The speed g on a part of a chord has the integral w (g(middle) + w² g''(somewhere)/24).
     """
+    # Equal points make no chord, but the metric has to be defined there.
+    first = formula([of(x) for x in points[0]], of)
+    if not all(np.isfinite(entry.lo + entry.hi).all() for entry in first.values()):
+        return INF
     moved = (points[1:] != points[:-1]).any(axis=1)
     start, end = points[:-1][moved], points[1:][moved]
     chord, at, width, lengths = np.arange(len(start)), np.zeros(len(start)), 1.0, []
@@ -26,9 +30,10 @@ def length_above(formula, points):
             terms = [h[i, j] * (d[i] * d[j]).scaled(1.0 if i == j else 2.0) for i, j in h]
             return sum(terms[1:], terms[0]).sqrt()
 
-        bent = speed(Interval(at, at + width)).second.get((0, 0)) or of(0.0)
+        whole = speed(Interval(at, at + width))
+        bent = whole.second.get((0, 0)) or of(0.0)
         length = (speed(of(at + width / 2)).value + bent * width**2 / 24.0) * width
-        known = np.isfinite(length.lo + length.hi)
+        known = np.isfinite(length.lo + length.hi + whole.value.lo + whole.value.hi)
         lengths.extend(length.hi[known])
         chord, at = np.tile(chord[~known], 2), np.concatenate([at[~known], at[~known] + width / 2])
         width /= 2

@@ -108,14 +108,24 @@ class Interval:
             return self.recip().powi(-n)
         if n == 0:
             return self * 0.0 + 1.0
-        if n % 2 == 0:
-            even = self.sqr()
-            return even if n == 2 else even.powi(n // 2)
         if n == 1:
             return self
+        if n % 2 == 0:
+            return self.sqr().power_of_positive(n // 2)
         # An odd power increases.
-        ends = [Interval(end) * Interval(end).powi(n - 1) for end in (self.lo, self.hi)]
-        return Interval(ends[0].lo, ends[1].hi)
+        ends = [Interval(end) for end in (self.lo, self.hi)]
+        low, high = [end * end.sqr().power_of_positive(n // 2) for end in ends]
+        return Interval(low.lo, high.hi)
+
+    def power_of_positive(self, n):
+        """The power n > 0 of numbers that are not negative."""
+        power, square = None, self
+        while n:
+            if n % 2:
+                power = square if power is None else power * square
+            n //= 2
+            square = square.sqr() if n else square
+        return power
 
     def positive(self):
         """The positive part."""

@@ -75,7 +75,7 @@ def cubes_near(pieces, reach, exponent, n, near):
     width = max(float(up(side.hi - side.lo)) for side in around)
     require(np.isfinite(width), "the region is not bounded")
     coarse = exponent
-    while 2.0**coarse < width:
+    while coarse - exponent <= 28 and 2.0**coarse < width:
         coarse += 1
     require(coarse - exponent <= 28, "the cubes of the first level are too small")
     # Four cubes as large as the box cover it along an axis.

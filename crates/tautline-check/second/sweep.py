@@ -85,7 +85,7 @@ class Sweep:
             if (left == kept).all():
                 break
             kept = left
-        return min(lower, hi), kept.any(axis=0)
+        return min(lower, hi) if kept.any() else hi, kept.any(axis=0)
 
     def to_the_boundary(self, ignored):
         """Lower bounds on the lengths from each set to a boundary facet of the cubes."""

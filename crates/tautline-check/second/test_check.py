@@ -91,6 +91,15 @@ class Numbers(unittest.TestCase):
                 continue
             self.inside(at[0], jet.value)
 
+    def test_powers_lie_in_their_enclosures_also_of_large_exponents(self):
+        for n in (-3, -2, 2, 3, 6, 7, 12, 2**20 - 1, 2**30):
+            for low, high in ((-1.0, -0.9), (-0.5, 1.0), (0.999999, 1.000001)):
+                if n < 0 and low <= 0 <= high:
+                    continue
+                power = Interval(low, high).powi(n)
+                for x in (low, 0.3 * low + 0.7 * high, high):
+                    self.inside(arb(x) ** n, power)
+
     def inside(self, value, interval):
         self.assertTrue(arb(float(interval.lo)) <= value.upper(), interval.lo)
         self.assertTrue(value.lower() <= arb(float(interval.hi)), interval.hi)
@@ -311,11 +320,24 @@ class Refusals(unittest.TestCase):
         self.refuses(self.changed("to", [f"to point {bits(1.0, 0.031)}"]))
         self.refuses(self.changed("hi", [f"hi {bits(0.9999)}"]))
 
+    def test_a_curve_where_the_metric_is_undefined(self):
+        # 0/x + 1 as a power: without its own value, nothing shows that it is undefined at 0.
+        metric, sides = ["s1 = recip(x1);", "s2 = s1^0;", "[s2]"], [(k,) for k in range(-128, 128)]
+        for x, y, curve in ((-1, 2, [[-1], [2]]), (0, 0, [[0]]), (0, 0, [[0], [0]])):
+            distances = [lambda z, x=x: abs(z[0] - x), lambda z, y=y: abs(z[0] - y)]
+            ends, levels = [("point", x), ("point", y)], [level(-4, sides, distances)]
+            self.refuses(lines(metric, ends, 3.5, "exit-one", levels, curve))
+            self.accepts(lines(metric, ends, 3.5, "exit-one", levels))
+            self.accepts(lines(flat(1), ends, 3.5, "exit-one", levels, curve))
+
     def test_text_that_the_format_does_not_name(self):
         for start, new in (
             ("hi", ["hi 1.0"]),
             ("hi", ["hi 7ff8000000000000"]),
             ("hi", ["hi  " + bits(1.0001)]),
+            ("hi", ["hi " + bits(1.0001, 1.0001)]),
+            ("metric", ["metric 3 steps"]),
+            ("curve", ["curve 2 2"]),
             ("hi", ["hi " + bits(1.0001), "M " + bits(0)]),
             ("hi", ["hi " + bits(1.0001).upper()]),
             ("dimension", ["dimension 02"]),

@@ -37,7 +37,8 @@ pub struct Proved<const D: usize> {
     /// The cubes of the last level that curves shorter than `hi` may meet. If there is a curve, they
     /// contain every minimal geodesic.
     pub corridor: Cubes<D>,
-    /// What the levels prove, from coarse to fine: the number of cubes, and the lower bound so far.
+    /// What the levels prove, from coarse to fine: the number of cubes, and the lower bound so far, in
+    /// `m`.
     pub levels: Vec<(usize, f64)>,
 }
 
@@ -143,7 +144,8 @@ impl<'c, const D: usize> Chain<'c, D> {
     /// # Errors
     ///
     /// [`CheckError::Sides`] if they are neither as large as those of the level before nor half as
-    /// large; for the first level the errors of [`Region::required`].
+    /// large, [`CheckError::Side`] and [`CheckError::Place`] if halves are out of range; for the first
+    /// level the errors of [`Region::required`].
     pub fn required(&self, exponent: i32) -> Result<Cubes<D>, CheckError> {
         match &self.kept {
             None => {
@@ -165,8 +167,9 @@ impl<'c, const D: usize> Chain<'c, D> {
     ///
     /// # Errors
     ///
-    /// [`CheckError::Empty`] without a cube, [`CheckError::Missing`] if a required cube is missing, the errors of
-    /// [`required`](Chain::required), and [`CheckError::Exit`] if curves may leave the first level.
+    /// [`CheckError::Empty`] without a cube, [`CheckError::Missing`] if a required cube is missing,
+    /// the errors of [`required`](Chain::required), and [`CheckError::Exit`] if curves may leave the
+    /// first level.
     pub fn add(&mut self, level: &Level<D>, keep: f64) -> Result<(), CheckError> {
         let cubes = level.cubes();
         let required = self.required(cubes.exponent())?;

@@ -93,6 +93,12 @@ pub enum CheckError {
         /// The distance from the sets.
         radius: f64,
     },
+    /// The declared bound `c₁` of the metric is no bound.
+    #[error("the declared c1 is {c1:e}, which is not a positive number")]
+    Declared {
+        /// The constant.
+        c1: f64,
+    },
     /// The tubes are too thin to hold all short curves.
     #[error("tubes of radius {radius:e} with c1 = {c1:e} do not hold all curves shorter than {hi}")]
     Tubes {

@@ -1,6 +1,9 @@
 //! Checks a certificate: `tautline-check FILE`. Exit codes: 0 proved, 1 refused, 2 not read.
 
-use std::process::ExitCode;
+use std::{
+    io::{self, Write},
+    process::ExitCode,
+};
 
 use tautline_check::AnyCertificate;
 
@@ -19,8 +22,14 @@ fn main() -> ExitCode {
     };
     match AnyCertificate::read(&text).and_then(|certificate| certificate.check()) {
         Ok(verdict) => {
-            print!("{}{verdict}", verdict.statement);
-            ExitCode::SUCCESS
+            // A reader that has seen enough closes the pipe.
+            match write!(io::stdout(), "{}{verdict}", verdict.statement) {
+                Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+                    eprintln!("{file}: proved, but not written: {error}");
+                    ExitCode::from(2)
+                }
+                _ => ExitCode::SUCCESS,
+            }
         }
         Err(error) => {
             eprintln!("{file}: refused: {error}");

@@ -6,7 +6,7 @@ use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Jet2, Scalar};
 use tautline_sets::Shape;
 
-use crate::{CheckError, rounding::add_up, set::contains};
+use crate::{CheckError, rounding::add_up, set::contains, vertex_test::gram};
 
 /// How often a chord may be halved.
 const HALVINGS: u32 = 12;
@@ -16,7 +16,7 @@ const HALVINGS: u32 = 12;
 /// # Errors
 ///
 /// [`CheckError::CurveEnd`] if an end is not proved to lie in its set. If the length of a chord is
-/// not bounded, the result is infinite.
+/// not bounded, or the metric is undefined at the only point, the result is infinite.
 pub fn length_above<const D: usize>(
     formula: &Formula<D>,
     sets: [&Shape<D>; 2],
@@ -28,7 +28,10 @@ pub fn length_above<const D: usize>(
     if !points.last().is_some_and(|x| contains(sets[1], x)) {
         return Err(CheckError::CurveEnd { end: "last" });
     }
-    let mut length = 0.0;
+    // Equal points make no chord, but the metric has to be defined there.
+    let is_defined =
+        gram(formula, &points[0].map(Interval::point)).iter().all(|entry| entry.is_finite());
+    let mut length = if is_defined { 0.0 } else { f64::INFINITY };
     for pair in points.windows(2).filter(|pair| pair[0] != pair[1]) {
         let from = pair[0].map(Interval::point);
         let chord = pair[1].map(Interval::point) - from;
@@ -58,10 +61,12 @@ fn part_above<const D: usize>(
     if length.is_finite() || halvings == 0 {
         return length.hi();
     }
-    [[a, middle], [middle, b]]
-        .into_iter()
-        .map(|part| part_above(formula, from, chord, part, halvings - 1))
-        .fold(0.0, add_up)
+    let first = part_above(formula, from, chord, [a, middle], halvings - 1);
+    // One part without a bound is enough, and the others may be thousands.
+    if !(first < f64::INFINITY) {
+        return f64::INFINITY;
+    }
+    add_up(first, part_above(formula, from, chord, [middle, b], halvings - 1))
 }
 
 /// Returns `g` and its derivatives at the parameters in `s`.
@@ -85,4 +90,30 @@ fn speed<const D: usize>(
         }
     }
     square.sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+    use tautline_formula::Formula;
+    use tautline_sets::{Point, Shape};
+
+    use super::length_above;
+
+    /// No curve runs through a place where the metric is undefined, not even one of length 0.
+    #[test]
+    fn a_curve_where_the_metric_is_undefined_has_no_bound() {
+        let formula = Formula::<1>::parse("[1 + (1/x1)^0]", &[]).expect("a formula");
+        let at = |x: f64| Shape::Point(Point::new([x]).expect("finite"));
+        let length = |points: &[f64]| {
+            let points: Vec<_> = points.iter().map(|&x| vector![x]).collect();
+            let ends = [points[0][0], points[points.len() - 1][0]].map(at);
+            length_above(&formula, ends.each_ref(), &points).expect("ends in their sets")
+        };
+        for points in [&[0.0][..], &[0.0, 0.0], &[-1.0, 2.0], &[0.0, 1.0]] {
+            assert_eq!(length(points), f64::INFINITY, "{points:?}");
+        }
+        assert!((length(&[1.0, 2.0]) - 2.0_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(length(&[1.0]), 0.0);
+    }
 }

@@ -27,8 +27,14 @@ impl AnyCertificate {
     /// [`CheckError::Line`] with the place and what should be there; [`CheckError::Dimension`];
     /// the errors of cubes and levels.
     pub fn read(text: &str) -> Result<Self, CheckError> {
-        let mut lines = Lines { text: text.lines().collect(), at: 0 };
+        let mut lines = Lines { text: text.split('\n').collect(), at: 0 };
+        // What follows the last line feed is no line.
+        let is_whole = lines.text.pop() == Some("");
         lines.expect("tautline-distance 1", "\"tautline-distance 1\"")?;
+        if !is_whole {
+            lines.at = lines.text.len() + 1;
+            return Err(lines.error("a line feed at the end"));
+        }
         let dimension = lines.words("dimension", "dimension D", 1)?;
         let dimension = lines.integer(dimension[0], "dimension D")?;
         match dimension {
@@ -149,13 +155,21 @@ impl<'t> Lines<'t> {
         let count = self.words("metric", expected, 1)?;
         let count: usize = self.integer(count[0], expected)?;
         let expected = "a line of a formula";
-        let mut text = Vec::new();
+        let first = self.at;
         for _ in 0..count {
-            text.push(self.next(expected)?);
+            self.next(expected)?;
         }
-        let text = text.join("\n");
-        let formula = Formula::parse(&text, &[]).ok();
-        formula.filter(|formula| formula.to_string() == text).ok_or_else(|| self.error(expected))
+        let lines = &self.text[first..self.at];
+        let formula = Formula::parse(&lines.join("\n"), &[]).ok();
+        let printed = formula.as_ref().map(ToString::to_string).unwrap_or_default();
+        // Infinite numbers are printed as quotients.
+        let is_line = |(line, printed): (&&str, &str)| *line == printed && !line.contains("/0)");
+        let good = lines.iter().zip(printed.split('\n')).take_while(|&pair| is_line(pair)).count();
+        let is_whole = good == count && printed.split('\n').count() == count;
+        formula.filter(|_| is_whole).ok_or_else(|| {
+            self.at = first + good + 1;
+            self.error(expected)
+        })
     }
 
     /// Reads the pieces of a set, one on each line.

@@ -52,7 +52,9 @@ impl Region {
     ///
     /// # Errors
     ///
-    /// [`CheckError`] if the tubes are too thin, or `c₁` is not proved.
+    /// [`CheckError::Tubes`] if the tubes are too thin, [`CheckError::Constant`] if `c₁` is not proved
+    /// on them, [`CheckError::Unbounded`] if their radius is not a positive number, and
+    /// [`CheckError::Declared`] if a declared `c₁` is not.
     pub fn prove<const D: usize>(
         &self,
         formula: &Formula<D>,
@@ -61,6 +63,9 @@ impl Region {
     ) -> Result<(), CheckError> {
         match *self {
             Region::Tubes { radius, c1 } => prove_tubes(formula, sets, hi, radius, c1),
+            Region::Declared { c1 } if !(c1 > 0.0 && c1.is_finite()) => {
+                Err(CheckError::Declared { c1 })
+            }
             _ => Ok(()),
         }
     }
@@ -69,7 +74,9 @@ impl Region {
     ///
     /// # Errors
     ///
-    /// [`CheckError`] if a set is unbounded that must be bounded, or there are too many cubes.
+    /// [`CheckError::Unbounded`] if a set is unbounded that must be bounded, [`CheckError::TooLarge`]
+    /// if there are too many cubes, [`CheckError::TooFar`] and [`CheckError::Place`] if they are too
+    /// far from the origin for their side, [`CheckError::Side`] if that is out of range.
     pub fn required<const D: usize>(
         &self,
         sets: [&Shape<D>; 2],
@@ -154,23 +161,24 @@ fn cubes_in<const D: usize>(
     if (0..D).any(|i| !(first(i).abs() <= farthest)) {
         return Err(CheckError::TooFar { exponent });
     }
+    let required = |largest: i32, place: &Place<D>| {
+        let cube = lattice::cube(largest, place);
+        meets(&cube) && counts(&cube)
+    };
     let mut left: Vec<Place<D>> = (0..4_usize.pow(D as u32))
         .map(|at| std::array::from_fn(|i| first(i) as i32 + (at >> (2 * i) & 3) as i32))
+        .filter(|place| required(largest, place))
         .collect();
-    loop {
-        left.retain(|place| {
-            let cube = lattice::cube(largest, place);
-            meets(&cube) && counts(&cube)
-        });
+    while largest > exponent {
+        largest -= 1;
+        // No more are kept in memory than are needed to know that they are too many.
+        let smaller = left.iter().flat_map(halves).filter(|place| required(largest, place));
+        left = smaller.take(MOST + 1).collect();
         if left.len() > MOST {
             return Err(CheckError::TooLarge { most: MOST });
         }
-        if largest == exponent {
-            return Ok(left);
-        }
-        largest -= 1;
-        left = left.iter().flat_map(halves).collect();
     }
+    Ok(left)
 }
 
 /// Proves that curves shorter than `hi` stay in the tubes, and that `H ≥ c₁ I` there.

@@ -24,9 +24,8 @@ pub(crate) fn distance_below<const D: usize>(set: &Shape<D>, x: &SVector<Interva
             positive(dot(normal, x) - offset) / norm(&normal.map(Interval::point))
         }
         Shape::Union(shapes) => {
-            // A NaN would be ignored by a minimum.
             let distances = shapes.iter().map(|shape| distance_below(shape, x));
-            return distances.fold(f64::INFINITY, |a, b| if b < a || b.is_nan() { b } else { a });
+            return distances.fold(f64::INFINITY, f64::min);
         }
     };
     distance.lo().max(0.0)

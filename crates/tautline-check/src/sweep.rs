@@ -126,7 +126,9 @@ impl<'l, const D: usize> Sweep<'l, D> {
         }
         let places = self.level.cubes().places().iter().zip(kept.chunks(self.simplices.len()));
         let kept = places.filter(|(_, kept)| kept.contains(&true)).map(|(place, _)| *place);
-        Swept { lower: lower.min(hi), kept: kept.collect() }
+        let kept: Vec<_> = kept.collect();
+        let lower = if kept.is_empty() { hi } else { lower.min(hi) };
+        Swept { lower, kept }
     }
 
     /// Returns, for `φ` and for `ψ`, an upper bound on its own set and a lower bound on the other
@@ -240,11 +242,11 @@ fn meetings<const D: usize>(
         for (s, simplex) in simplices.iter().enumerate() {
             let spot = Spot { simplex, low: &low, side: cubes.side() };
             let forms = values.map(|values| Bernstein::<D>::of(simplex, values));
-            for piece in &pieces {
-                if let Some(found) = piece.values(spot, [&forms[own], &forms[1 - own]]) {
-                    let simplex = n * simplices.len() + s;
-                    meetings.push(Meeting { simplex, own: found[0].hi(), other: found[1].lo() });
-                }
+            let values = |piece: &Piece<D>| piece.values(spot, [&forms[own], &forms[1 - own]]);
+            let found = pieces.iter().filter_map(values).map(|[a, b]| (a.hi(), b.lo()));
+            // One for all pieces, of which there may be as many as cubes.
+            if let Some((own, other)) = found.reduce(|a, b| (a.0.max(b.0), a.1.min(b.1))) {
+                meetings.push(Meeting { simplex: n * simplices.len() + s, own, other });
             }
         }
         meetings

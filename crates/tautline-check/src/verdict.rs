@@ -57,9 +57,10 @@ impl AnyCertificate {
 
 impl Display for Verdict {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(f, "lower bound  {:.17e}  no curve between the sets is shorter", self.lower)?;
+        let lower = not_above(self.lower);
+        writeln!(f, "lower bound  {lower:.17e}  no curve between the sets is shorter")?;
         if let (Some(upper), Some(gap)) = (self.upper, self.gap) {
-            writeln!(f, "upper bound  {upper:.17e}  the length of the curve")?;
+            writeln!(f, "upper bound  {:.17e}  the length of the curve", not_below(upper))?;
             writeln!(f, "gap          {gap:.2e}  (upper - lower)/upper")?;
             let (cubes, side) = self.corridor;
             writeln!(f, "corridor     {cubes} cubes of side {side:e} hold every shortest curve")?;
@@ -68,5 +69,43 @@ impl Display for Verdict {
             writeln!(f, "hypothesis   H >= {c1:e} I everywhere, declared and not proved")?;
         }
         writeln!(f, "hypotheses   the formula is the one that is meant; numbers are binary values")
+    }
+}
+
+/// Returns a number that is at most `x` when it is rounded to 18 digits: a double is farther from the
+/// next one than these digits can be from it.
+fn not_above(x: f64) -> f64 {
+    if x > 0.0 { x.next_down() } else { x }
+}
+
+/// Returns a number that is at least `x` when it is rounded to 18 digits.
+fn not_below(x: f64) -> f64 {
+    if x > 0.0 { x.next_up() } else { x }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Verdict;
+
+    /// All digits of `1 + 2⁻¹⁹` are 1.0000019073486328125, and 18 of them are less.
+    #[test]
+    fn printed_bounds_are_bounds() {
+        let exact = 1.0 + 0.5_f64.powi(19);
+        let verdict = Verdict {
+            statement: String::new(),
+            lower: exact,
+            upper: Some(exact),
+            gap: Some(0.0),
+            declared: None,
+            corridor: (1, 0.5),
+            levels: Vec::new(),
+        };
+        let text = verdict.to_string();
+        let number = |line: &str| line.split_whitespace().nth(2).expect("a number").to_owned();
+        let [lower, upper] = [0, 1].map(|n| number(text.lines().nth(n).expect("a line")));
+        // Decimals of equal length are in the order of their digits.
+        assert!(lower.as_str() < "1.0000019073486328125", "{lower}");
+        assert!(upper.as_str() > "1.0000019073486328125", "{upper}");
+        assert!(lower.starts_with("1.00000190734863") && upper.starts_with("1.00000190734863"));
     }
 }

@@ -8,10 +8,7 @@
 //! max_T pᵀH⁻¹p ≤ maxᵢ p(vᵢ)ᵀ Sᵢ⁻¹ p(vᵢ).
 //! ```
 //!
-//! Proof. For a unit vector `u`, the function `uᵀHu − Σ Mₖ(xₖ − cₖ)²/2` is concave on `T`, and the sum
-//! is `ε` at all corners. So at `x = Σ λᵢ vᵢ` the form `uᵀH(x)u` is at least `Σ λᵢ uᵀH(vᵢ)u − ε = uᵀSu`
-//! with `S = Σ λᵢ Sᵢ`. Hence `H⁻¹ ≤ S⁻¹`. And `pᵀS⁻¹p = sup_y (2 yᵀp − yᵀSy)` is convex in `(p, S)`,
-//! which is affine in `x`: the maximum is at a vertex. ∎
+//! This is Lemma V of `paper/CERTIFICATE.md`, which proves it.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;

@@ -6,6 +6,12 @@ use tautline_check::CheckError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DistanceError {
+    /// The wanted gap is not between 0 and 1.
+    #[error("a gap of {gap:e}, which is not between 0 and 1")]
+    Gap {
+        /// The gap.
+        gap: f64,
+    },
     /// The curve does not run from set to set, or its length is not bounded.
     #[error("the curve proves no length: {0}")]
     Curve(#[source] CheckError),

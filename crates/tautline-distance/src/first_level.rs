@@ -78,7 +78,7 @@ impl<const D: usize> Search<'_, D> {
         let many = COUNTS[D - 1].1;
         let mut margin = MARGIN;
         let mut halvings = 0;
-        let mut reason = CheckError::Empty;
+        let mut reason = CheckError::TooLarge { most: many };
         let near = self.near(region)?;
         let mut next = self.within(&near, margin, halvings);
         while let Some(cubes) = next.take().filter(|cubes| cubes.places().len() <= many) {

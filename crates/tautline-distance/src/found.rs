@@ -5,7 +5,7 @@ use tautline_check::{Certificate, Proved};
 /// What is wanted of a certificate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
-    /// The largest gap `(upper − lower)/upper`.
+    /// The largest gap `(upper − lower)/upper`, between 0 and 1.
     pub gap: f64,
     /// The most cubes of all levels together. Each takes some 140 bytes of the certificate in the plane,
     /// and some 440 in space.
@@ -42,6 +42,8 @@ pub enum Ended {
     Stalled,
     /// The next level would have had too many cubes.
     TooManyCubes,
+    /// The next level would have had cubes too small for their distance from the origin.
+    TooFar,
     /// The observer stopped it.
     Stopped,
 }

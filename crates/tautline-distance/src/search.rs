@@ -78,7 +78,8 @@ pub(crate) struct Search<'f, const D: usize> {
 ///
 /// # Errors
 ///
-/// [`DistanceError`] if the polygon proves no length, or no region holds the short curves.
+/// [`DistanceError`] if the gap is not between 0 and 1, the polygon proves no length above 0, or no
+/// region holds the short curves.
 pub fn search<const D: usize>(
     formula: &Formula<D>,
     sets: &[Shape<D>; 2],
@@ -88,6 +89,9 @@ pub fn search<const D: usize>(
 ) -> Result<Found<D>, DistanceError> {
     if !(1..=LARGEST_DIMENSION).contains(&D) {
         return Err(DistanceError::Refused(CheckError::Dimension { dimension: D }));
+    }
+    if !(wanted.gap > 0.0 && wanted.gap < 1.0) {
+        return Err(DistanceError::Gap { gap: wanted.gap });
     }
     if is_unbounded(&sets[0]) {
         if is_unbounded(&sets[1]) {
@@ -144,7 +148,10 @@ impl<const D: usize> Search<'_, D> {
                 break Ended::Stalled;
             }
             let exponent = levels[levels.len() - 1].cubes().exponent() - 1;
-            let next = chain.required(exponent).map_err(DistanceError::Refused)?;
+            let next = match chain.required(exponent) {
+                Err(CheckError::TooFar { .. } | CheckError::Place { .. }) => break Ended::TooFar,
+                next => next.map_err(DistanceError::Refused)?,
+            };
             if cubes + next.places().len() > wanted.cubes {
                 break Ended::TooManyCubes;
             }

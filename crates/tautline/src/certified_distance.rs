@@ -46,7 +46,7 @@ const OF_THE_POLYGON: f64 = 0.02;
 /// The most chords of a polygon in a certificate.
 const MOST_CHORDS: usize = 1 << 17;
 
-/// Other minima that are longer by more are of no use.
+/// Other minima that are longer than the line by a larger factor are of no use.
 const NEARLY: f64 = 1.1;
 
 /// The smallest and the largest gap that a [proof](TautLine::prove) looks for on a line or in the
@@ -61,8 +61,8 @@ const MOST_CUBES: usize = 60_000;
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// Searches for a certificate of the distance `d`, in `m`, with a gap of at most `gap` between its
-    /// two bounds, relative to the upper one. That is the proved length of this line, refined if it
-    /// has too few chords. No curve between the sets is shorter than the lower one: nothing is assumed
+    /// two bounds, relative to the upper one. That is the proved length of this line, or of a shorter
+    /// one of its [other minima](TautLine::other_minima), refined if it has too few chords. No curve between the sets is shorter than the lower one: nothing is assumed
     /// about global minima.
     ///
     /// ```
@@ -133,8 +133,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     }
 
     /// Searches for a certificate that proves about as much as this enclosure does under the
-    /// assumption of a global minimum. The result is `None` if nothing is assumed and the lower bound
-    /// is more than that of Euclid, or if there is no certificate.
+    /// assumption of a global minimum. The result is `None` if nothing is assumed and the enclosure is
+    /// narrow or its lower bound more than that of Euclid, or if there is no certificate.
     pub(crate) fn instead_of_an_assumption(
         &self,
         enclosure: &Enclosure,
@@ -155,6 +155,9 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     fn refined(&self, gap: f64) -> Result<Vec<SVector<f64, D>>, SolveError> {
         let n = self.sequence().n().get();
         let square = self.length().value.powi(2);
+        if !(square > 0.0) {
+            return Ok(self.sequence().points().to_vec());
+        }
         // The excess of a polygon falls like N⁻². Without an estimate it is about N⁻².
         let excess = match self.distance_squared_estimate() {
             Some(estimate) => ((square - estimate.value).abs() + estimate.error) / square,

@@ -61,6 +61,7 @@ fn reason(ended: Ended) -> &'static str {
     match ended {
         Ended::Stalled => "the gap no longer falls",
         Ended::TooManyCubes => "too many cubes",
+        Ended::TooFar => "too far from the origin",
         _ => "stopped",
     }
 }

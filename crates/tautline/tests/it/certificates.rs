@@ -111,3 +111,29 @@ fn a_line_without_a_certificate_is_an_error() {
     let line = Problem::new(flat(), ends).solve(Trapezoidal, 8).expect("solved");
     assert_eq!(line.certificate(0.1).map(|_| ()), Err(CertificateError::NoShape { end: "second" }));
 }
+
+/// Far from the origin, small cubes have no places of 32 bits. What was proved before is returned.
+#[test]
+fn a_search_far_from_the_origin_returns_what_it_has() {
+    let ends = Ends::points([1e6], [1e6 + 1.0]).expect("finite");
+    let metric = Formula::<1>::parse("sqr(2 - cos(x1)) I", &[]).expect("a formula");
+    let line = Problem::new(metric, ends).solve(Trapezoidal, 64).expect("solved");
+    let found = line.certificate(1e-9).expect("a certificate");
+    assert_eq!(found.ended, Ended::TooFar);
+    let proved = found.certificate.check().expect("proved");
+    assert!(proved.gap().is_some_and(|gap| gap < 1e-2), "{:?}", proved.gap());
+}
+
+/// The feet of nodes on the geodesic are far from the nearest points of it.
+#[test]
+fn a_small_gap_is_reached_under_an_anisotropic_metric() {
+    let shear = gallery::Shear::new(0.6, 3.0).expect("a wave number");
+    let (a, b) = ([-0.5, -0.3], [0.5, 0.4]);
+    let d = shear.distance(&a.into(), &b.into()).expect("known");
+    let line = Problem::new(shear, Ends::points(a, b).expect("finite"));
+    let found = line.solve(Trapezoidal, 256).expect("solved").certificate(1e-6);
+    let found = found.expect("a certificate");
+    assert_eq!(found.ended, Ended::Reached);
+    let (lower, upper) = (found.proved.lower, found.proved.upper.expect("a curve"));
+    assert!((1.0 - 1e-6) * d <= lower && lower <= d && d <= upper, "{lower} {d} {upper}");
+}

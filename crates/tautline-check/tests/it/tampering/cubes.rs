@@ -17,7 +17,6 @@ fn with_cubes(at: usize, keep: impl Fn(&Place<2>) -> bool) -> Certificate<2> {
     certificate
 }
 
-/// Tampering 5.
 #[test]
 fn a_cube_of_the_geodesic_cannot_be_left_out() {
     for at in 0..4 {
@@ -32,7 +31,6 @@ fn a_cube_of_the_geodesic_cannot_be_left_out() {
     }
 }
 
-/// Tampering 6.
 #[test]
 fn a_cube_at_the_edge_of_the_region_cannot_be_left_out() {
     let places = BASE.certificate.levels[0].cubes().places();
@@ -42,7 +40,6 @@ fn a_cube_at_the_edge_of_the_region_cannot_be_left_out() {
     }
 }
 
-/// Tampering 7.
 #[test]
 fn a_smaller_region_is_refused() {
     let within = |place: &Place<2>| place[1].abs() < 8;
@@ -74,7 +71,6 @@ fn cubes_added_far_away_prove_no_more() {
     }
 }
 
-/// Tampering 11.
 #[test]
 fn an_intermediate_level_cannot_be_left_out() {
     for at in [1, 2] {
@@ -90,7 +86,6 @@ fn an_intermediate_level_cannot_be_left_out() {
     assert!(matches!(refused, Err(CheckError::Missing { level: 0, .. })), "{refused:?}");
 }
 
-/// Tampering 12.
 #[test]
 fn two_levels_cannot_change_places() {
     for (a, b) in [(0, 1), (1, 2), (2, 3), (0, 3)] {
@@ -103,7 +98,7 @@ fn two_levels_cannot_change_places() {
     }
 }
 
-/// Tampering 13: cubes of two sizes would let `φ` jump between them. A level has one size, so a cube
+/// Cubes of two sizes would let `φ` jump between them. A level has one size, so a cube
 /// that is replaced by its halves is missing.
 #[test]
 fn a_cube_cannot_be_replaced_by_its_halves() {
@@ -116,7 +111,7 @@ fn a_cube_cannot_be_replaced_by_its_halves() {
     assert!(matches!(refused, Err(CheckError::Missing { level: 1, .. })), "{refused:?}");
 }
 
-/// Tampering 15: the side is a power of two, and places are integers, both within bounds.
+/// The side is a power of two, and places are integers, both within bounds.
 #[test]
 fn sides_and_places_beyond_their_bounds_are_refused() {
     for exponent in [-201, 201, i32::MIN, i32::MAX] {

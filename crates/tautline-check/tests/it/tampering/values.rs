@@ -8,7 +8,6 @@ use crate::{
     wave::Wave,
 };
 
-/// Tampering 1.
 #[test]
 fn one_value_larger_or_smaller_by_a_thousandth_proves_less() {
     let mut weaker = 0;
@@ -23,7 +22,7 @@ fn one_value_larger_or_smaller_by_a_thousandth_proves_less() {
     assert!(weaker > 9, "only {weaker} changes of the last level proved less");
 }
 
-/// Tamperings 2 and 3: neither can be written into a level.
+/// None of these can be written into a level.
 #[test]
 fn values_that_are_not_finite_are_refused() {
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -33,7 +32,7 @@ fn values_that_are_not_finite_are_refused() {
     }
 }
 
-/// Tampering 3. Intermediate results overflow, and an unknown bound drops no cube.
+/// Intermediate results overflow, and an unknown bound drops no cube.
 #[test]
 fn huge_values_prove_nothing_false_and_drop_no_cube_of_the_geodesic() {
     for (level, node) in BASE.nodes_on_the_geodesic().into_iter().step_by(4) {
@@ -50,7 +49,6 @@ fn huge_values_prove_nothing_false_and_drop_no_cube_of_the_geodesic() {
     }
 }
 
-/// Tampering 4.
 #[test]
 fn a_missing_value_is_refused() {
     for function in [0, 1] {
@@ -59,7 +57,7 @@ fn a_missing_value_is_refused() {
     }
 }
 
-/// Tampering 23: the numbers of another order of the nodes.
+/// The numbers of another order of the nodes.
 #[test]
 fn values_in_another_order_prove_nothing_false() {
     for level in 0..4 {
@@ -74,7 +72,7 @@ fn values_in_another_order_prove_nothing_false() {
     }
 }
 
-/// Tampering 24: `ε ≥ λ_min(H)`, where a test that forgets it has negative squares of gradients.
+/// `ε ≥ λ_min(H)`, where a test that forgets it has negative squares of gradients.
 #[test]
 fn cubes_that_are_too_large_for_the_vertex_test_prove_nothing_false() {
     let wave = Wave::new(0.6, 3.0);
