@@ -7,6 +7,9 @@ import numpy as np
 from intervals import INF, Interval, of, up
 from jets import Jet
 
+# A part of a chord is halved if its length is not known better than this, relative to itself.
+LOOSE = 1e-3
+
 
 def length_above(formula, points):
     """An upper bound on the length of a polygon, infinite if the metric is undefined somewhere on it.
@@ -20,7 +23,7 @@ def length_above(formula, points):
     moved = (points[1:] != points[:-1]).any(axis=1)
     start, end = points[:-1][moved], points[1:][moved]
     chord, at, width, lengths = np.arange(len(start)), np.zeros(len(start)), 1.0, []
-    for _ in range(13):
+    for halvings in reversed(range(13)):
         origin = [of(x) for x in start[chord].T]
         d = [of(y) - x for y, x in zip(end[chord].T, origin)]
 
@@ -34,6 +37,8 @@ def length_above(formula, points):
         bent = whole.second.get((0, 0)) or of(0.0)
         length = (speed(of(at + width / 2)).value + bent * width**2 / 24.0) * width
         known = np.isfinite(length.lo + length.hi + whole.value.lo + whole.value.hi)
+        if halvings:
+            known &= length.hi - length.lo <= LOOSE * (length.hi + length.lo)
         lengths.extend(length.hi[known])
         chord, at = np.tile(chord[~known], 2), np.concatenate([at[~known], at[~known] + width / 2])
         width /= 2

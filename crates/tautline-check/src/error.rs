@@ -33,7 +33,7 @@ pub enum CheckError {
         place: i32,
     },
     /// A set is too far from the origin for cubes of this size.
-    #[error("cubes of side 2^{exponent} near the sets are too far from the origin")]
+    #[error("cubes of side 2^{exponent} near the sets are too far from the origin: move it")]
     TooFar {
         /// The exponent.
         exponent: i32,

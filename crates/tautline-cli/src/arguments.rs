@@ -111,7 +111,7 @@ pub(crate) struct Certify {
     /// Stop after this many seconds, with what is proved by then.
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
-    /// The most cubes of the certificate. A million take 140 megabytes in the plane, 440 in space.
+    /// The most cubes of the certificate, unless its first level has more. A million take 140 megabytes in the plane, 440 in space.
     #[arg(long, value_name = "COUNT", default_value_t = 2_000_000)]
     pub(crate) cubes: usize,
 }

@@ -179,6 +179,9 @@ pub(crate) fn proved_constants(answer: &ConstantsAnswer) -> String {
 
 /// Returns a certified distance as text.
 pub(crate) fn certified(answer: &CertifiedAnswer) -> String {
+    if answer.levels.is_empty() {
+        return format!("distance    0: {}\n", answer.ended);
+    }
     let (lower, upper) = (rounded_down(answer.lower.value), rounded_up(answer.upper.value));
     let mut text = format!("distance    between {lower} and {upper}, proved\n");
     let cubes: usize = answer.levels.iter().map(|level| level.cubes).sum();

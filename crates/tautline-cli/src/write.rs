@@ -12,16 +12,22 @@ use tautline_problem::{Scene, pdf, png, svg};
 
 use crate::error::CommandError;
 
-/// Writes a file under a temporary name next to it, and renames it.
+/// Writes a file under a temporary name next to it, and renames it. What is no file, such as a pipe or
+/// a device, is written to; a symbolic link remains one.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), CommandError> {
+    let failed = |error| CommandError::File { path: path.to_owned(), error };
+    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+        return fs::write(path, bytes).map_err(failed);
+    }
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let mut name = OsString::from(".");
     name.push(path.file_name().unwrap_or_default());
     name.push(format!(".{}", process::id()));
     let temporary = path.with_file_name(name);
-    let written = fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, path));
+    let written = fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, &path));
     written.map_err(|error| {
         let _ = fs::remove_file(&temporary);
-        CommandError::File { path: path.to_owned(), error }
+        failed(error)
     })
 }
 

@@ -25,7 +25,7 @@ pub enum DistanceError {
     #[error("one of the sets has to be bounded")]
     Unbounded,
     /// No region was found that short curves cannot leave.
-    #[error("curves shorter than {hi} may leave every region that was tried: {reason}")]
+    #[error("curves shorter than {hi:.4e} may leave every region that was tried: {reason}")]
     Region {
         /// The length.
         hi: f64,

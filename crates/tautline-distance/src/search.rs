@@ -138,11 +138,12 @@ impl<const D: usize> Search<'_, D> {
         let mut lost = Vec::new();
         let ended = loop {
             let (lower, upper) = (chain.lower(), self.length);
-            if observe(Progress { levels: levels.len(), cubes, lower, upper }).is_break() {
-                break Ended::Stopped;
-            }
+            let stop = observe(Progress { levels: levels.len(), cubes, lower, upper });
             if self.gap(&chain) <= wanted.gap {
                 break Ended::Reached;
+            }
+            if stop.is_break() {
+                break Ended::Stopped;
             }
             if slow == SLOW_LEVELS {
                 break Ended::Stalled;

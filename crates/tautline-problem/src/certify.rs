@@ -7,7 +7,7 @@ use serde::Serialize;
 use tautline::{
     CertificateError, Problem, Trapezoidal,
     check::{self, LARGEST_DIMENSION},
-    distance::{DistanceError, Ended, Progress, Wanted},
+    distance::{Ended, Progress, Wanted},
 };
 use tautline_portrait::Cubes;
 
@@ -33,7 +33,7 @@ pub struct CertifiedAnswer {
     pub corridor_cubes: usize,
     /// Their side.
     pub corridor_side: Float,
-    /// The certificate, which `tautline check` reads.
+    /// The certificate, which `tautline check` reads; empty if the sets touch.
     #[serde(skip)]
     pub certificate: String,
     /// The points of the curve.
@@ -89,7 +89,10 @@ impl Question {
         let options = self.options::<D>()?;
         let line = self.line(&problem, Trapezoidal, &options, &mut |_: &Answer| ())?;
         self.check_sign(line.sequence())?;
-        let found = line.certificate_with(wanted, observe).map_err(|error| self.refused(error))?;
+        let found = match line.certificate_with(wanted, observe) {
+            Err(CertificateError::Touching) => return Ok(touching(points(line.sequence()))),
+            found => found.map_err(|error| self.refused(error))?,
+        };
         let proved = &found.proved;
         let levels = proved
             .levels
@@ -116,9 +119,6 @@ impl Question {
 
     fn refused(&self, error: CertificateError) -> Failure {
         match error {
-            CertificateError::Distance(DistanceError::Length { length: 0.0 }) => {
-                Failure::NotComputed("the sets touch: the distance is 0".to_owned())
-            }
             CertificateError::NoShape { end } => {
                 let set = if end == "first" { &self.problem.from } else { &self.problem.to };
                 let place = set.as_ref().map(|set| set.span()).unwrap_or_default();
@@ -126,6 +126,25 @@ impl Question {
             }
             error => Failure::NotComputed(error.to_string()),
         }
+    }
+}
+
+/// Returns the answer if the sets touch, with a curve.
+fn touching(curve: Vec<Vec<f64>>) -> CertifiedAnswer {
+    let zero = || Float::from(0.0);
+    CertifiedAnswer {
+        lower: zero(),
+        upper: zero(),
+        gap: zero(),
+        reached: true,
+        ended: "the sets touch, up to rounding",
+        levels: Vec::new(),
+        corridor_cubes: 0,
+        corridor_side: zero(),
+        certificate: String::new(),
+        curve,
+        other_minima: Vec::new(),
+        corridor: Vec::new(),
     }
 }
 
@@ -143,6 +162,6 @@ pub(crate) fn ended(ended: Ended) -> &'static str {
         }
         Ended::TooManyCubes => "the next level would have too many cubes",
         Ended::TooFar => "the next cubes would be too small for their distance from the origin",
-        _ => "stopped",
+        _ => "stopped before the next level",
     }
 }

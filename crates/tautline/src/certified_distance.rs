@@ -9,7 +9,7 @@ use tautline_discretizations::{Rule, Trapezoidal};
 use tautline_distance::{DistanceError, Found, Progress, Wanted, search};
 use tautline_formula::{Formula, RecordError};
 use tautline_metrics::Metric;
-use tautline_optimizers::{Options, SolveError, Starts, Workspace, minimise_by_batches};
+use tautline_optimizers::{Options, SolveError, Starts, Stop, Workspace, minimise_by_batches};
 
 use crate::TautLine;
 
@@ -23,6 +23,9 @@ pub enum CertificateError {
         /// The gap.
         gap: f64,
     },
+    /// The sets touch, up to rounding.
+    #[error("the sets touch: the distance is 0, and has no certificate")]
+    Touching,
     /// The formula of the metric cannot be written into a certificate.
     #[error(transparent)]
     NotRecorded(#[from] RecordError),
@@ -62,8 +65,8 @@ const MOST_CUBES: usize = 60_000;
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// Searches for a certificate of the distance `d`, in `m`, with a gap of at most `gap` between its
     /// two bounds, relative to the upper one. That is the proved length of this line, or of a shorter
-    /// one of its [other minima](TautLine::other_minima), refined if it has too few chords. No curve between the sets is shorter than the lower one: nothing is assumed
-    /// about global minima.
+    /// one of its [other minima](TautLine::other_minima), refined if it has too few chords. No curve
+    /// between the sets is shorter than the lower one: nothing is assumed about global minima.
     ///
     /// ```
     /// use tautline::{Ends, Formula, Problem, Trapezoidal};
@@ -104,6 +107,9 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     ) -> Result<Found<D>, CertificateError> {
         if !(wanted.gap > 0.0 && wanted.gap < 1.0) {
             return Err(CertificateError::Gap { gap: wanted.gap });
+        }
+        if self.minimum().stop == Stop::EndsTouch {
+            return Err(CertificateError::Touching);
         }
         // The compiler decides.
         if const { D == 0 || D > tautline_check::LARGEST_DIMENSION } {

@@ -2,7 +2,7 @@
 
 use tautline_chance::{Random, cases, seed};
 
-use super::{BINS, Growth, LevelSets, least_sum};
+use super::{BINS, Growth, LevelSets, least_sum, slope};
 
 /// A bin, relative to the distance between the ends, with some room.
 const BIN: f64 = 1.2 / BINS as f64;
@@ -138,5 +138,17 @@ fn an_unknown_sum_leaves_the_bound_of_the_two_functions_apart() {
     for (high, sum) in [(f64::INFINITY, 1.0), (1.0, f64::NEG_INFINITY), (1.0, f64::NAN)] {
         let found = least_sum([&f, &f], [(0.25, high), (0.5, high)], sum);
         assert!(found <= apart && found >= apart - 1e-12, "{found}");
+    }
+}
+
+/// `s² q ≤ 1`, with the product exactly: `s² = t + r`, and so on.
+#[test]
+fn slopes_are_rounded_down() {
+    for q in (2..2000).map(f64::from) {
+        let s = slope(q);
+        let square = s * s;
+        let rest = s.mul_add(s, -square);
+        assert!(q.mul_add(square, -1.0) + q * rest <= 0.0, "{q}");
+        assert!(q * square > 1.0 - 1e-15, "{q}");
     }
 }

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use nalgebra::SVector;
-use tautline_check::{Certificate, Chain, CheckError, Cubes, Level, Proved, Region};
+use tautline_check::{Certificate, Chain, CheckError, Cubes, Level, Place, Proved, Region};
 use tautline_formula::Formula;
-use tautline_sets::{Point, Shape};
+use tautline_sets::{AxisBox, Point, Shape};
 
 /// A function on `R^D`.
 pub(crate) type Function<'f, const D: usize> = &'f dyn Fn(&SVector<f64, D>) -> f64;
@@ -13,6 +13,11 @@ pub(crate) type Function<'f, const D: usize> = &'f dyn Fn(&SVector<f64, D>) -> f
 /// Returns the set of one point.
 pub(crate) fn point<const D: usize>(x: [f64; D]) -> Shape<D> {
     Shape::Point(Point::new(x).expect("finite"))
+}
+
+/// Returns the box with these corners.
+pub(crate) fn axis_box<const D: usize>(lower: [f64; D], upper: [f64; D]) -> Shape<D> {
+    Shape::AxisBox(AxisBox::from_corners(lower, upper).expect("corners in order"))
 }
 
 /// Returns the formula of a text.
@@ -47,6 +52,21 @@ pub(crate) fn one_level<const D: usize>(
     functions: [Function<'_, D>; 2],
 ) -> Certificate<D> {
     several_levels(formula, sets, hi, region, &[exponent], functions)
+}
+
+/// Checks a certificate with one level of these cubes, whether or not the region requires others.
+pub(crate) fn on_cubes<const D: usize>(
+    metric: &str,
+    sets: [Shape<D>; 2],
+    hi: f64,
+    region: Region,
+    exponent: i32,
+    places: &[Place<D>],
+    functions: [Function<'_, D>; 2],
+) -> Result<Proved<D>, CheckError> {
+    let cubes = Cubes::new(exponent, places.to_vec()).expect("in range");
+    let levels = vec![level(0, &cubes, functions)];
+    Certificate { formula: formula(metric), sets, hi, region, curve: None, levels }.check()
 }
 
 /// Returns a certificate with levels of these exponents, each on the cubes that are required.
@@ -122,6 +142,12 @@ pub(crate) fn proved<const D: usize>(certificate: &Certificate<D>) -> Proved<D> 
 /// Returns the lower bound, or 0 if the certificate is refused.
 pub(crate) fn lower<const D: usize>(checked: &Result<Proved<D>, CheckError>) -> f64 {
     checked.as_ref().map_or(0.0, |proved| proved.lower)
+}
+
+/// Asserts that no more than a distance is proved, if anything is.
+pub(crate) fn proves_at_most<const D: usize>(checked: &Result<Proved<D>, CheckError>, d: f64) {
+    // The distance is rounded.
+    assert!(lower(checked) <= d * (1.0 + 1e-14), "{checked:?}, and the distance is {d}");
 }
 
 /// Returns whether all points lie in a kept cube.

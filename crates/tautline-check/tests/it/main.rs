@@ -1,10 +1,13 @@
 //! Tests of the checker through its public interface.
 
+mod chain;
 mod extreme_numbers;
 mod helpers;
 mod hostile_values;
 mod invariances;
 mod known_distances;
+mod pieces;
+mod regions;
 mod tampering;
 mod threads;
 mod unbounded_sets;

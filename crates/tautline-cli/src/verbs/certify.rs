@@ -1,6 +1,6 @@
 //! `tautline certify`.
 
-use std::{ops::ControlFlow, process::ExitCode, time::Instant};
+use std::{ops::ControlFlow, path::Path, process::ExitCode, time::Instant};
 
 use tautline_problem::{Failure, distance::Wanted};
 
@@ -24,6 +24,10 @@ pub(crate) fn certify(arguments: &Certify) -> Result<ExitCode, CommandError> {
         let message = format!("a gap of {gap:e} is not between 0 and 1");
         return Err(CommandError::BadArgument(message));
     }
+    if arguments.output.as_deref() == Some(Path::new("-")) {
+        let message = "-o -: the certificate needs a file of its own".to_owned();
+        return Err(CommandError::BadArgument(message));
+    }
     let limit = seconds(arguments.time_limit)?;
     let problem = ProblemText::read(&arguments.file)?;
     let limit = limit.or(problem.question.time_limit());
@@ -45,8 +49,13 @@ pub(crate) fn certify(arguments: &Certify) -> Result<ExitCode, CommandError> {
     let too_late = || Failure::NotComputed("nothing was proved within the time limit".to_owned());
     let found = found.unwrap_or_else(|| Err(too_late()));
     let found = found.map_err(|failure| problem.explain(failure))?;
-    if let Some(path) = &arguments.output {
-        write(path, found.certificate.as_bytes())?;
+    match &arguments.output {
+        Some(path) if found.certificate.is_empty() => {
+            let message = format!("{}: a distance of 0 has no certificate", path.display());
+            return Err(CommandError::NotDone(message));
+        }
+        Some(path) => write(path, found.certificate.as_bytes())?,
+        None => {}
     }
     if arguments.json {
         let json = serde_json::to_string_pretty(&found);

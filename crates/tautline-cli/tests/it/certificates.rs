@@ -87,17 +87,53 @@ fn what_cannot_be_certified_is_said() {
     fs::write(folder.join("five.toml"), five).expect("written");
     let touching = VALLEYS.replace("[3, 0]", "[0, 0]");
     fs::write(folder.join("touching.toml"), touching).expect("written");
-    let cases: [(&[&str], i32, &str); 4] = [
+    let cases: [(&[&str], i32, &str); 5] = [
         (&["v.toml", "--gap", "0"], 2, "not between 0 and 1"),
         (&["sphere.toml"], 2, "the second set is no point"),
         (&["five.toml"], 1, "up to 4 dimensions, not 5"),
-        (&["touching.toml"], 1, "the sets touch"),
+        (&["touching.toml", "-o", "t.cert"], 1, "t.cert: a distance of 0 has no certificate"),
+        (&["v.toml", "-o", "-"], 2, "needs a file of its own"),
     ];
     for (arguments, code, reason) in cases {
         let output = tautline(&folder, &[&["certify"], arguments].concat());
         assert_eq!(output.status.code(), Some(code), "{arguments:?}");
         assert!(text(&output.stderr).contains(reason), "{}", text(&output.stderr));
     }
+}
+
+#[test]
+fn sets_that_touch_have_distance_0() {
+    let folder = folder("touching");
+    let ends = "[from]\npoint = [0, 0]\n[to]\npoint = [3, 0]\n";
+    let cases = [
+        ("point = [0.1, 0]", "point = [0.1, 0]"),
+        ("point = [0, 0]", "ball = { centre = [0.1, 0], radius = 1 }"),
+        ("ball = { centre = [0, 0], radius = 1 }", "ball = { centre = [0.5, 0], radius = 1 }"),
+        ("ball = { centre = [0, 0], radius = 1 }", "ball = { centre = [2, 0], radius = 1 }"),
+        ("point = [0, 0]", "half_space = { normal = [1, 1], at_least = -1 }"),
+    ];
+    for (from, to) in cases {
+        let changed = VALLEYS.replace(ends, &format!("[from]\n{from}\n[to]\n{to}\n"));
+        assert_ne!(changed, VALLEYS);
+        fs::write(folder.join("t.toml"), changed).expect("written");
+        let output = tautline(&folder, &["certify", "t.toml"]);
+        assert_eq!(text(&output.stdout), "distance    0: the sets touch, up to rounding\n");
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_certificate_is_written_through_a_symbolic_link() {
+    let folder = folder("link");
+    fs::write(folder.join("v.toml"), VALLEYS).expect("written");
+    fs::write(folder.join("real.cert"), "before").expect("written");
+    std::os::unix::fs::symlink("real.cert", folder.join("link.cert")).expect("linked");
+    let output = tautline(&folder, &["certify", "v.toml", "--gap", "0.1", "-o", "link.cert"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let written = fs::read_to_string(folder.join("real.cert")).expect("read");
+    assert!(written.starts_with("tautline-distance 1\n"));
+    assert!(fs::symlink_metadata(folder.join("link.cert")).expect("there").is_symlink());
 }
 
 /// What is proved by then is printed.

@@ -6,7 +6,7 @@ use tautline::{
     Ball, CertificateError, Ends, Formula, HalfSpace, KnownDistance, Metric, Options,
     PointSequence, Problem, Sphere, Starts, Trapezoidal,
     check::AnyCertificate,
-    distance::{Ended, Wanted},
+    distance::{Ended, Found, Wanted},
     gallery,
 };
 
@@ -106,10 +106,39 @@ fn a_line_without_a_certificate_is_an_error() {
         let error = line.certificate(gap).expect_err("no such gap");
         assert!(matches!(error, CertificateError::Gap { .. }), "{error}");
     }
+    let touching = Ends::points([1.0, 0.0], [1.0, 0.0]).expect("finite");
+    let line = Problem::new(flat(), touching).solve(Trapezoidal, 8).expect("solved");
+    assert_eq!(line.certificate(0.1).map(|_| ()), Err(CertificateError::Touching));
     let sphere = Sphere::new([3.0, 0.0], 1.0).expect("a radius");
     let ends = Ends::new(Ball::new([0.0, 0.0], 0.5).expect("a radius"), sphere).expect("bounded");
     let line = Problem::new(flat(), ends).solve(Trapezoidal, 8).expect("solved");
     assert_eq!(line.certificate(0.1).map(|_| ()), Err(CertificateError::NoShape { end: "second" }));
+}
+
+/// Returns a search between two points of the plane.
+fn searched(gap: f64, cubes: usize, stop: bool) -> Found<2> {
+    let metric = Formula::<2>::parse("sqr(2 - cos(x1)) I", &[]).expect("a formula");
+    let ends = Ends::points([0.0, 0.0], [2.0, 1.0]).expect("finite");
+    let line = Problem::new(metric, ends).solve(Trapezoidal, 64).expect("solved");
+    let flow = if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    line.certificate_with(Wanted { gap, cubes }, &mut |_| flow).expect("a certificate")
+}
+
+#[test]
+fn a_search_ends_with_the_reason() {
+    // A gap that is reached is reached, even if there is no time for more.
+    for (gap, ended) in [(1e-6, Ended::Stopped), (0.5, Ended::Reached)] {
+        let found = searched(gap, usize::MAX, true);
+        assert_eq!((found.ended, found.certificate.levels.len()), (ended, 1), "{gap}");
+    }
+    // The limit is on all levels together.
+    let all = searched(1e-5, usize::MAX, false);
+    assert_eq!(all.ended, Ended::Reached);
+    let cubes = |found: &Found<2>| found.proved.levels.iter().map(|(cubes, _)| cubes).sum();
+    let limit: usize = cubes(&all);
+    let found = searched(1e-5, limit - 1, false);
+    assert_eq!((found.ended, cubes(&found) < limit), (Ended::TooManyCubes, true));
+    assert_eq!(found.certificate.levels.len() + 1, all.certificate.levels.len());
 }
 
 /// Far from the origin, small cubes have no places of 32 bits. What was proved before is returned.

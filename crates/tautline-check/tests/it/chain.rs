@@ -1,0 +1,68 @@
+//! Levels, the curve and the hypothesis, where a condition less would prove something false.
+
+use nalgebra::vector;
+use tautline_check::{Certificate, Chain, CheckError, Cubes, Region, length_above};
+
+use crate::helpers::{Function, formula, level, one_level, point, proves_at_most};
+
+const REGION: Region = Region::Declared { c1: 1.0 };
+
+/// A level of the line from 0.5 to 3.5, with the distances from the ends.
+fn line() -> Certificate<1> {
+    let sets = [point([0.5]), point([3.5])];
+    one_level(formula("1 I"), sets, 4.0, REGION, -2, [&|x| x[0] - 0.5, &|x| 3.5 - x[0]])
+}
+
+/// A level may have cubes of the side of the level before, but all that this has kept.
+#[test]
+fn a_level_of_the_same_side_has_the_cubes_that_were_kept() {
+    let mut certificate = line();
+    let cubes = Cubes::new(-2, vec![[2]]).expect("in range");
+    certificate.levels.push(level(1, &cubes, [&|_| 0.0, &|_| 0.0]));
+    proves_at_most(&certificate.check(), 3.0);
+}
+
+/// Curves shorter than `hi` are kept, even if only shorter ones are asked for.
+#[test]
+fn fewer_curves_than_those_below_hi_are_never_followed() {
+    let Certificate { formula, sets, hi, levels, .. } = line();
+    for keep in [2.0, 0.0, f64::NAN] {
+        let mut chain = Chain::new(&formula, &sets, hi, REGION).expect("a bound");
+        chain.add(&levels[0], keep).expect("the required cubes");
+        assert!(!chain.is_closed(), "{keep}");
+    }
+}
+
+/// Only a curve that is shorter than `hi` shows that the corridor holds the shortest ones.
+#[test]
+fn a_curve_as_long_as_hi_is_refused() {
+    let sets = [point([0.0]), point([1.0])];
+    let curve = vec![vector![0.0], vector![1.0]];
+    let hi = length_above(&formula::<1>("1 I"), sets.each_ref(), &curve).expect("a length");
+    let functions: [Function<'_, 1>; 2] = [&|x| 0.9 * x[0], &|x| 0.9 - 0.9 * x[0]];
+    let mut certificate = one_level(formula("1 I"), sets, hi, REGION, -2, functions);
+    certificate.curve = Some(curve);
+    assert_eq!(certificate.check(), Err(CheckError::CurveLength { length: hi, hi }));
+}
+
+/// `√H = x²`, whose integral the midpoint rule underestimates.
+#[test]
+fn the_length_of_a_chord_is_bounded_from_above() {
+    let h = 0.5_f64.powi(6);
+    let points = [vector![1.0], vector![1.0 + h]];
+    let ends = points.map(|x| point([x[0]]));
+    let length = length_above(&formula::<1>("x1^4 I"), ends.each_ref(), &points);
+    let (length, exact) = (length.expect("a length"), h + h * h + h * h * h / 3.0);
+    assert!(exact <= length && length < exact * (1.0 + 1e-5), "{length} {exact}");
+}
+
+#[test]
+fn a_declared_constant_is_printed_as_a_hypothesis() {
+    let mut certificate = line();
+    for curve in [None, Some(vec![vector![0.5], vector![3.5]])] {
+        certificate.curve = curve;
+        let proved = certificate.check().expect("proved");
+        let text = certificate.verdict(&proved).to_string();
+        assert!(text.contains("hypothesis   H >= 1e0 I everywhere"), "{text}");
+    }
+}

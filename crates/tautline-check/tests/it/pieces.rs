@@ -1,0 +1,54 @@
+//! Values on sets of several pieces, and on sets that touch a simplex.
+
+use nalgebra::SVector;
+use tautline_check::{AnyCertificate, Region};
+use tautline_sets::{Ball, HalfSpace, Shape};
+
+use crate::helpers::{Function, axis_box, formula, on_cubes, one_level, point, proves_at_most};
+
+const REGION: Region = Region::Declared { c1: 1.0 };
+
+/// Two points lie in one simplex. `φ` counts from the one where it is larger.
+#[test]
+fn all_pieces_in_a_simplex_count() {
+    for order in [[0.25, 0.75], [0.75, 0.25]] {
+        let from = Shape::Union(order.map(|x| point([x])).to_vec());
+        let sets = [from, point([3.5])];
+        let certificate = one_level(formula("1 I"), sets, 3.0, REGION, 0, [&|x| x[0], &|x| -x[0]]);
+        proves_at_most(&certificate.check(), 2.75);
+    }
+}
+
+/// The second set is a side of cubes.
+#[test]
+fn a_set_that_touches_a_simplex_meets_it() {
+    let sets = [point([0.5]), axis_box([2.0], [2.0])];
+    let certificate = one_level(formula("1 I"), sets, 3.0, REGION, 0, [&|x| x[0], &|x| -x[0]]);
+    proves_at_most(&certificate.check(), 1.5);
+}
+
+/// `H` bends so much that the vertex test fails at one corner of the cube and not at the other. The
+/// bound on the whole cube takes its place at both.
+#[test]
+fn a_vertex_test_that_fails_at_a_corner_fails_on_the_cube() {
+    let phi = |x: &SVector<f64, 1>| 2.78 * (0.3 * x[0] + 0.35 * x[0] * x[0]);
+    let sets = [point([0.15]), point([0.3])];
+    let metric = "(1 + 9*sqr(x1)) I";
+    let found = on_cubes(metric, sets, 0.2, REGION, 0, &[[0]], [&phi, &|x| -phi(x)]);
+    // ∫ √(1 + 9x²) dx
+    let primitive = |x: f64| 0.5 * x * (1.0 + 9.0 * x * x).sqrt() + (3.0 * x).asinh() / 6.0;
+    assert!(found.is_ok(), "{found:?}");
+    proves_at_most(&found, primitive(0.3) - primitive(0.15));
+}
+
+#[test]
+fn pieces_of_all_kinds_are_read_as_they_were_written() {
+    let ball = Shape::Ball(Ball::new([3.0, 0.0], 0.25).expect("a radius"));
+    let wall = Shape::HalfSpace(HalfSpace::at_least([1.0, 0.5], 3.0).expect("a normal"));
+    let from = Shape::Union(vec![point([0.5, 0.0]), axis_box([0.0, -0.5], [0.25, 0.0])]);
+    let to = Shape::Union(vec![ball, wall, point([3.5, 0.0])]);
+    let functions: [Function<'_, 2>; 2] = [&|x| x[0], &|x| 3.5 - x[0]];
+    let certificate = one_level(formula("1 I"), [from, to], 4.0, REGION, -2, functions);
+    let read = AnyCertificate::read(&certificate.to_string());
+    assert_eq!(read, Ok(AnyCertificate::Plane(certificate)));
+}

@@ -1,0 +1,115 @@
+//! Regions that short curves can leave are refused.
+
+use nalgebra::SVector;
+use tautline_check::{CheckError, Place, Region};
+use tautline_sets::{HalfSpace, Shape};
+
+use crate::helpers::{axis_box, formula, on_cubes, point, proves_at_most};
+
+/// `H` falls from 1 to 0.38 between 2 and 4.
+const STEP: &str = "1/(1 + (0.25*x1)^8) I";
+
+/// At the distance 2.2 from the set 0 or 1, `H` is 0.86.
+#[test]
+fn the_constant_of_tubes_holds_up_to_their_boundary() {
+    let sets = [point([0.0]), point([1.0])];
+    let region = Region::Tubes { radius: 2.2, c1: 0.9 };
+    let refused = region.prove(&formula::<1>(STEP), sets.each_ref(), 4.0);
+    assert!(matches!(refused, Err(CheckError::Constant { .. })), "{refused:?}");
+}
+
+#[test]
+fn the_constant_of_tubes_holds_about_both_sets() {
+    let (near, far) = (point([0.0]), point([3.0]));
+    for sets in [[&near, &far], [&far, &near]] {
+        let region = Region::Tubes { radius: 2.2, c1: 0.9 };
+        let refused = region.prove(&formula::<1>(STEP), sets, 4.0);
+        assert!(matches!(refused, Err(CheckError::Constant { .. })), "{refused:?}");
+    }
+}
+
+/// A length is `√c₁` times the Euclidean one, not `c₁` times.
+#[test]
+fn the_width_of_tubes_is_measured_by_the_root_of_the_constant() {
+    let sets = [point([0.0]), point([1.0])];
+    let proves = |radius: f64| {
+        Region::Tubes { radius, c1: 4.0 }.prove(&formula::<1>("5 I"), sets.each_ref(), 2.0)
+    };
+    assert!(matches!(proves(0.3), Err(CheckError::Tubes { .. })), "{:?}", proves(0.3));
+    assert_eq!(proves(0.5), Ok(()));
+    // Curves of length 3 reach as far as √4 (|x| + |x − 1|) < 3, from −¼ to 1¼.
+    let cubes = Region::Declared { c1: 4.0 }.required(sets.each_ref(), 3.0, -3);
+    let cubes = cubes.expect("a region");
+    assert!((-2..10).all(|k| cubes.contains(&[k])), "{:?}", cubes.places());
+}
+
+/// A facet in the planes of two sides of a box lies in the box only if it is between all of them.
+#[test]
+fn a_facet_beside_a_box_counts() {
+    let sets = [point([0.5, 0.5]), axis_box([3.0, 3.0], [10.0, 10.0])];
+    let zero = [&|_: &SVector<f64, 2>| 0.0; 2];
+    let refused = on_cubes("1 I", sets, 100.0, Region::ExitOne, 0, &[[0, 0]], [zero[0], zero[1]]);
+    assert!(matches!(refused, Err(CheckError::Exit { .. })), "{refused:?}");
+}
+
+/// The curve from 0 to 1.2 leaves the cubes near 0 and ends outside of those near 10.
+#[test]
+fn both_sets_lie_in_the_cubes_of_exit_two() {
+    let sets = [point([0.0]), Shape::Union(vec![point([1.2]), point([10.0])])];
+    let phi = |x: &SVector<f64, 1>| if x[0] > 5.0 { 100.0 } else { x[0].abs() };
+    let psi = |x: &SVector<f64, 1>| if x[0] > 5.0 { (x[0] - 10.0).abs() } else { 100.0 };
+    let places = [[-1], [0], [9], [10]];
+    let refused = on_cubes("1 I", sets, 1.9, Region::ExitTwo, 0, &places, [&phi, &psi]);
+    assert!(matches!(refused, Err(CheckError::Missing { .. })), "{refused:?}");
+}
+
+/// On the low side of the cube, `φ` is 0 at one end and larger at the other.
+#[test]
+fn the_least_value_on_a_facet_counts() {
+    let sets = [point([0.25, 0.25]), point([0.25, -0.05])];
+    let phi = |x: &SVector<f64, 2>| (x[0] + x[1] - 0.5) * 0.5_f64.sqrt();
+    let found = on_cubes("1 I", sets, 0.35, Region::ExitOne, 0, &[[0, 0]], [&phi, &|_| 0.0]);
+    proves_at_most(&found, 0.3);
+}
+
+/// `φ` is large on the sides of a tower, and small on its floor, through which short curves leave.
+#[test]
+fn every_low_side_counts_in_space() {
+    let column = |i: i32, j: i32| (0..12).map(move |k| [i, j, k]);
+    let places: Vec<Place<3>> = (0..9).flat_map(|at| column(at / 3, at % 3)).collect();
+    let sets = [point([1.5, 1.5, 0.5]), point([1.5, 1.5, -0.3])];
+    let phi = |x: &SVector<f64, 3>| 10.0 * (x[0] - 1.5).abs().max((x[1] - 1.5).abs()) + x[2] - 0.5;
+    let flat = "[100, 0, 0; 0, 100, 0; 0, 0, 1]";
+    let refused = on_cubes(flat, sets, 1.2, Region::ExitOne, 0, &places, [&phi, &|_| 0.0]);
+    assert!(matches!(refused, Err(CheckError::Exit { .. })), "{refused:?}");
+}
+
+/// `φ` is 4 at one end of the first set and 2 in its middle. What counts is by how much it grows
+/// beyond 4.
+#[test]
+fn an_exit_is_measured_from_the_largest_value_on_the_set() {
+    let sets = [axis_box([0.0], [4.0]), point([6.2])];
+    let phi = |x: &SVector<f64, 1>| if x[0] > 2.0 { x[0] } else { 4.0 - x[0] };
+    let places: Vec<Place<1>> = (-6..6).map(|k| [k]).collect();
+    let refused = on_cubes("1 I", sets, 2.5, Region::ExitOne, 0, &places, [&phi, &|_| 0.0]);
+    assert!(matches!(refused, Err(CheckError::Exit { .. })), "{refused:?}");
+}
+
+/// The point 0 lies in the sides of two cubes, and both are required. Without them the only cube lies
+/// in the second set, where no facet counts.
+#[test]
+fn cubes_that_touch_the_first_set_are_required() {
+    let wall = Shape::HalfSpace(HalfSpace::at_least([1.0], 4.0).expect("a normal"));
+    let sets = [point([0.0]), wall];
+    let found = on_cubes("1 I", sets, 100.0, Region::ExitOne, 0, &[[5]], [&|_| 0.0, &|_| 0.0]);
+    assert!(matches!(found, Err(CheckError::Missing { .. })), "{found:?}");
+}
+
+/// The only cube is near the second of two points.
+#[test]
+fn all_pieces_of_a_union_are_in_the_region() {
+    let sets = [Shape::Union(vec![point([0.0]), point([100.0])]), point([101.0])];
+    let region = Region::Declared { c1: 1.0 };
+    let found = on_cubes("1 I", sets, 1.5, region, 0, &[[1000]], [&|_| 0.0, &|_| 0.0]);
+    proves_at_most(&found, 1.0);
+}
