@@ -5,6 +5,7 @@ mod bench;
 mod guide;
 mod nightly;
 mod peers;
+mod python;
 mod run;
 mod second_checker;
 
@@ -33,6 +34,9 @@ usage: cargo xtask <task>
                                                 Python 3 and, the first time, the network
   peers   [--problem ID | --n N | --distance] … other programs on the same problems, timed; needs
                                                 Python 3 and downloads what docs/comparison.md lists
+  python                                        makes the wheel of the Python module, and tests it in
+                                                an environment of its own; needs Python 3.10 and,
+                                                the first time, the network
   guide   [--check]                             the guide, to target/guide; --check opens every page
                                                 in Chromium and lists what is wrong
   ci                                            what continuous integration runs
@@ -52,6 +56,7 @@ fn main() -> ExitCode {
         ["bench", rest @ ..] => bench::bench(&root(), rest),
         ["peers", rest @ ..] => peers::peers(&root(), rest),
         ["second-checker", rest @ ..] => second_checker::second_checker(&root(), rest),
+        ["python", rest @ ..] => python::python(&root(), rest),
         ["guide", rest @ ..] => guide::guide(&root(), rest),
         ["ci"] => ci(),
         ["help" | "--help" | "-h"] => {

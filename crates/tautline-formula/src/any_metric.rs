@@ -113,40 +113,63 @@ fn same<T: Any, S: Any>(value: &T) -> Option<&S> {
 }
 
 impl<const D: usize> AnyMetric<'_, D> {
-    /// Returns `H` in another kind of jet, computed from its second-order Taylor expansion. This is
-    /// exact for jets of order at most two, in which a product of three increments vanishes.
+    /// Returns `H` in another kind of jet, computed from its second-order Taylor expansion.
     fn expanded<S: Scalar>(&self, x: &SVector<S, D>, error: RecordError) -> SMatrix<S, D, D> {
-        let places: Option<Vec<f64>> = x.iter().map(value::<S, D>).collect();
-        let Some(places) = places else {
-            if (x as &dyn Any).is::<SVector<Symbol, D>>() {
-                recording::fail(error);
+        let jets = |place: &SVector<f64, D>| {
+            let jets = self.compiled.second_jets()?;
+            Some(jets.gram(&SVector::from(Jet2::variables(&(*place).into()))))
+        };
+        expanded(x, error, jets, |jets, (i, j), directions| {
+            let jet = &jets[(i, j)];
+            match *directions {
+                [] => jet.value(),
+                [k] => jet.first(k),
+                [k, l, ..] => jet.second(k.min(l), k.max(l)),
             }
-            return SMatrix::from_element(S::constant(f64::NAN));
-        };
-        let place = SVector::<f64, D>::from_iterator(places);
-        let Some(jets) = self.compiled.second_jets() else {
-            return SMatrix::from_element(S::constant(f64::NAN));
-        };
-        let jets = jets.gram(&SVector::from(Jet2::variables(&place.into())));
-        let step = |k: usize| x[k] - place[k];
-        jets.map(|jet| {
-            (0..D).fold(S::constant(jet.value()), |sum, k| {
-                let turned = (0..D).fold(S::constant(jet.first(k)), |sum, l| {
-                    sum + step(l) * (0.5 * jet.second(k.min(l), k.max(l)))
-                });
-                sum + step(k) * turned
-            })
         })
     }
 }
 
-/// Returns the value of a jet over `f64`, and `None` for other numbers.
-fn value<S: Scalar, const D: usize>(x: &S) -> Option<f64> {
+/// Returns `H` in jets over `f64`, computed from its second-order Taylor expansion at their values.
+/// This is exact for jets of order at most two, in which a product of three increments vanishes. In
+/// other number types `H` is NaN, and a recording fails with `error`.
+///
+/// `expand` expands `H` at a point. `derivative` reads an entry from the expansion, differentiated in
+/// none, one or two directions.
+pub(crate) fn expanded<S: Scalar, T, const D: usize>(
+    x: &SVector<S, D>,
+    error: RecordError,
+    expand: impl FnOnce(&SVector<f64, D>) -> Option<T>,
+    derivative: impl Fn(&T, (usize, usize), &[usize]) -> f64,
+) -> SMatrix<S, D, D> {
+    let places: Option<Vec<f64>> = x.iter().map(value::<S, D>).collect();
+    if places.is_none() && (x as &dyn Any).is::<SVector<Symbol, D>>() {
+        recording::fail(error);
+    }
+    let place = places.map(SVector::<f64, D>::from_iterator);
+    let Some((place, expansion)) = place.and_then(|place| Some((place, expand(&place)?))) else {
+        return SMatrix::from_element(S::constant(f64::NAN));
+    };
+    let step = |k: usize| x[k] - place[k];
+    SMatrix::from_fn(|i, j| {
+        let of = |directions: &[usize]| derivative(&expansion, (i, j), directions);
+        (0..D).fold(S::constant(of(&[])), |sum, k| {
+            let turned =
+                (0..D).fold(S::constant(of(&[k])), |sum, l| sum + step(l) * (0.5 * of(&[k, l])));
+            sum + step(k) * turned
+        })
+    })
+}
+
+/// Returns an `f64` or the value of a jet over it, and `None` for other numbers.
+pub(crate) fn value<S: Scalar, const D: usize>(x: &S) -> Option<f64> {
     let x: &dyn Any = x;
+    let number = || x.downcast_ref::<f64>().copied();
     let first = || Some(x.downcast_ref::<Jet1<f64, D>>()?.value());
+    let second = || Some(x.downcast_ref::<Jet2<f64, D>>()?.value());
     let along = || Some(x.downcast_ref::<Jet1<f64, 1>>()?.value());
     let twice_along = || Some(x.downcast_ref::<Jet2<f64, 1>>()?.value());
-    first().or_else(along).or_else(twice_along)
+    number().or_else(first).or_else(second).or_else(along).or_else(twice_along)
 }
 
 /// A compiled metric, in `f64` and in jets over it.

@@ -47,6 +47,7 @@
 
 mod any_metric;
 mod batch;
+mod black_box;
 mod formula;
 mod functions;
 mod graph;
@@ -58,6 +59,7 @@ mod text;
 
 pub use any_metric::AnyMetric;
 pub use batch::{Batch, Batches, Inputs, Kind, Layout, Plain, Prepared};
+pub use black_box::{BlackBox, BlackBoxBatches, Values};
 pub use formula::Formula;
 pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step};
 pub use program::{InstructionSet, Register, Registers, WIDTH};

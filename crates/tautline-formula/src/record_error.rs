@@ -17,4 +17,7 @@ pub enum RecordError {
     /// The formula uses numbers of another evaluation, such as one on another thread.
     #[error("the formula uses numbers from another evaluation")]
     Foreign,
+    /// The metric is a [`BlackBox`](crate::BlackBox).
+    #[error("the metric is known by its values only, not by a formula")]
+    BlackBox,
 }

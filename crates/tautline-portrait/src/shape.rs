@@ -52,8 +52,25 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Returns the number of coordinates of each of its vectors.
+    pub fn coordinates(&self) -> impl Iterator<Item = usize> {
+        let (first, others): (&[f64], &[Vec<f64>]) = match self {
+            Shape::Points(points) => (points.first().map_or(&[], |x| x), points),
+            Shape::Point(x) | Shape::Ball { centre: x, .. } | Shape::Sphere { centre: x, .. } => {
+                (x, &[])
+            }
+            Shape::HalfSpace { normal, .. } => (normal, &[]),
+            Shape::AxisBox { low: x, high: y } | Shape::Segment { from: x, to: y } => {
+                (x, std::slice::from_ref(y))
+            }
+            Shape::AffineSubspace { point, directions } => (point, directions),
+        };
+        std::iter::once(first.len()).chain(others.iter().map(Vec::len))
+    }
+
     /// Returns the name of the kind of set, with its article.
-    pub(crate) fn name(&self) -> &'static str {
+    #[must_use]
+    pub fn name(&self) -> &'static str {
         match self {
             Shape::Point(_) => "a point",
             Shape::Points(_) => "a finite set",

@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    CertificateError, Problem, Trapezoidal,
+    CertificateError, Metric, Problem, Rule, TautLine, Trapezoidal,
     check::{self, LARGEST_DIMENSION},
     distance::{Ended, Progress, Wanted},
 };
@@ -19,7 +19,7 @@ use crate::{Answer, Diagnostic, Failure, Float, Question, solve::points};
 pub struct CertifiedAnswer {
     /// No curve between the sets is shorter.
     pub lower: Float,
-    /// The proved length of a curve between the sets.
+    /// The proved length of a curve between the sets; 0, and not proved, if they touch up to rounding.
     pub upper: Float,
     /// (upper - lower)/upper.
     pub gap: Float,
@@ -89,9 +89,31 @@ impl Question {
         let options = self.options::<D>()?;
         let line = self.line(&problem, Trapezoidal, &options, &mut |_: &Answer| ())?;
         self.check_sign(line.sequence())?;
+        CertifiedAnswer::of(&line, wanted, observe).map_err(|error| self.refused(error))
+    }
+
+    fn refused(&self, error: CertificateError) -> Failure {
+        match error {
+            CertificateError::NoShape { end } => {
+                let set = if end == "first" { &self.problem.from } else { &self.problem.to };
+                let place = set.as_ref().map(|set| set.span()).unwrap_or_default();
+                Failure::BadInput(Diagnostic::new(error.to_string(), place))
+            }
+            error => Failure::NotComputed(error.to_string()),
+        }
+    }
+}
+
+impl CertifiedAnswer {
+    /// Searches for a certificate of the distance, given a line.
+    pub(crate) fn of<M: Metric<D>, R: Rule, const D: usize>(
+        line: &TautLine<M, R, D>,
+        wanted: Wanted,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Self, CertificateError> {
         let found = match line.certificate_with(wanted, observe) {
             Err(CertificateError::Touching) => return Ok(touching(points(line.sequence()))),
-            found => found.map_err(|error| self.refused(error))?,
+            found => found?,
         };
         let proved = &found.proved;
         let levels = proved
@@ -101,7 +123,7 @@ impl Question {
         let corridor = found.certificate.levels.iter().map(|level| level.cubes());
         let corridor = corridor.chain([&proved.corridor]).map(plain).collect();
         let others = line.other_minima();
-        Ok(CertifiedAnswer {
+        Ok(Self {
             lower: Float::from(proved.lower),
             upper: Float::from(proved.upper.unwrap_or(f64::INFINITY)),
             gap: Float::from(proved.gap().unwrap_or(f64::INFINITY)),
@@ -115,17 +137,6 @@ impl Question {
             other_minima: others.iter().map(|other| points(other.sequence())).collect(),
             corridor,
         })
-    }
-
-    fn refused(&self, error: CertificateError) -> Failure {
-        match error {
-            CertificateError::NoShape { end } => {
-                let set = if end == "first" { &self.problem.from } else { &self.problem.to };
-                let place = set.as_ref().map(|set| set.span()).unwrap_or_default();
-                Failure::BadInput(Diagnostic::new(error.to_string(), place))
-            }
-            error => Failure::NotComputed(error.to_string()),
-        }
     }
 }
 

@@ -42,6 +42,7 @@ mod schema;
 mod sign;
 mod solve;
 mod tolerance;
+pub mod value;
 
 pub use answer::{
     Answer, BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, OtherMinimum, Search,

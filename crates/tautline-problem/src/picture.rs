@@ -31,7 +31,9 @@ impl Question {
     pub fn certified_picture(&self, answer: &CertifiedAnswer) -> Result<Scene, Failure> {
         let bounds = [answer.lower.value, answer.upper.value];
         let corridor = Corridor { levels: &answer.corridor, bounds };
-        self.drawn(&answer.curve, &answer.other_minima, Some(corridor))
+        // Sets that touch have no corridor, and nothing is proved.
+        let corridor = (!answer.corridor.is_empty()).then_some(corridor);
+        self.drawn(&answer.curve, &answer.other_minima, corridor)
     }
 
     fn drawn(

@@ -11,7 +11,7 @@ use crate::{
         ProblemFile,
         expression::Text,
         placed::Placed,
-        request::{ConstantsFile, RuleFile, SolveFile},
+        request::{ConstantsFile, RuleName, SolveFile},
         set::{SetFile, Vector},
     },
     formula::formula,
@@ -43,7 +43,7 @@ pub struct Question {
     pub(crate) parameters: Vec<(String, f64)>,
     /// The pieces of the two sets, if the file has them.
     pub(crate) ends: Option<[Vec<Piece>; 2]>,
-    pub(crate) rule: RuleFile,
+    pub(crate) rule: RuleName,
     pub(crate) grid: Grid,
     pub(crate) starts: Vec<Vec<Vec<f64>>>,
     pub(crate) only_these_starts: bool,

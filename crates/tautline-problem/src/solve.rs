@@ -3,8 +3,8 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    Curvature, Ends, Formula, Integral, LeftEndpoint, Options, PointSequence, Problem, Rule,
-    SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
+    Curvature, Ends, Formula, Integral, LeftEndpoint, Metric, Minimum, Options, PointSequence,
+    Problem, Rule, SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
     certify::{Progress, Watch},
     distance,
 };
@@ -16,7 +16,7 @@ use crate::{
     answer::is_shorter,
     bounds::bounds,
     dimension::{InDimension, in_dimension},
-    file::request::RuleFile,
+    file::request::RuleName,
     reading::shape::{Piece, union, vector},
     tolerance::{FINEST_GRID, FIRST_GRID, PATIENCE, finer_grid},
 };
@@ -68,15 +68,15 @@ impl InDimension for Solve<'_> {
         let problem = Problem::new(formula, question.pair::<D>()?);
         let options = question.options::<D>()?;
         match question.rule {
-            RuleFile::Trapezoidal => {
+            RuleName::Trapezoidal => {
                 let line = question.line(&problem, Trapezoidal, &options, solved)?;
                 question.answer(&line, |q, l, o| bounds(q, l, o, watch, observe), solved)
             }
-            RuleFile::LeftEndpoint => {
+            RuleName::LeftEndpoint => {
                 let line = question.line(&problem, LeftEndpoint, &options, solved)?;
                 question.answer(&line, |q, l, o| bounds(q, l, o, watch, observe), solved)
             }
-            RuleFile::TrueTrapezoid => {
+            RuleName::TrueTrapezoid => {
                 let line = question.line(&problem, TrueTrapezoid, &options, solved)?;
                 let no_theorem = |_: &_, _: &_, _: &[_]| {
                     Err("the paper has no theorem on the true trapezoid".to_owned())
@@ -193,20 +193,8 @@ impl Question {
             length: estimated(line.length()),
             energy: estimated(line.energy()),
             discrete_energy: minimum.energy,
-            extrapolated: line.distance_squared_estimate().and_then(|square| {
-                let value = square.value.max(0.0).sqrt();
-                // An estimate that may be 0 is none.
-                let is_known = square.error < square.value;
-                is_known.then(|| Estimated { value, error: 0.5 * square.error / value })
-            }),
-            search: Search {
-                converged: minimum.is_local_minimum(),
-                stop: stop(minimum.stop),
-                hessian: hessian(minimum.curvature),
-                residual: minimum.residual,
-                residual_floor: minimum.residual_floor,
-                newton_steps: minimum.iterations,
-            },
+            extrapolated: extrapolated(line),
+            search: search(minimum),
             resolved: line.is_resolved(),
             within_tolerance: match self.grid {
                 Grid::Tolerance(tolerance) => Some(finer_grid(line, tolerance).is_none()),
@@ -267,8 +255,31 @@ fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Star
     if only { Starts::Only(given) } else { Starts::Also(given) }
 }
 
-fn estimated(Integral { value, error, .. }: Integral) -> Estimated {
+pub(crate) fn estimated(Integral { value, error, .. }: Integral) -> Estimated {
     Estimated { value, error }
+}
+
+/// Returns an estimate of the distance.
+pub(crate) fn extrapolated<M: Metric<D>, R: Rule, const D: usize>(
+    line: &TautLine<M, R, D>,
+) -> Option<Estimated> {
+    let square = line.distance_squared_estimate()?;
+    let value = square.value.max(0.0).sqrt();
+    // An estimate that may be 0 is none.
+    let is_known = square.error < square.value;
+    is_known.then(|| Estimated { value, error: 0.5 * square.error / value })
+}
+
+/// Returns how the search for a minimum ended.
+pub(crate) fn search<const D: usize>(minimum: &Minimum<D>) -> Search {
+    Search {
+        converged: minimum.is_local_minimum(),
+        stop: stop(minimum.stop),
+        hessian: hessian(minimum.curvature),
+        residual: minimum.residual,
+        residual_floor: minimum.residual_floor,
+        newton_steps: minimum.iterations,
+    }
 }
 
 pub(crate) fn points<const D: usize>(sequence: &PointSequence<D>) -> Vec<Vec<f64>> {
@@ -294,13 +305,13 @@ fn hessian(curvature: Curvature) -> String {
     }
 }
 
-impl RuleFile {
+impl RuleName {
     /// Returns the rule's name in a file.
     pub(crate) fn name(self) -> &'static str {
         match self {
-            RuleFile::Trapezoidal => "trapezoidal",
-            RuleFile::LeftEndpoint => "left_endpoint",
-            RuleFile::TrueTrapezoid => "true_trapezoid",
+            RuleName::Trapezoidal => "trapezoidal",
+            RuleName::LeftEndpoint => "left_endpoint",
+            RuleName::TrueTrapezoid => "true_trapezoid",
         }
     }
 }

@@ -88,8 +88,8 @@ pub use tautline_discretizations::{
 };
 pub use tautline_distance as distance;
 pub use tautline_formula::{
-    self as formula, AnyMetric, Batch, Batches, Formula, Kind, Plain, Prepared, RecordError,
-    TextError,
+    self as formula, AnyMetric, Batch, Batches, BlackBox, Formula, Kind, Plain, Prepared,
+    RecordError, TextError, Values,
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,

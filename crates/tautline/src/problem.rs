@@ -29,7 +29,13 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// compares numbers, or is very long, is evaluated as compiled, which is slower and gives the
     /// same results up to rounding.
     pub fn new(metric: M, ends: Ends<D>) -> Self {
-        Self { metric: Arc::new(Prepared::new(metric)), ends, workspace: Arc::default() }
+        Self::with_prepared(Arc::new(Prepared::new(metric)), ends)
+    }
+
+    /// Poses the problem with a metric whose programs other problems share. They are derived once, on
+    /// first use.
+    pub fn with_prepared(metric: Arc<Prepared<M, D>>, ends: Ends<D>) -> Self {
+        Self { metric, ends, workspace: Arc::default() }
     }
 
     /// Returns the metric.

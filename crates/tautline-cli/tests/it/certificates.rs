@@ -116,9 +116,12 @@ fn sets_that_touch_have_distance_0() {
         let changed = VALLEYS.replace(ends, &format!("[from]\n{from}\n[to]\n{to}\n"));
         assert_ne!(changed, VALLEYS);
         fs::write(folder.join("t.toml"), changed).expect("written");
-        let output = tautline(&folder, &["certify", "t.toml"]);
+        let output = tautline(&folder, &["certify", "t.toml", "--plot", "t.svg"]);
         assert_eq!(text(&output.stdout), "distance    0: the sets touch, up to rounding\n");
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        // Nothing is proved, and there is no corridor.
+        let picture = fs::read_to_string(folder.join("t.svg")).expect("drawn");
+        assert!(!picture.contains("corridor") && picture.contains("<svg"), "{picture}");
     }
 }
 

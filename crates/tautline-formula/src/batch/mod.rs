@@ -11,6 +11,7 @@ use nalgebra::{SMatrix, SVector};
 pub(crate) use contraction::CHUNKED;
 pub use layout::{Kind, Layout};
 pub use plain::Plain;
+pub(crate) use plain::{contiguous, rows};
 pub use prepared::Prepared;
 
 use crate::program::{InstructionSet, Register, Registers};

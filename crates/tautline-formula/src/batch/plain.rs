@@ -37,7 +37,7 @@ impl<M: Metric<D>, const D: usize> Plain<M, D> {
 
 /// Returns the rows of a kind, which are contiguous. The last row is positive if `H` is a Gram
 /// matrix.
-fn layout(kind: Kind, dimension: usize) -> Layout {
+pub(crate) fn contiguous(kind: Kind, dimension: usize) -> Layout {
     let mut next = 2 * dimension;
     let mut take = |count: usize| -> Vec<Register> {
         let rows = next..next + count;
@@ -70,7 +70,7 @@ fn layout(kind: Kind, dimension: usize) -> Layout {
 }
 
 /// Returns the number of rows of a layout, including the points and vectors.
-fn rows(layout: &Layout, dimension: usize) -> usize {
+pub(crate) fn rows(layout: &Layout, dimension: usize) -> usize {
     let Layout { square, momentum, slope, gram, turn, bend, positive, .. } = layout;
     let all = [square, momentum, slope, gram, turn, bend, positive];
     2 * dimension + all.into_iter().map(Vec::len).sum::<usize>()
@@ -86,7 +86,7 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {
     }
 
     fn layout(&self, kind: Kind) -> &Layout {
-        self.layouts[kind as usize].get_or_init(|| layout(kind, D))
+        self.layouts[kind as usize].get_or_init(|| contiguous(kind, D))
     }
 
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
@@ -142,40 +142,35 @@ fn evaluate<const D: usize>(
 ) {
     for lane in 0..registers.count() {
         let (x, d) = registers.input::<D>(lane);
-        let write = |registers: &mut Registers, to: &[Register], values: &[f64]| {
-            for (&to, &value) in to.iter().zip(values) {
-                registers.set(to, lane, value);
-            }
-        };
         let sign = |registers: &mut Registers, is_metric: bool| {
-            write(registers, &layout.positive, &[if is_metric { 1.0 } else { -1.0 }]);
+            registers.set_all(&layout.positive, lane, &[if is_metric { 1.0 } else { -1.0 }]);
         };
         match kind {
             Kind::Square => {
                 let square = metric.square(&x, &d);
-                write(registers, &layout.square, &[square]);
+                registers.set_all(&layout.square, lane, &[square]);
             }
             Kind::Checked => {
                 let h = metric.gram(&x);
-                write(registers, &layout.square, &[d.dot(&(h * d))]);
+                registers.set_all(&layout.square, lane, &[d.dot(&(h * d))]);
                 sign(registers, is_gram(&h));
             }
             Kind::Momentum => {
                 let (h, g) = metric.momentum(&x, &d);
                 let hd = h * d;
-                write(registers, &layout.square, &[d.dot(&hd)]);
-                write(registers, &layout.momentum, hd.as_slice());
-                write(registers, &layout.slope, g.as_slice());
+                registers.set_all(&layout.square, lane, &[d.dot(&hd)]);
+                registers.set_all(&layout.momentum, lane, hd.as_slice());
+                registers.set_all(&layout.slope, lane, g.as_slice());
                 sign(registers, is_gram(&h));
             }
             Kind::Contraction => {
                 let Contraction { h, g, p, q, is_metric } = metric.contraction(&x, &d);
                 // The upper half is used; it equals the lower half up to rounding.
                 let h = SMatrix::<f64, D, D>::from_fn(|i, j| h[(i.min(j), i.max(j))]);
-                write(registers, &layout.gram, h.as_slice());
-                write(registers, &layout.slope, g.as_slice());
-                write(registers, &layout.turn, p.transpose().as_slice());
-                write(registers, &layout.bend, q.as_slice());
+                registers.set_all(&layout.gram, lane, h.as_slice());
+                registers.set_all(&layout.slope, lane, g.as_slice());
+                registers.set_all(&layout.turn, lane, p.transpose().as_slice());
+                registers.set_all(&layout.bend, lane, q.as_slice());
                 sign(registers, is_metric);
             }
         }

@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
 
 use crate::{
-    Formula,
+    BlackBox, BlackBoxBatches, Formula,
     batch::{Batches, Kind, Layout, Plain, kernel::Kernel},
     program::{InstructionSet, Registers},
 };
@@ -23,6 +23,8 @@ pub struct Prepared<M, const D: usize> {
     kernels: [OnceLock<Option<Kernel>>; 4],
     instruction_set: InstructionSet,
     lanes: usize,
+    /// The metric, if it is known by its values only.
+    black_box: Option<BlackBoxBatches<D>>,
 }
 
 /// The greatest number of lanes.
@@ -41,7 +43,21 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     pub fn with(metric: M, instruction_set: InstructionSet, lanes: usize) -> Self {
         let formula = Formula::record(&metric).ok();
         let (plain, kernels) = (Plain::new(metric), Default::default());
-        Self { plain, formula, kernels, instruction_set, lanes }
+        Self { plain, formula, kernels, instruction_set, lanes, black_box: None }
+    }
+
+    /// Wraps a metric that computes what a black box does. Batches are evaluated by the latter, all
+    /// points of a batch in one call.
+    #[must_use]
+    pub fn of_black_box(metric: M, black_box: BlackBox<D>) -> Self {
+        Self {
+            plain: Plain::new(metric),
+            formula: None,
+            kernels: Default::default(),
+            instruction_set: InstructionSet::Widest,
+            lanes: LANES,
+            black_box: Some(BlackBoxBatches::new(black_box)),
+        }
     }
 
     /// Returns the metric.
@@ -62,6 +78,11 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
         self.kernel(kind).map(Kernel::size)
     }
 
+    /// Returns what evaluates the batches that no program evaluates.
+    fn otherwise(&self) -> &dyn Batches<D> {
+        self.black_box.as_ref().map_or(&self.plain, |black_box| black_box)
+    }
+
     fn kernel(&self, kind: Kind) -> Option<&Kernel> {
         let derive = || Kernel::new(self.formula.as_ref()?.tape(), kind);
         self.kernels[kind as usize].get_or_init(derive).as_ref()
@@ -74,12 +95,12 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Prepared<M, D> {
     }
 
     fn layout(&self, kind: Kind) -> &Layout {
-        self.kernel(kind).map_or_else(|| self.plain.layout(kind), Kernel::layout)
+        self.kernel(kind).map_or_else(|| self.otherwise().layout(kind), Kernel::layout)
     }
 
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
         let Some(kernel) = self.kernel(kind) else {
-            return self.plain.registers(kind, unit, units);
+            return self.otherwise().registers(kind, unit, units);
         };
         let lanes = unit.saturating_mul(units).min(self.lanes).min(kernel.lanes()).max(unit);
         Registers::new(kernel.program(), lanes, self.instruction_set)
@@ -92,7 +113,7 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Prepared<M, D> {
     fn evaluate(&self, kind: Kind, registers: &mut Registers) {
         match self.kernel(kind) {
             Some(kernel) => registers.run(kernel.program()),
-            None => self.plain.evaluate(kind, registers),
+            None => self.otherwise().evaluate(kind, registers),
         }
     }
 }

@@ -86,6 +86,13 @@ impl Registers {
         self.rows[register as usize].as_flattened_mut()[lane] = value;
     }
 
+    /// Overwrites results in one lane, as many as there are registers.
+    pub(crate) fn set_all(&mut self, registers: &[Register], lane: usize, values: &[f64]) {
+        for (&register, &value) in registers.iter().zip(values) {
+            self.set(register, lane, value);
+        }
+    }
+
     /// Returns the greatest number of lanes.
     #[must_use]
     pub fn lanes(&self) -> usize {

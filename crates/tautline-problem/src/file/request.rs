@@ -15,7 +15,7 @@ use super::{
 pub(crate) struct SolveFile {
     /// The rule of numerical integration.
     #[serde(default)]
-    pub(crate) rule: RuleFile,
+    pub(crate) rule: RuleName,
     /// The number of chords; 256 unless a tolerance is given.
     pub(crate) n: Option<Placed<usize>>,
     /// The relative error of the length, by extrapolation over several grids. It replaces `n`.
@@ -35,7 +35,7 @@ pub(crate) struct SolveFile {
 /// A rule of numerical integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub(crate) enum RuleFile {
+pub enum RuleName {
     /// The metric in the middle of each chord, called the midpoint rule elsewhere.
     #[default]
     Trapezoidal,

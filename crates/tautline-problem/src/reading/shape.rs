@@ -33,12 +33,12 @@ impl Piece {
     }
 
     pub(crate) fn set<const D: usize>(&self) -> Result<Arc<dyn ClosedSet<D>>, Diagnostic> {
-        set(&self.shape).map_err(|error| Diagnostic::new(error.to_string(), self.place(&error)))
+        set_of(&self.shape).map_err(|error| Diagnostic::new(error.to_string(), self.place(&error)))
     }
 }
 
 /// Returns the set. The vectors must have `D` coordinates; missing ones count as 0.
-fn set<const D: usize>(shape: &Shape) -> Result<Arc<dyn ClosedSet<D>>, SetError> {
+pub(crate) fn set_of<const D: usize>(shape: &Shape) -> Result<Arc<dyn ClosedSet<D>>, SetError> {
     let at = vector::<D>;
     Ok(match shape {
         Shape::Point(x) => Arc::new(Point::new(at(x))?),

@@ -7,4 +7,5 @@ mod random_certificates;
 mod schema;
 mod tolerance;
 mod twins;
+mod value;
 mod wrong;

@@ -1,0 +1,118 @@
+//! Derivatives of a black box from differences of its values.
+
+use super::BlackBox;
+
+/// `H` and its derivatives at some points, laid out as [`Values`](super::Values) are. Derivatives that
+/// nobody asked for are empty.
+#[derive(Debug, Default)]
+pub(super) struct Derivatives {
+    pub(super) gram: Vec<f64>,
+    pub(super) first: Vec<f64>,
+    pub(super) second: Vec<f64>,
+}
+
+/// The offsets, in steps, at which `H` is taken in each direction.
+const OFFSETS: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
+
+/// `f′ ≈ (f(−2h) − 8 f(−h) + 8 f(h) − f(2h)) / 12h`, with an error of `h⁴ f⁽⁵⁾ / 30`.
+const SLOPE: [f64; 4] = [1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0];
+
+/// `f″ ≈ (−f(−2h) + 16 f(−h) − 30 f(0) + 16 f(h) − f(2h)) / 12h²`, with an error of `h⁴ f⁽⁶⁾ / 90`.
+const BEND: [f64; 4] = [-1.0 / 12.0, 16.0 / 12.0, 16.0 / 12.0, -1.0 / 12.0];
+const BEND_HERE: f64 = -30.0 / 12.0;
+
+impl<const D: usize> BlackBox<D> {
+    /// Returns `H` and its derivatives up to an order of at most two.
+    pub(super) fn derivatives(&self, x: &[f64], order: usize) -> Derivatives {
+        let mut at = Derivatives { gram: self.values.gram(x), ..Derivatives::default() };
+        if order == 0 {
+            return at;
+        }
+        match self.values.first(x) {
+            Some(first) => {
+                at.first = first;
+                if order == 2 {
+                    let second = self.values.second(x);
+                    at.second = second.unwrap_or_else(|| self.bends_of_slopes(x));
+                }
+            }
+            None => self.by_differences(x, order, &mut at),
+        }
+        at
+    }
+
+    /// Returns the points moved in some directions by some steps, one copy of all points after the
+    /// other, and the distances by which they are moved after rounding, as multiples of the step.
+    fn moved(&self, x: &[f64], moves: &[[(usize, f64); 2]]) -> Vec<f64> {
+        let mut all = Vec::with_capacity(x.len() * moves.len());
+        for moved in moves {
+            let from = all.len();
+            all.extend_from_slice(x);
+            for point in all[from..].chunks_mut(D) {
+                for &(k, steps) in moved {
+                    point[k] += steps * self.step;
+                }
+            }
+        }
+        all
+    }
+
+    /// Sets first and second derivatives from values of `H` alone.
+    fn by_differences(&self, x: &[f64], order: usize, at: &mut Derivatives) {
+        let mut moves: Vec<[(usize, f64); 2]> = Vec::new();
+        for k in 0..D {
+            moves.extend(OFFSETS.map(|offset| [(k, offset), (k, 0.0)]));
+        }
+        let pairs: Vec<(usize, usize)> =
+            (0..D).flat_map(|k| (k + 1..D).map(move |l| (k, l))).collect();
+        const SIGNS: [[f64; 2]; 4] = [[1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0]];
+        if order == 2 {
+            for &(k, l) in &pairs {
+                moves.extend(SIGNS.map(|[a, b]| [(k, a), (l, b)]));
+            }
+        }
+        let values = self.values.gram(&self.moved(x, &moves));
+        let (h, entries) = (self.step, at.gram.len());
+        let value = |moved: usize, entry: usize| values[moved * entries + entry];
+        let sum = |weights: [f64; 4], from: usize, entry: usize| -> f64 {
+            weights.iter().zip(from..).map(|(w, moved)| w * value(moved, entry)).sum()
+        };
+        at.first = (0..entries * D).map(|n| sum(SLOPE, n % D * 4, n / D) / h).collect();
+        if order < 2 {
+            return;
+        }
+        at.second = vec![0.0; entries * D * D];
+        for entry in 0..entries {
+            for k in 0..D {
+                let here = BEND_HERE * at.gram[entry];
+                at.second[(entry * D + k) * D + k] = (sum(BEND, 4 * k, entry) + here) / (h * h);
+            }
+            for (n, &(k, l)) in pairs.iter().enumerate() {
+                let turned = sum([0.25, 0.25, -0.25, -0.25], 4 * (D + n), entry) / (h * h);
+                at.second[(entry * D + k) * D + l] = turned;
+                at.second[(entry * D + l) * D + k] = turned;
+            }
+        }
+    }
+
+    /// Returns second derivatives from differences of the first ones.
+    fn bends_of_slopes(&self, x: &[f64]) -> Vec<f64> {
+        let moves: Vec<_> =
+            (0..D).flat_map(|k| OFFSETS.map(|offset| [(k, offset), (k, 0.0)])).collect();
+        let slopes = self.values.first(&self.moved(x, &moves)).unwrap_or_default();
+        let all = slopes.len() / moves.len().max(1);
+        let bend = |n: usize, k: usize| -> f64 {
+            let slopes = (0..4).map(|i| SLOPE[i] * slopes[(4 * k + i) * all + n]);
+            slopes.sum::<f64>() / self.step
+        };
+        let mut second = vec![0.0; all * D];
+        for entry in 0..all / D {
+            for (k, l) in (0..D).flat_map(|k| (0..D).map(move |l| (k, l))) {
+                // The two orders of differentiation differ by the error of the differences.
+                let both = bend(entry * D + k, l) + bend(entry * D + l, k);
+                second[(entry * D + k) * D + l] = 0.5 * both;
+            }
+        }
+        second
+    }
+}

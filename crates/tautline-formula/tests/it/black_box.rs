@@ -1,0 +1,174 @@
+//! Batches of a black box against those of the formula that it hides.
+
+use std::sync::{
+    Arc,
+    atomic::{AtomicUsize, Ordering},
+};
+
+use nalgebra::{SMatrix, SVector, vector};
+use tautline_formula::{
+    Batch, Batches, BlackBox, Formula, Kind, Plain, Prepared, RecordError, Values,
+};
+use tautline_metrics::Metric;
+use tautline_scalar::{Interval, Jet2, Scalar};
+
+use crate::parsed;
+
+/// The values of a formula, and its derivatives up to an order.
+struct Hidden<const D: usize> {
+    formula: Formula<D>,
+    order: usize,
+    calls: AtomicUsize,
+}
+
+impl<const D: usize> Hidden<D> {
+    fn new(text: &str, order: usize) -> Arc<Self> {
+        Arc::new(Self { formula: parsed(text), order, calls: AtomicUsize::new(0) })
+    }
+
+    /// Returns what `of` returns for each entry of `H` at each point, row by row.
+    fn all(&self, x: &[f64], of: fn(&Jet2<f64, D>) -> Vec<f64>) -> Vec<f64> {
+        self.calls.fetch_add(1, Ordering::Relaxed);
+        let jets = |x: &[f64]| {
+            let x: [f64; D] = x.try_into().expect("D coordinates");
+            self.formula.gram(&SVector::from(Jet2::variables(&x))).transpose()
+        };
+        x.chunks(D).flat_map(|x| jets(x).iter().flat_map(of).collect::<Vec<_>>()).collect()
+    }
+}
+
+impl<const D: usize> Values for Hidden<D> {
+    fn gram(&self, x: &[f64]) -> Vec<f64> {
+        self.all(x, |jet| vec![jet.value()])
+    }
+
+    fn first(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let of = |jet: &Jet2<f64, D>| (0..D).map(|k| jet.first(k)).collect();
+        (self.order >= 1).then(|| self.all(x, of))
+    }
+
+    fn second(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let of = |jet: &Jet2<f64, D>| {
+            let pairs = (0..D).flat_map(|k| (0..D).map(move |l| (k.min(l), k.max(l))));
+            pairs.map(|(k, l)| jet.second(k, l)).collect()
+        };
+        (self.order >= 2).then(|| self.all(x, of))
+    }
+}
+
+const FULL: &str = "a = sin(x1 - 2*x2); b = cos(x1*x3/2); [4 + a, a*b, b/3; a*b, 5 - b, a/2; b/3, \
+                    a/2, 4 + x3^2/4]";
+/// The step of the differences.
+const H: f64 = 1e-3;
+
+/// The derivatives of `FULL` at the points below are at most 2⁵ times 10 in every order up to five:
+/// `SIZE` bounds them, and the sums of nine products with `|d| ≤ 1`.
+const SIZE: f64 = 9.0 * 320.0;
+
+/// Returns all rows of a kind at some points.
+fn rows(metric: &dyn Batches<3>, kind: Kind) -> Vec<(&'static str, Vec<f64>)> {
+    let mut batch = Batch::new(metric, kind, 5, 1);
+    let mut inputs = batch.inputs(5);
+    for lane in 0..5 {
+        let t = lane as f64;
+        let x = vector![0.4 - 0.2 * t, 0.3 * t, -0.5 + 0.25 * t];
+        inputs.set(lane, &x, &vector![0.6, -0.5 + 0.1 * t, 0.4]);
+    }
+    assert!(batch.evaluate(5), "{kind:?}");
+    let layout = batch.layout();
+    let lists = [
+        ("square", &layout.square),
+        ("momentum", &layout.momentum),
+        ("slope", &layout.slope),
+        ("gram", &layout.gram),
+        ("turn", &layout.turn),
+        ("bend", &layout.bend),
+    ];
+    let all = |list: &Vec<_>| list.iter().flat_map(|&row| batch.row(row)[..5].to_vec()).collect();
+    lists.map(|(name, list)| (name, all(list))).to_vec()
+}
+
+/// Derivatives that are given are exact. Those from differences have the errors of the documentation,
+/// with roundings of `ε SIZE / h` for each difference.
+#[test]
+fn a_black_box_has_the_rows_of_its_formula() {
+    let plain = Plain::new(parsed::<3>(FULL));
+    let rounding = f64::EPSILON * SIZE;
+    let (first, second) = (H.powi(4) * SIZE / 30.0 + 2.0 * rounding / H, 8.0 * rounding / (H * H));
+    for (order, slopes, bends) in
+        [(2, rounding, rounding), (1, rounding, first), (0, first, second)]
+    {
+        let black_box = BlackBox::<3>::new(Hidden::<3>::new(FULL, order), H).expect("a step");
+        let black_box = Prepared::of_black_box(parsed::<3>(FULL), black_box);
+        for kind in [Kind::Square, Kind::Checked, Kind::Momentum, Kind::Contraction] {
+            for ((name, found), (_, expected)) in
+                rows(&black_box, kind).iter().zip(rows(&plain, kind))
+            {
+                let tolerance = match *name {
+                    "slope" | "turn" => slopes,
+                    "bend" => bends,
+                    _ => rounding,
+                };
+                assert_eq!(found.len(), expected.len(), "{name} {kind:?}");
+                for (found, expected) in found.iter().zip(expected) {
+                    let off = (found - expected).abs();
+                    assert!(off <= tolerance, "order {order}, {name} {kind:?}: {off:e}");
+                }
+            }
+        }
+    }
+}
+
+/// A call from another language costs as much as some dozen points.
+#[test]
+fn a_batch_of_a_black_box_takes_one_call_for_each_order() {
+    for (order, calls) in [(2, 3), (1, 3), (0, 2)] {
+        let hidden = Hidden::<3>::new(FULL, order);
+        let black_box = BlackBox::<3>::new(hidden.clone(), H).expect("a step");
+        rows(&Prepared::of_black_box(parsed::<3>(FULL), black_box), Kind::Contraction);
+        assert_eq!(hidden.calls.load(Ordering::Relaxed), calls, "order {order}");
+    }
+}
+
+#[test]
+fn a_black_box_is_refused_where_it_is_no_metric() {
+    // Not symmetric; not positive definite; not finite.
+    for text in ["[1, x1; 0, 1]", "[1, 0; 0, x1]", "[1, 0; 0, ln(x1)]"] {
+        for x in [-1.0, 1.0] {
+            let black_box = BlackBox::<2>::new(Hidden::<2>::new(text, 0), H).expect("a step");
+            let metric = Prepared::of_black_box(parsed::<2>(text), black_box);
+            let mut batch = Batch::new(&metric, Kind::Checked, 1, 1);
+            batch.inputs(1).set(0, &vector![x, 0.0], &vector![1.0, 1.0]);
+            assert_eq!(batch.evaluate(1), x > 0.0 && text == "[1, 0; 0, x1]", "{text} {x}");
+        }
+    }
+}
+
+#[test]
+fn a_black_box_has_jets_but_neither_intervals_nor_a_formula() {
+    const WAVES: &str = "[3 + sin(x1), x2; x2, 4 + x2^2]";
+    let black_box = BlackBox::<2>::new(Hidden::<2>::new(WAVES, 2), H).expect("a step");
+    assert_eq!(Formula::record(&black_box), Err(RecordError::BlackBox));
+    let boxes = vector![Interval::constant(0.5), Interval::constant(0.25)];
+    assert!(black_box.gram(&boxes).iter().all(|entry| entry.lo().is_nan()));
+    let x = SVector::from(Jet2::<f64, 2>::variables(&[0.5, 0.25]));
+    let (found, expected): (SMatrix<_, 2, 2>, _) =
+        (black_box.gram(&x), parsed::<2>(WAVES).gram(&x));
+    for (found, expected) in found.iter().zip(&expected) {
+        let parts = |jet: &Jet2<f64, 2>| {
+            let second = [(0, 0), (0, 1), (1, 1)].map(|(k, l)| jet.second(k, l));
+            [jet.value(), jet.first(0), jet.first(1), second[0], second[1], second[2]]
+        };
+        for (found, expected) in parts(found).into_iter().zip(parts(expected)) {
+            // A dozen operations on numbers below 5.
+            assert!((found - expected).abs() <= 1e-14, "{found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn a_step_is_positive_and_finite() {
+    for step in [0.0, -1e-3, f64::NAN, f64::INFINITY] {
+        assert!(BlackBox::<2>::new(Hidden::<2>::new("phi(1)", 0), step).is_none(), "{step}");
+    }
+}

@@ -1,0 +1,254 @@
+//! `Given`: a metric whose dimension is known when the program runs.
+
+use std::{fmt::Debug, sync::Arc};
+
+use tautline::{
+    ClosedSet, Ends, Formula, LeftEndpoint, Metric, Options, Prepared, Problem, SVector,
+    SolveError, TautLine, Trapezoidal, TrueTrapezoid, Union, Values, solve_all,
+};
+use tautline_portrait::Shape;
+
+use super::{
+    Curve, GivenError, Request,
+    curve::NamedRule,
+    known::{Known, black_box},
+};
+use crate::{
+    dimension::{InDimension, in_dimension},
+    file::request::RuleName,
+    reading::shape::{set_of, vector},
+};
+
+/// A metric on `R^d`, where `d` is known when the program runs. Its programs are derived once, and
+/// its clones share them.
+#[derive(Clone, Debug)]
+pub struct Given {
+    metric: Arc<dyn AnyDimension>,
+}
+
+/// A curve, or why there is none.
+pub type Found = Result<Arc<dyn Curve>, GivenError>;
+
+impl Given {
+    /// Parses a metric, given values for named parameters: the texts of
+    /// [`Formula::parse`](tautline::Formula::parse).
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError::Dimension`], or [`GivenError::Text`] with the offending bytes.
+    pub fn parse(
+        text: &str,
+        dimension: usize,
+        parameters: &[(&str, f64)],
+    ) -> Result<Self, GivenError> {
+        let parse = Parse { text, parameters };
+        in_dimension(dimension, parse).unwrap_or(Err(GivenError::Dimension { dimension }))
+    }
+
+    /// Takes a metric that is known by its values only. Derivatives that it does not give are computed
+    /// from differences with this [step](tautline::BlackBox::new), in `ℓ`. Its curves have no certificates.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError::Dimension`]; [`GivenError::Step`] if the step is not positive and finite.
+    pub fn black_box(
+        values: Arc<dyn Values>,
+        dimension: usize,
+        step: f64,
+    ) -> Result<Self, GivenError> {
+        let task = InBlackBox { values, step };
+        in_dimension(dimension, task).unwrap_or(Err(GivenError::Dimension { dimension }))
+    }
+
+    /// Returns the dimension.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.metric.dimension()
+    }
+
+    /// Returns the steps of the formula, one on each line, which [`parse`](Given::parse) reads. Two
+    /// metrics are the same program if these texts are equal. A black box has none.
+    #[must_use]
+    pub fn text(&self) -> Option<String> {
+        self.metric.text()
+    }
+
+    /// Returns `H(x)`, column by column.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError::Coordinates`].
+    pub fn gram(&self, x: &[f64]) -> Result<Vec<f64>, GivenError> {
+        let (found, dimension) = (x.len(), self.dimension());
+        if found != dimension {
+            return Err(GivenError::Coordinates { what: "a point", found, dimension });
+        }
+        Ok(self.metric.gram(x))
+    }
+
+    /// Returns a curve between two sets, each the union of its pieces.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError`].
+    pub fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found {
+        self.metric.solve(ends, request)
+    }
+
+    /// Solves many problems on all threads, and returns the curves in order, bit for bit those of
+    /// [`solve`](Given::solve). An error in one of them does not affect the others.
+    #[must_use]
+    pub fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
+        self.metric.solve_all(ends, request)
+    }
+}
+
+struct Parse<'t> {
+    text: &'t str,
+    parameters: &'t [(&'t str, f64)],
+}
+
+impl InDimension for Parse<'_> {
+    type Output = Result<Given, GivenError>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let formula = Formula::<D>::parse(self.text, self.parameters)?;
+        Ok(Given { metric: Arc::new(Held(Arc::new(Prepared::new(Known::Formula(formula))))) })
+    }
+}
+
+struct InBlackBox {
+    values: Arc<dyn Values>,
+    step: f64,
+}
+
+impl InDimension for InBlackBox {
+    type Output = Result<Given, GivenError>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let metric = black_box::<D>(self.values, self.step)?;
+        Ok(Given { metric: Arc::new(Held(Arc::new(metric))) })
+    }
+}
+
+/// What can be done with a metric without knowing its dimension.
+trait AnyDimension: Debug + Send + Sync {
+    fn dimension(&self) -> usize;
+    fn text(&self) -> Option<String>;
+    fn gram(&self, x: &[f64]) -> Vec<f64>;
+    fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found;
+    fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found>;
+}
+
+/// A metric in `D` dimensions.
+#[derive(Debug)]
+struct Held<const D: usize>(Arc<Prepared<Known<D>, D>>);
+
+impl<const D: usize> Held<D> {
+    fn problem(&self, pieces: [&[Shape]; 2]) -> Result<Problem<Known<D>, D>, GivenError> {
+        let ends = match pieces {
+            // Of two points more is proved.
+            [[Shape::Point(a)], [Shape::Point(b)]] => Ends::points(point::<D>(a)?, point::<D>(b)?)?,
+            [from, to] => Ends::new(set("first", from)?, set("second", to)?)?,
+        };
+        Ok(Problem::with_prepared(Arc::clone(&self.0), ends))
+    }
+
+    fn by<R: NamedRule>(
+        problem: &Problem<Known<D>, D>,
+        rule: R,
+        n: usize,
+        options: &Options<D>,
+    ) -> Found {
+        held(problem.solve_with(rule, n, options))
+    }
+
+    fn all_by<R: NamedRule>(
+        problems: Vec<Result<Problem<Known<D>, D>, GivenError>>,
+        rule: R,
+        n: usize,
+        options: &Options<D>,
+    ) -> Vec<Found> {
+        let posed: Vec<_> = problems.iter().filter_map(|problem| problem.as_ref().ok()).collect();
+        let posed: Vec<Problem<Known<D>, D>> = posed.into_iter().cloned().collect();
+        let mut solved = solve_all(&posed, rule, n, options).into_iter();
+        let next = |problem: Result<_, _>| {
+            problem.and_then(|_| held(solved.next().unwrap_or(Err(SolveError::NoStart))))
+        };
+        problems.into_iter().map(next).collect()
+    }
+}
+
+fn held<R: NamedRule, const D: usize>(line: Result<TautLine<Known<D>, R, D>, SolveError>) -> Found {
+    Ok(Arc::new(line?))
+}
+
+impl<const D: usize> AnyDimension for Held<D> {
+    fn dimension(&self) -> usize {
+        D
+    }
+
+    fn text(&self) -> Option<String> {
+        match self.0.metric() {
+            Known::Formula(formula) => Some(formula.to_string()),
+            Known::BlackBox(_) => None,
+        }
+    }
+
+    fn gram(&self, x: &[f64]) -> Vec<f64> {
+        self.0.metric().gram(&vector::<D>(x)).as_slice().to_vec()
+    }
+
+    fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found {
+        let (problem, options, n) = (self.problem(ends)?, request.options::<D>()?, request.n);
+        match request.rule {
+            RuleName::Trapezoidal => Self::by(&problem, Trapezoidal, n, &options),
+            RuleName::LeftEndpoint => Self::by(&problem, LeftEndpoint, n, &options),
+            RuleName::TrueTrapezoid => Self::by(&problem, TrueTrapezoid, n, &options),
+        }
+    }
+
+    fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
+        let n = request.n;
+        let options = match request.options::<D>() {
+            Ok(options) => options,
+            Err(error) => return vec![Err(error); ends.len()],
+        };
+        let problems = ends.iter().map(|&ends| self.problem(ends)).collect();
+        match request.rule {
+            RuleName::Trapezoidal => Self::all_by(problems, Trapezoidal, n, &options),
+            RuleName::LeftEndpoint => Self::all_by(problems, LeftEndpoint, n, &options),
+            RuleName::TrueTrapezoid => Self::all_by(problems, TrueTrapezoid, n, &options),
+        }
+    }
+}
+
+/// Returns a point with as many coordinates as there are.
+fn point<const D: usize>(x: &[f64]) -> Result<SVector<f64, D>, GivenError> {
+    match x.len() {
+        found if found != D => {
+            Err(GivenError::Coordinates { what: "a point", found, dimension: D })
+        }
+        _ => Ok(vector::<D>(x)),
+    }
+}
+
+/// Returns the union of the pieces, or the only one.
+fn set<const D: usize>(
+    end: &'static str,
+    pieces: &[Shape],
+) -> Result<Arc<dyn ClosedSet<D>>, GivenError> {
+    let mut sets = Vec::new();
+    for piece in pieces {
+        if let Some(found) = piece.coordinates().find(|&found| found != D) {
+            let what = piece.name();
+            return Err(GivenError::Coordinates { what, found, dimension: D });
+        }
+        sets.push(set_of::<D>(piece)?);
+    }
+    match sets.len() {
+        0 => Err(GivenError::NoPieces { end }),
+        1 => Ok(sets.remove(0)),
+        _ => Ok(Arc::new(Union::new(sets)?)),
+    }
+}

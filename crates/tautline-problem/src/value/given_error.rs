@@ -1,0 +1,51 @@
+//! `GivenError`: why a problem that was given as values has no curve.
+
+use tautline::{SequenceError, SetError, SolveError, TextError};
+
+use crate::LARGEST_DIMENSION;
+
+/// Why a problem has no curve.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GivenError {
+    /// The dimension is 0 or too large.
+    #[error("{dimension} dimensions: only 1 to {LARGEST_DIMENSION} are possible")]
+    Dimension {
+        /// The dimension.
+        dimension: usize,
+    },
+    /// The formula is wrong.
+    #[error(transparent)]
+    Text(#[from] TextError),
+    /// A vector does not have one coordinate for each dimension.
+    #[error("{what} has {found} coordinates in {dimension} dimensions")]
+    Coordinates {
+        /// What has them.
+        what: &'static str,
+        /// The number of coordinates.
+        found: usize,
+        /// The dimension.
+        dimension: usize,
+    },
+    /// A set has no pieces.
+    #[error("the {end} set has no pieces")]
+    NoPieces {
+        /// Which set: `first` or `second`.
+        end: &'static str,
+    },
+    /// A set is no set, or both are unbounded.
+    #[error(transparent)]
+    Set(#[from] SetError),
+    /// A start is no sequence of points.
+    #[error("a start: {0}")]
+    Start(#[from] SequenceError),
+    /// The step of differences is not positive and finite.
+    #[error("the step of differences is {step}; it must be positive and finite")]
+    Step {
+        /// The step, in `ℓ`.
+        step: f64,
+    },
+    /// Nothing was found.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+}

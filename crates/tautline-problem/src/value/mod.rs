@@ -1,0 +1,29 @@
+//! Problems as values: metrics and sets that a program gives, not a file, in a dimension that is known
+//! when the program runs.
+//!
+//! ```
+//! use tautline_problem::value::{Given, Request, Shape};
+//!
+//! let valleys = Given::parse("cost(2 - cos(x1))", 2, &[])?;
+//! let from = [Shape::Ball { centre: vec![0.0, 0.0], radius: 0.5 }];
+//! let to = [Shape::HalfSpace { normal: vec![-1.0, 0.0], offset: -3.0 }];
+//! let curve = valleys.solve([&from, &to], &Request::default())?;
+//! assert!((curve.length().value - 5.338305).abs() < 1e-6); // 5 − sin 3 + sin ½
+//! assert_eq!(curve.points().len(), 257 * 2);
+//! # Ok::<(), tautline_problem::value::GivenError>(())
+//! ```
+
+mod curve;
+mod given;
+mod given_error;
+mod known;
+mod request;
+
+pub use curve::Curve;
+pub use given::{Found, Given};
+pub use given_error::GivenError;
+pub use request::Request;
+
+pub use crate::file::request::RuleName;
+pub use tautline::Values;
+pub use tautline_portrait::Shape;

@@ -1,0 +1,160 @@
+//! `Curve`: a computed curve.
+
+use core::ops::ControlFlow;
+use std::sync::Arc;
+
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+use tautline::distance::Wanted;
+use tautline_problem::{Estimated, value};
+
+use crate::{certificate::Certificate, error::uncertified};
+
+/// A number, and an estimate of its error.
+#[pyclass(frozen, get_all, module = "tautline")]
+#[derive(Clone, Debug)]
+pub(crate) struct Estimate {
+    /// The number.
+    value: f64,
+    /// The estimated error.
+    error: f64,
+}
+
+#[pymethods]
+impl Estimate {
+    fn __float__(&self) -> f64 {
+        self.value
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Estimate(value={:?}, error={:.1e})", self.value, self.error)
+    }
+}
+
+impl From<Estimated> for Estimate {
+    fn from(Estimated { value, error }: Estimated) -> Self {
+        Self { value, error }
+    }
+}
+
+/// A computed shortest curve: a local minimiser of the discrete energy, joined up linearly.
+#[pyclass(frozen, module = "tautline")]
+#[derive(Clone, Debug)]
+pub(crate) struct Curve {
+    pub(crate) curve: Arc<dyn value::Curve>,
+}
+
+impl From<Arc<dyn value::Curve>> for Curve {
+    fn from(curve: Arc<dyn value::Curve>) -> Self {
+        Self { curve }
+    }
+}
+
+#[pymethods]
+impl Curve {
+    /// The points from the first set to the second, an array of shape (n + 1, D).
+    #[getter]
+    fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (points, dimension) = (self.curve.points(), self.curve.dimension());
+        let rows = points.len() / dimension;
+        points.into_pyarray(py).reshape([rows, dimension])
+    }
+
+    /// The number of chords.
+    #[getter]
+    fn n(&self) -> usize {
+        self.curve.points().len() / self.curve.dimension() - 1
+    }
+
+    /// The length: an upper bound on the distance, up to the error of its quadrature.
+    #[getter]
+    fn length(&self) -> Estimate {
+        self.curve.length().into()
+    }
+
+    /// The energy: an upper bound on the squared distance, up to the error of its quadrature.
+    #[getter]
+    fn energy(&self) -> Estimate {
+        self.curve.energy().into()
+    }
+
+    /// The energy of the points by the rule, on either side of the squared distance.
+    #[getter]
+    fn discrete_energy(&self) -> f64 {
+        self.curve.discrete_energy()
+    }
+
+    /// The distance by extrapolation: an estimate, not a bound. None if there is none.
+    #[getter]
+    fn extrapolated(&self) -> Option<Estimate> {
+        self.curve.extrapolated().map(Estimate::from)
+    }
+
+    /// The speeds of the chords, an array of shape (n,).
+    #[getter]
+    fn speeds<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.curve.speeds().into_pyarray(py)
+    }
+
+    /// Whether the search converged to a strict local minimum, or the sets touch.
+    #[getter]
+    fn converged(&self) -> bool {
+        self.curve.search().converged
+    }
+
+    /// Why the search stopped.
+    #[getter]
+    fn stop(&self) -> &'static str {
+        self.curve.search().stop
+    }
+
+    /// The Hessian of the discrete energy at the result, in words.
+    #[getter]
+    fn hessian(&self) -> String {
+        self.curve.search().hessian
+    }
+
+    /// The residual of the discrete geodesic equation, relative to the momentum.
+    #[getter]
+    fn residual(&self) -> f64 {
+        self.curve.search().residual
+    }
+
+    /// Whether the chords resolve the metric.
+    #[getter]
+    fn resolved(&self) -> bool {
+        self.curve.is_resolved()
+    }
+
+    /// Other local minima that were met, shortest first.
+    #[getter]
+    fn other_minima(&self, py: Python<'_>) -> Vec<Curve> {
+        py.detach(|| self.curve.other_minima()).into_iter().map(Curve::from).collect()
+    }
+
+    /// Searches for a certificate of the distance with a gap of at most (upper - lower)/upper.
+    #[pyo3(signature = (gap=1e-3, *, cubes=2_000_000))]
+    fn certificate(&self, py: Python<'_>, gap: f64, cubes: usize) -> PyResult<Certificate> {
+        let mut signal = None;
+        let found = py.detach(|| {
+            self.curve.certificate(Wanted { gap, cubes }, &mut |_| match Python::attach(|py| {
+                py.check_signals()
+            }) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(error) => {
+                    signal = Some(error);
+                    ControlFlow::Break(())
+                }
+            })
+        });
+        if let Some(error) = signal {
+            return Err(error);
+        }
+        found.map(Certificate::from).map_err(|error| uncertified(&error))
+    }
+
+    fn __repr__(&self) -> String {
+        let (length, stop) = (self.curve.length().value, self.curve.search().stop);
+        format!("<tautline.Curve of length {length:?}, n = {}, {stop}>", self.n())
+    }
+}

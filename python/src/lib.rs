@@ -1,0 +1,32 @@
+//! The Python module `tautline._tautline`. The package `tautline` documents it.
+
+mod black_box;
+mod certificate;
+mod curve;
+mod error;
+mod metric;
+mod set;
+
+use pyo3::prelude::*;
+
+/// Shortest curves between two closed sets, and certificates of their distance.
+#[pymodule]
+mod _tautline {
+    #[pymodule_export]
+    use crate::{
+        certificate::{Certificate, Verdict, check},
+        curve::{Curve, Estimate},
+        error::{MetricError, NotCertified, ProblemError},
+        metric::Program,
+        set::{
+            Set, affine_subspace, ball, box_, half_space, point, points, segment, sphere, union,
+        },
+    };
+
+    use super::*;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

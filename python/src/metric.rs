@@ -1,0 +1,193 @@
+//! `Program`: a metric as a recorded formula.
+
+use std::{collections::HashMap, sync::Arc};
+
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
+};
+use pyo3::prelude::*;
+use tautline_problem::value::{Given, Request, RuleName, Shape};
+
+use crate::{
+    black_box::Callback,
+    curve::Curve,
+    error::{ProblemError, raised},
+    set::SetOrPoint,
+};
+
+/// A metric on R^dimension as a recorded formula, compiled to programs once.
+#[pyclass(frozen, module = "tautline")]
+#[derive(Clone)]
+pub(crate) struct Program {
+    given: Given,
+    /// What the metric calls, if it is a black box.
+    callback: Option<Arc<Callback>>,
+}
+
+/// How problems are to be solved, as a dictionary with these keys.
+#[derive(Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Options {
+    n: usize,
+    rule: String,
+    starts: Vec<Vec<Vec<f64>>>,
+    only_these_starts: bool,
+    steps: Option<usize>,
+    threads: Option<usize>,
+}
+
+/// The number of problems that are solved before Ctrl-C is looked for.
+const BLOCK: usize = 4096;
+
+#[pymethods]
+impl Program {
+    #[new]
+    #[pyo3(signature = (text, dimension, parameters=None))]
+    fn new(
+        text: &str,
+        dimension: usize,
+        parameters: Option<HashMap<String, f64>>,
+    ) -> PyResult<Self> {
+        let mut parameters: Vec<(String, f64)> =
+            parameters.unwrap_or_default().into_iter().collect();
+        parameters.sort_by(|a, b| a.0.cmp(&b.0));
+        let parameters: Vec<(&str, f64)> =
+            parameters.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        let given = Given::parse(text, dimension, &parameters).map_err(|error| raised(&error))?;
+        Ok(Self { given, callback: None })
+    }
+
+    /// A metric by functions of an array of points of shape (m, D): H of shape (m, D, D), and
+    /// optionally its derivatives.
+    #[staticmethod]
+    fn black_box(
+        dimension: usize,
+        gram: Py<PyAny>,
+        first: Option<Py<PyAny>>,
+        second: Option<Py<PyAny>>,
+        step: f64,
+    ) -> PyResult<Self> {
+        let callback = Arc::new(Callback::new(dimension, [Some(gram), first, second]));
+        let given = Given::black_box(callback.clone(), dimension, step);
+        Ok(Self { given: given.map_err(|error| raised(&error))?, callback: Some(callback) })
+    }
+
+    /// The dimension D.
+    #[getter]
+    fn dimension(&self) -> usize {
+        self.given.dimension()
+    }
+
+    /// The steps of the formula. Two metrics are the same program if these texts are equal.
+    /// None for a black box.
+    #[getter]
+    fn text(&self) -> Option<String> {
+        self.given.text()
+    }
+
+    /// H at a point, an array of shape (D, D).
+    fn gram<'py>(&self, py: Python<'py>, x: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let entries = self.given.gram(&x).map_err(|error| raised(&error))?;
+        self.unless_raised()?;
+        // Column by column, of a symmetric matrix.
+        entries.into_pyarray(py).reshape([x.len(), x.len()])
+    }
+
+    fn solve(
+        &self,
+        py: Python<'_>,
+        start: SetOrPoint,
+        goal: SetOrPoint,
+        options: Options,
+    ) -> PyResult<Curve> {
+        let request = self.request(options)?;
+        let (start, goal) = (start.pieces(), goal.pieces());
+        let found = py.detach(|| self.given.solve([&start, &goal], &request));
+        self.unless_raised()?;
+        found.map(Curve::from).map_err(|error| raised(&error))
+    }
+
+    /// Curves between the rows of two arrays of shape (m, D), as (curves, messages): a curve or None,
+    /// and None or why there is no curve.
+    #[expect(clippy::type_complexity, reason = "a pair of lists")]
+    fn solve_batch(
+        &self,
+        py: Python<'_>,
+        starts: PyReadonlyArray2<'_, f64>,
+        goals: PyReadonlyArray2<'_, f64>,
+        options: Options,
+    ) -> PyResult<(Vec<Option<Curve>>, Vec<Option<String>>)> {
+        if starts.shape() != goals.shape() {
+            let message = format!(
+                "starts have the shape {:?}, and goals {:?}",
+                starts.shape(),
+                goals.shape()
+            );
+            return Err(ProblemError::new_err(message));
+        }
+        let rows = |array: &PyReadonlyArray2<'_, f64>| -> Vec<[Shape; 1]> {
+            let row = |row: numpy::ndarray::ArrayView1<'_, f64>| [Shape::Point(row.to_vec())];
+            array.as_array().rows().into_iter().map(row).collect()
+        };
+        let (starts, goals) = (rows(&starts), rows(&goals));
+        let request = self.request(options)?;
+        let ends: Vec<[&[Shape]; 2]> =
+            starts.iter().zip(&goals).map(|(a, b)| [&a[..], &b[..]]).collect();
+        let mut found = Vec::with_capacity(ends.len());
+        for block in ends.chunks(BLOCK) {
+            found.extend(py.detach(|| self.given.solve_all(block, &request)));
+            self.unless_raised()?;
+            py.check_signals()?;
+        }
+        let messages = found.iter().map(|found| found.as_ref().err().map(ToString::to_string));
+        let messages = messages.collect();
+        Ok((found.into_iter().map(|found| found.ok().map(Curve::from)).collect(), messages))
+    }
+
+    /// The lengths of the curves that solve_batch finds, NaN where there is none.
+    fn lengths<'py>(
+        &self,
+        py: Python<'py>,
+        starts: PyReadonlyArray2<'_, f64>,
+        goals: PyReadonlyArray2<'_, f64>,
+        options: Options,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let (curves, _) = self.solve_batch(py, starts, goals, options)?;
+        let length = |curve: &Option<Curve>| {
+            curve.as_ref().map_or(f64::NAN, |curve| curve.curve.length().value)
+        };
+        let lengths: Vec<f64> = py.detach(|| curves.iter().map(length).collect());
+        Ok(lengths.into_pyarray(py))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<tautline.Program in {} dimensions>", self.given.dimension())
+    }
+}
+
+impl Program {
+    /// Raises the exception of the functions of a black box.
+    fn unless_raised(&self) -> PyResult<()> {
+        self.callback.as_ref().and_then(|callback| callback.raised()).map_or(Ok(()), Err)
+    }
+
+    fn request(&self, options: Options) -> PyResult<Request> {
+        let Options { n, rule, starts, only_these_starts, steps, threads } = options;
+        let rule = match &rule[..] {
+            "trapezoidal" => RuleName::Trapezoidal,
+            "left_endpoint" => RuleName::LeftEndpoint,
+            "true_trapezoid" => RuleName::TrueTrapezoid,
+            _ => {
+                let message = format!(
+                    "{rule:?} is no rule: 'trapezoidal', 'left_endpoint' or 'true_trapezoid'"
+                );
+                return Err(ProblemError::new_err(message));
+            }
+        };
+        let default = Request::default();
+        // Python runs one thread at a time.
+        let own = if self.callback.is_some() { 1 } else { default.threads };
+        let (steps, threads) = (steps.unwrap_or(default.steps), threads.unwrap_or(own));
+        Ok(Request { rule, n, starts, only_these_starts, steps, threads })
+    }
+}

@@ -1,0 +1,168 @@
+"""Metrics, from texts, SymPy and Python functions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ._tautline import ProblemError, Program
+from ._trace import coordinates, written
+
+
+class Metric:
+    """A metric H(x) on R^D as one formula.
+
+    `what` is one of
+
+    - a text, such as "cost(2 - cos(x1))" or "[1 + x1^2, 0; 0, 1]"; coordinates are x1, …, xD, and
+      `parameters` gives values to other names;
+    - a function of an array x of shape (D,), which returns an array of shape (D, D). It is called
+      once, with symbols that record what it computes, and may use NumPy;
+    - a SymPy matrix, with the coordinates in `variables`.
+
+    For what is no formula, there is `Metric.black_box`.
+
+    All of them become the same program, which computes H, its derivatives, and intervals that contain
+    them.
+
+    >>> import numpy as np
+    >>> text = Metric("[1 + x1^2, 0; 0, 1]", dimension=2)
+    >>> traced = Metric(lambda x: np.array([[1 + x[0] ** 2, 0], [0, 1]]), dimension=2)
+    >>> text == traced
+    True
+    """
+
+    def __init__(
+        self,
+        what: str | Callable[[np.ndarray], Any] | Any,
+        dimension: int | None = None,
+        *,
+        parameters: Mapping[str, float] | None = None,
+        variables: Sequence[Any] | None = None,
+    ) -> None:
+        if variables is not None:
+            what, dimension = _from_sympy(what, variables), len(variables)
+        if dimension is None:
+            raise ProblemError("the dimension of a metric is needed: Metric(…, dimension=2)")
+        if callable(what):
+            what = _traced(what, dimension)
+        if not isinstance(what, str):
+            raise ProblemError(f"a metric is a text or a function, not {what!r}")
+        self.program = Program(what, dimension, dict(parameters or {}))
+
+    @classmethod
+    def black_box(
+        cls,
+        h: Callable[[np.ndarray], Any],
+        dimension: int,
+        *,
+        first: Callable[[np.ndarray], Any] | None = None,
+        second: Callable[[np.ndarray], Any] | None = None,
+        step: float = 1e-3,
+    ) -> Metric:
+        """A metric by a function of many points: `h` maps an array of shape (m, D) to (m, D, D).
+
+        Use it for what cannot be recorded, such as branches or a network. Curves are found as for any
+        metric; certificates and constants need a formula, and are refused.
+
+        `first` returns the derivatives, of shape (m, D, D, D) with the direction last, and `second`
+        those of shape (m, D, D, D, D). With JAX they are `jax.vmap(jax.jacfwd(h1))` and
+        `jax.vmap(jax.jacfwd(jax.jacfwd(h1)))` of a function `h1` of one point, in double precision.
+        Those that are not given are computed from differences of values at points whose coordinates
+        differ by `step`: a thousandth of the length over which H changes is a good one.
+
+        >>> def h(x):
+        ...     cost = np.where(x[:, 0] > 1, 2 + (x[:, 0] - 1) ** 4, 2)
+        ...     return cost[:, None, None] ** 2 * np.eye(2)
+        >>> import numpy as np, tautline
+        >>> curve = tautline.solve(Metric.black_box(h, 2), [0, 0], [2, 0])
+        >>> round(float(curve.extrapolated), 6)
+        4.2
+        """
+        metric = cls.__new__(cls)
+        metric.program = Program.black_box(dimension, h, first, second, step)
+        return metric
+
+    @classmethod
+    def cost(cls, f: Any, dimension: int, **options: Any) -> Metric:
+        """f² I: a curve has the length ∫ f |γ'| dt, so f is the cost of a unit of length."""
+        return cls(_form("cost", f, dimension), dimension, **options)
+
+    @classmethod
+    def speed(cls, f: Any, dimension: int, **options: Any) -> Metric:
+        """f⁻² I: the length of a curve is the time it takes at the speed f."""
+        return cls(_form("speed", f, dimension), dimension, **options)
+
+    @classmethod
+    def phi(cls, f: Any, dimension: int, **options: Any) -> Metric:
+        """f I."""
+        return cls(_form("phi", f, dimension), dimension, **options)
+
+    @classmethod
+    def graph(cls, f: Any, dimension: int, **options: Any) -> Metric:
+        """I + ∇f ∇fᵀ, which measures curves on the graph of f."""
+        return cls(_form("graph", f, dimension), dimension, **options)
+
+    @classmethod
+    def pullback(cls, f: Any, dimension: int, **options: Any) -> Metric:
+        """JᵀJ with the derivative J of a map to R^m, m ≥ D, which measures the lengths of images."""
+        return cls(_form("pullback", f, dimension), dimension, **options)
+
+    @classmethod
+    def diag(cls, f: Any, dimension: int, **options: Any) -> Metric:
+        """The diagonal matrix with these entries."""
+        return cls(_form("diag", f, dimension), dimension, **options)
+
+    @property
+    def dimension(self) -> int:
+        """The dimension D."""
+        return self.program.dimension
+
+    def __call__(self, x: Any) -> np.ndarray:
+        """H at a point of shape (D,), an array of shape (D, D)."""
+        return self.program.gram(np.asarray(x, float).tolist())
+
+    def __eq__(self, other: object) -> bool:
+        """Whether two metrics are the same program: the same operations in the same order.
+
+        A black box equals only itself.
+        """
+        if not isinstance(other, Metric):
+            return NotImplemented
+        if self.program.text is None:
+            return self.program is other.program
+        return (self.dimension, self.program.text) == (other.dimension, other.program.text)
+
+    def __hash__(self) -> int:
+        return hash(self.program.text)
+
+    def __repr__(self) -> str:
+        return f"<tautline.Metric in {self.dimension} dimensions>"
+
+
+def _traced(function: Callable[[np.ndarray], Any], dimension: int) -> str:
+    h = np.asarray(function(coordinates(dimension)), object)
+    if h.shape != (dimension, dimension):
+        hint = "; for f² I use Metric.cost, for a diagonal Metric.diag" if h.ndim < 2 else ""
+        raise ProblemError(f"H has the shape {h.shape}, not {(dimension, dimension)}{hint}")
+    lines, names = written(h.ravel().tolist())
+    rows = [", ".join(names[i : i + dimension]) for i in range(0, len(names), dimension)]
+    return "\n".join([*lines, f"[{'; '.join(rows)}]"])
+
+
+def _form(form: str, f: Any, dimension: int) -> str:
+    if isinstance(f, str):
+        return f"{form}({f})"
+    if not callable(f):
+        return f"{form}({', '.join(f)})"
+    lines, names = written(np.asarray(f(coordinates(dimension)), object).ravel().tolist())
+    return "\n".join([*lines, f"{form}({', '.join(names)})"])
+
+
+def _from_sympy(matrix: Any, variables: Sequence[Any]) -> Callable[[np.ndarray], Any]:
+    import sympy  # type: ignore[import-untyped, unused-ignore]
+
+    function = sympy.lambdify(list(variables), sympy.Matrix(matrix).tolist(), "numpy", cse=True)
+    return lambda x: function(*x)

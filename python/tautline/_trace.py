@@ -1,0 +1,230 @@
+"""Symbols that record the operations of a Python function."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+Number = (int, float, np.integer, np.floating)
+
+
+class TraceError(TypeError):
+    """A function cannot be recorded: it branches on a coordinate, or uses an unknown operation."""
+
+
+# The order in which numbers are computed.
+ORDER = itertools.count()
+
+
+class Traced:
+    """A number that depends on the coordinates, known by how it is computed.
+
+    It takes part in arithmetic and in NumPy's elementary functions. It has no value, so it cannot be
+    compared, converted to a float, or decide an `if`.
+    """
+
+    __slots__ = ("text", "arguments", "order")
+
+    def __init__(self, text: str, arguments: tuple[Traced, ...] = ()) -> None:
+        # The text has a {} for each argument.
+        self.text, self.arguments, self.order = text, arguments, next(ORDER)
+
+    def __add__(self, other: Any) -> Any:
+        return binary("{} + {}", self, other)
+
+    def __radd__(self, other: Any) -> Any:
+        return binary("{} + {}", other, self)
+
+    def __sub__(self, other: Any) -> Any:
+        return binary("{} - {}", self, other)
+
+    def __rsub__(self, other: Any) -> Any:
+        return binary("{} - {}", other, self)
+
+    def __mul__(self, other: Any) -> Any:
+        return binary("{} * {}", self, other)
+
+    def __rmul__(self, other: Any) -> Any:
+        return binary("{} * {}", other, self)
+
+    def __truediv__(self, other: Any) -> Any:
+        return binary("{} / {}", self, other)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return binary("{} / {}", other, self)
+
+    def __neg__(self) -> Traced:
+        return Traced("-{}", (self,))
+
+    def __pos__(self) -> Traced:
+        return self
+
+    def __pow__(self, exponent: Any) -> Any:
+        if isinstance(exponent, Number) and float(exponent) == 0.5:
+            return self.sqrt()
+        if isinstance(exponent, Number) and float(exponent) == -0.5:
+            return Traced("recip({})", (self.sqrt(),))
+        if isinstance(exponent, Number) and float(exponent).is_integer():
+            return Traced(f"{{}}^{int(exponent)}", (self,))
+        raise TraceError(f"the power {exponent!r}: exponents are integers or ±1/2; use exp(p*log(x))")
+
+    def __rpow__(self, base: Any) -> Any:
+        if isinstance(base, Number) and base > 0:
+            return (self * math.log(base)).exp()
+        raise TraceError(f"a power of {base!r} with an exponent that depends on the coordinates")
+
+    # NumPy calls these for each entry of an array of objects.
+    def sqrt(self) -> Traced:
+        return Traced("sqrt({})", (self,))
+
+    def exp(self) -> Traced:
+        return Traced("exp({})", (self,))
+
+    def log(self) -> Traced:
+        return Traced("ln({})", (self,))
+
+    def sin(self) -> Traced:
+        return Traced("sin({})", (self,))
+
+    def cos(self) -> Traced:
+        return Traced("cos({})", (self,))
+
+    def tan(self) -> Traced:
+        return Traced("tan({})", (self,))
+
+    def arctan(self) -> Traced:
+        return Traced("atan({})", (self,))
+
+    def sinh(self) -> Traced:
+        return Traced("sinh({})", (self,))
+
+    def cosh(self) -> Traced:
+        return Traced("cosh({})", (self,))
+
+    def tanh(self) -> Traced:
+        return Traced("tanh({})", (self,))
+
+    def square(self) -> Traced:
+        return Traced("sqr({})", (self,))
+
+    def reciprocal(self) -> Traced:
+        return Traced("recip({})", (self,))
+
+    def conjugate(self) -> Traced:
+        return self
+
+    def hypot(self, other: Any) -> Any:
+        return (self * self + other * other) ** 0.5
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+        if method != "__call__" or options:
+            raise TraceError(f"np.{ufunc.__name__}.{method} of a traced number")
+        if any(isinstance(x, np.ndarray) for x in inputs):
+            # Entry by entry.
+            return ufunc(*(np.asarray(x, object) for x in inputs))
+        rule = UFUNCS.get(ufunc.__name__)
+        if rule is None:
+            raise TraceError(
+                f"np.{ufunc.__name__} cannot be recorded; there are {', '.join(sorted(UFUNCS))}"
+            )
+        return rule(*inputs)
+
+    def _is_no_number(self, what: str) -> TraceError:
+        return TraceError(
+            f"a metric is recorded once, for all points: {what} would follow one of the branches. "
+            "Write the metric as one smooth formula, for example with tanh or exp in place of the "
+            "branch, or give a black box to `Metric.black_box`"
+        )
+
+    def __bool__(self) -> bool:
+        raise self._is_no_number("an `if`, `and`, `min` or `max` of a traced number")
+
+    def __float__(self) -> float:
+        raise self._is_no_number("a conversion of a traced number to a float, as by `math.sin`,")
+
+    def _compared(self, other: Any) -> bool:
+        raise self._is_no_number("a comparison of a traced number")
+
+    __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _compared  # type: ignore[assignment]
+    __hash__ = object.__hash__
+
+    def __abs__(self) -> Traced:
+        raise self._is_no_number("`abs` of a traced number")
+
+    def __repr__(self) -> str:
+        return f"<traced {self.text.format(*['…'] * len(self.arguments))}>"
+
+
+UFUNCS: dict[str, Callable[..., Any]] = {
+    "add": lambda a, b: a + b,
+    "subtract": lambda a, b: a - b,
+    "multiply": lambda a, b: a * b,
+    "divide": lambda a, b: a / b,
+    "power": lambda a, b: a**b,
+    "float_power": lambda a, b: a**b,
+    "hypot": lambda a, b: a.hypot(b) if isinstance(a, Traced) else b.hypot(a),
+    "negative": lambda a: -a,
+    "positive": lambda a: a,
+    **{
+        name: lambda a, name=name: getattr(a, name)()
+        for name in (
+            "sqrt exp log sin cos tan arctan sinh cosh tanh square reciprocal conjugate".split()
+        )
+    },
+}
+
+
+def binary(text: str, a: Any, b: Any) -> Any:
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        return NotImplemented
+    arguments, parts = [], []
+    for x in (a, b):
+        if isinstance(x, Traced):
+            arguments.append(x)
+            parts.append("{}")
+        elif isinstance(x, Number) and math.isfinite(x):
+            parts.append(number(float(x)))
+        elif isinstance(x, Number):
+            raise TraceError(f"the number {x!r} in a formula")
+        else:
+            return NotImplemented
+    return Traced(text.format(*parts), tuple(arguments))
+
+
+def number(x: float) -> str:
+    # A sign needs parentheses after an operator.
+    return repr(x) if not math.copysign(1.0, x) < 0 else f"({x!r})"
+
+
+def coordinates(dimension: int) -> np.ndarray:
+    x = np.empty(dimension, object)
+    x[:] = [Traced(f"x{i + 1}") for i in range(dimension)]
+    return x
+
+
+def written(numbers: Sequence[Any]) -> tuple[list[str], list[str]]:
+    """The steps that these numbers need, in the order in which they were computed, as definitions of a
+    text; and the names of the numbers."""
+    for x in numbers:
+        if not isinstance(x, (Traced, *Number)):
+            raise TraceError(f"{x!r} in a metric, which is no number")
+    needed = {id(x): x for x in numbers if isinstance(x, Traced)}
+    left = list(needed.values())
+    # Without recursion: formulas may be deep.
+    while left:
+        for argument in left.pop().arguments:
+            if id(argument) not in needed:
+                needed[id(argument)] = argument
+                left.append(argument)
+    names: dict[int, str] = {}
+    lines: list[str] = []
+    for x in sorted(needed.values(), key=lambda x: x.order):
+        names[id(x)] = x.text.format(*(names[id(argument)] for argument in x.arguments))
+        if x.arguments:
+            lines.append(f"t{len(lines) + 1} = {names[id(x)]};")
+            names[id(x)] = f"t{len(lines)}"
+    return lines, [names[id(x)] if isinstance(x, Traced) else number(float(x)) for x in numbers]

@@ -1,0 +1,196 @@
+"""The Python module, as its users see it."""
+
+import doctest
+import math
+import unittest
+
+import numpy as np
+
+import tautline as tl
+
+
+def load_tests(loader, tests, pattern):
+    """The examples of the documentation are tests."""
+    for module in (tl, tl._metric, tl._trace):
+        tests.addTests(doctest.DocTestSuite(module))
+    return tests
+
+
+class Solving(unittest.TestCase):
+    def test_a_ball_and_a_half_space(self):
+        valleys = tl.Metric("cost(2 - cos(x1))", 2)
+        curve = tl.solve(valleys, tl.ball([0, 0], 0.5), tl.half_space([1, 0], at_least=3))
+        self.assertAlmostEqual(curve.length.value, 5 - math.sin(3) + math.sin(0.5), places=6)
+        self.assertEqual(curve.points.shape, (257, 2))
+        self.assertTrue(curve.converged and curve.resolved)
+
+    def test_unions(self):
+        flat = tl.Metric("1 I", 2)
+        either = tl.ball([0, 3], 1) | tl.point([0, -2.5])
+        self.assertAlmostEqual(float(tl.solve(flat, [0, 0], either).length), 2.0)
+
+    def test_a_batch_has_the_curves_of_single_solves(self):
+        hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
+        starts, goals = np.array([[-1.5, 0.05]] * 3), np.array([[1.5, -0.1], [0, 1.5], [0, -1.5]])
+        for curve, a, b in zip(tl.solve_batch(hill, starts, goals), starts, goals):
+            np.testing.assert_array_equal(curve.points, tl.solve(hill, a, b).points)
+
+    def test_distance_matrices(self):
+        flat = tl.Metric("1 I", 3)
+        x = np.random.default_rng(7).normal(size=(6, 3))
+        exact = np.linalg.norm(x[:, None] - x[None], axis=2)
+        np.testing.assert_allclose(tl.distance_matrix(flat, x), exact, atol=1e-12)
+        np.testing.assert_allclose(tl.distance_matrix(flat, x[:2], x), exact[:2], atol=1e-12)
+
+    def test_certificates(self):
+        hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
+        found = tl.solve(hill, [-1.5, 0.05], [1.5, -0.1]).certificate(1e-2)
+        self.assertTrue(found.reached and found.lower < 4.6752711725 < found.upper)
+        verdict = tl.check(found.text)
+        self.assertEqual((verdict.lower, verdict.upper), (found.lower, found.upper))
+        with self.assertRaisesRegex(tl.NotCertified, "refused"):
+            tl.check(found.text.replace("from point", "from pint"))
+
+    def test_errors_have_the_numbers(self):
+        flat = tl.Metric("1 I", 2)
+        cases = [
+            (tl.ProblemError, "3 coordinates in 2 dim", lambda: tl.solve(flat, [0, 0, 0], [1, 1])),
+            (tl.ProblemError, "radius", lambda: tl.solve(flat, [0, 0], tl.ball([3, 0], -1))),
+            (tl.ProblemError, "N = 0", lambda: tl.solve(flat, [0, 0], [1, 1], n=0)),
+            (tl.ProblemError, "'simpson' is no rule|\"simpson\"", lambda: tl.solve(flat, [0, 0], [1, 1], rule="simpson")),
+            (tl.MetricError, "", lambda: tl.solve(tl.Metric("x1 I", 1), [-1], [1])),
+            (tl.ProblemError, "gap", lambda: tl.solve(flat, [0, 0], [1, 1]).certificate(2)),
+            (tl.ProblemError, "dimension", lambda: tl.Metric("1 I")),
+            (tl.ProblemError, "13 dimensions", lambda: tl.Metric("1 I", 13)),
+            (tl.ProblemError, "", lambda: tl.Metric("sine(x1) I", 1)),
+            (tl.ProblemError, "shape", lambda: tl.solve_batch(flat, [[0, 0]], [[1, 1], [2, 2]])),
+        ]
+        for kind, message, attempt in cases:
+            with self.assertRaisesRegex(kind, message):
+                attempt()
+
+
+class Tracing(unittest.TestCase):
+    def test_functions_and_texts_are_the_same_program(self):
+        def swirl(x):
+            u = np.exp(-(x[0] ** 2) - x[1] ** 2)
+            return np.array([[2 + u * np.sin(x[0]), 0.5 * u], [0.5 * u, 2.0 - np.tanh(x[1])]])
+
+        text = "u = exp(-x1^2 - x2^2); [2 + u*sin(x1), 0.5*u; 0.5*u, 2 - tanh(x2)]"
+        self.assertEqual(tl.Metric(swirl, 2), tl.Metric(text, 2))
+        x = [0.3, -0.7]
+        np.testing.assert_allclose(tl.Metric(swirl, 2)(x), swirl(np.array(x)), rtol=1e-15)
+
+    def test_array_operations(self):
+        a = np.array([[2.0, 0.5], [0.5, 1.0]])
+        metric = tl.Metric(lambda x: a * (1 + x @ x) + np.outer(np.sin(x), np.sin(x)), 2)
+        x = np.array([0.4, -1.2])
+        np.testing.assert_allclose(metric(x), a * (1 + x @ x) + np.outer(np.sin(x), np.sin(x)))
+
+    def test_forms(self):
+        self.assertEqual(
+            tl.Metric.cost(lambda x: 2 - np.cos(x[0]), 2), tl.Metric("cost(2 - cos(x1))", 2)
+        )
+        sphere = tl.Metric.pullback(
+            lambda x: [np.cos(x[0]) * np.sin(x[1]), np.sin(x[0]) * np.sin(x[1]), np.cos(x[1])], 2
+        )
+        self.assertAlmostEqual(float(tl.solve(sphere, [0, 1.5], [1, 1.5]).length), 2 * math.asin(math.sin(0.5) * math.sin(1.5)), places=4)
+
+    def test_branches_are_refused(self):
+        for branch in (
+            lambda x: np.eye(2) * (x[0] if x[0] > 0 else 1),
+            lambda x: np.eye(2) * max(x[0], 1),
+            lambda x: np.eye(2) * abs(x[0]),
+            lambda x: np.eye(2) * math.sin(x[0]),
+        ):
+            with self.assertRaisesRegex(tl.TraceError, "recorded once"):
+                tl.Metric(branch, 2)
+        with self.assertRaisesRegex(tl.TraceError, "arcsin"):
+            tl.Metric.cost(lambda x: np.arcsin(x[0] + 0), 2)
+        with self.assertRaisesRegex(tl.ProblemError, "Metric.cost"):
+            tl.Metric(lambda x: 2 + x[0] ** 2, 2)
+
+    def test_sympy(self):
+        sympy = __import__("sympy")
+        x, y = sympy.symbols("x y")
+        metric = tl.Metric(sympy.Matrix([[1 + x**2, 0], [0, 2 + sympy.sin(y)]]), variables=[x, y])
+        self.assertEqual(metric(np.array([0.5, 0.0])).tolist(), [[1.25, 0.0], [0.0, 2.0]])
+
+
+class BlackBoxes(unittest.TestCase):
+    hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
+    ends = [-1.5, 0.05], [1.5, -0.1]
+
+    @staticmethod
+    def values(x):
+        cost = 1 + 4 * np.exp(-2 * np.sum(x**2, axis=1))
+        return cost[:, None, None] ** 2 * np.eye(2)
+
+    def assert_same_minimum(self, black_box):
+        found, expected = (tl.solve(metric, *self.ends) for metric in (black_box, self.hill))
+        self.assertTrue(found.converged, found)
+        # The energy of a minimiser does not see errors of the derivatives of 1e-10.
+        self.assertAlmostEqual(float(found.length), float(expected.length), delta=1e-11)
+
+    def test_values_alone(self):
+        black_box = tl.Metric.black_box(self.values, 2)
+        self.assert_same_minimum(black_box)
+        np.testing.assert_allclose(black_box([0.3, 0.1]), self.hill([0.3, 0.1]), rtol=1e-15)
+        matrix = tl.distance_matrix(black_box, [[-1.5, 0.05], [1.5, -0.1], [0, 1]])
+        exact = tl.distance_matrix(self.hill, [[-1.5, 0.05], [1.5, -0.1], [0, 1]])
+        np.testing.assert_allclose(matrix, exact, rtol=1e-11)
+        with self.assertRaisesRegex(tl.NotCertified, "by its values only"):
+            tl.solve(black_box, *self.ends).certificate()
+
+    def test_derivatives_by_jax(self):
+        try:
+            import jax
+        except ImportError:
+            self.skipTest("jax is not installed")
+        jax.config.update("jax_enable_x64", True)
+
+        def h(x):
+            return (1 + 4 * jax.numpy.exp(-2 * x @ x)) ** 2 * jax.numpy.eye(2)
+
+        at_all = lambda f: jax.jit(jax.vmap(f))
+        first, second = jax.jacfwd(h), jax.jacfwd(jax.jacfwd(h))
+        for given in ({}, {"first": at_all(first)}, {"first": at_all(first), "second": at_all(second)}):
+            self.assert_same_minimum(tl.Metric.black_box(at_all(h), 2, **given))
+
+    def test_derivatives_in_the_wrong_order_are_not_those_of_h(self):
+        def first(x):
+            e = np.exp(-2 * np.sum(x**2, axis=1))
+            slope = (2 * (1 + 4 * e) * -16 * e)[:, None] * x
+            return np.eye(2)[None, :, :, None] * slope[:, None, None, :]
+
+        self.assert_same_minimum(tl.Metric.black_box(self.values, 2, first=first))
+        swapped = tl.Metric.black_box(self.values, 2, first=lambda x: np.moveaxis(first(x), 3, 1))
+        found = tl.solve(swapped, *self.ends)
+        exact = tl.solve(self.hill, *self.ends)
+        self.assertGreater(abs(float(found.length) - float(exact.length)), 1e-6)
+
+    def test_what_a_function_raises_is_raised(self):
+        def broken(x):
+            raise KeyError("of the user")
+
+        cases = [
+            (KeyError, "of the user", broken),
+            (tl.ProblemError, r"H has the shape \[2, 2\] at 1 points|H has the shape", lambda x: np.eye(2)),
+            (tl.ProblemError, "jax_enable_x64", lambda x: self.values(x).astype(np.float32)),
+            (tl.MetricError, "", lambda x: -self.values(x)),
+            (TypeError, "", None),
+        ]
+        for kind, message, h in cases:
+            for attempt in (
+                lambda: tl.solve(tl.Metric.black_box(h, 2), [0, 0], [1, 1]),
+                lambda: tl.solve_batch(tl.Metric.black_box(h, 2), [[0, 0]], [[1, 1]]),
+            ):
+                expected = tl.ProblemError if kind is tl.MetricError else kind
+                with self.assertRaisesRegex(expected, message):
+                    attempt()
+        with self.assertRaisesRegex(tl.ProblemError, "step"):
+            tl.Metric.black_box(self.values, 2, step=0)
+
+
+if __name__ == "__main__":
+    unittest.main()
