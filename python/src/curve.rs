@@ -1,14 +1,34 @@
 //! `Curve`: a computed curve.
 
 use core::ops::ControlFlow;
-use std::sync::Arc;
+use std::sync::{
+    Arc,
+    atomic::{AtomicBool, Ordering},
+};
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use tautline::distance::Wanted;
-use tautline_problem::{Estimated, value};
+use tautline::{Constants, HypothesisError, certify, distance::Wanted};
+use tautline_problem::{
+    Estimated,
+    value::{self, Proofs},
+};
 
-use crate::{certificate::Certificate, error::uncertified};
+use crate::{
+    bounds::Bounds,
+    certificate::Certificate,
+    error::{NotCertified, ProblemError, uncertified},
+    interruptible::interruptible,
+};
+
+/// Goes on until the flag is set.
+pub(crate) fn unless(stopped: &AtomicBool) -> impl Fn(certify::Progress) -> bool + Sync {
+    move |_| !stopped.load(Ordering::Relaxed)
+}
+
+fn flow(stopped: &AtomicBool) -> ControlFlow<()> {
+    if stopped.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+}
 
 /// A number, and an estimate of its error.
 #[pyclass(frozen, get_all, module = "tautline")]
@@ -132,24 +152,37 @@ impl Curve {
         py.detach(|| self.curve.other_minima()).into_iter().map(Curve::from).collect()
     }
 
+    /// Bounds on the distance by the theorems of the paper, from constants that are proved or claimed.
+    #[pyo3(signature = (*, claimed=None, tolerance=1e-3, boxes=None))]
+    fn bounds(
+        &self,
+        py: Python<'_>,
+        claimed: Option<(f64, f64, f64, Option<f64>)>,
+        tolerance: f64,
+        boxes: Option<usize>,
+    ) -> PyResult<Bounds> {
+        let claimed = claimed.map(|(c1, c2, l_h, m_h)| {
+            let constants = Constants::new(c1, c2, l_h)?;
+            m_h.map_or(Ok(constants), |m_h| constants.with_m_h(m_h))
+        });
+        let claimed = claimed
+            .transpose()
+            .map_err(|error: HypothesisError| ProblemError::new_err(error.to_string()))?;
+        let proofs = Proofs { claimed, tolerance: Some(tolerance), boxes };
+        let curve = Arc::clone(&self.curve);
+        let found = interruptible(py, move |stopped| {
+            curve.bounds(&proofs, &unless(stopped), &mut |_| flow(stopped))
+        })?;
+        found.map(Bounds::from).map_err(NotCertified::new_err)
+    }
+
     /// Searches for a certificate of the distance with a gap of at most (upper - lower)/upper.
     #[pyo3(signature = (gap=1e-3, *, cubes=2_000_000))]
     fn certificate(&self, py: Python<'_>, gap: f64, cubes: usize) -> PyResult<Certificate> {
-        let mut signal = None;
-        let found = py.detach(|| {
-            self.curve.certificate(Wanted { gap, cubes }, &mut |_| match Python::attach(|py| {
-                py.check_signals()
-            }) {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(error) => {
-                    signal = Some(error);
-                    ControlFlow::Break(())
-                }
-            })
-        });
-        if let Some(error) = signal {
-            return Err(error);
-        }
+        let curve = Arc::clone(&self.curve);
+        let found = interruptible(py, move |stopped| {
+            curve.certificate(Wanted { gap, cubes }, &mut |_| flow(stopped))
+        })?;
         found.map(Certificate::from).map_err(|error| uncertified(&error))
     }
 

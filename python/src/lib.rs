@@ -1,9 +1,11 @@
 //! The Python module `tautline._tautline`. The package `tautline` documents it.
 
 mod black_box;
+mod bounds;
 mod certificate;
 mod curve;
 mod error;
+mod interruptible;
 mod metric;
 mod set;
 
@@ -14,6 +16,7 @@ use pyo3::prelude::*;
 mod _tautline {
     #[pymodule_export]
     use crate::{
+        bounds::{Bounds, Constant},
         certificate::{Certificate, Verdict, check},
         curve::{Curve, Estimate},
         error::{MetricError, NotCertified, ProblemError},

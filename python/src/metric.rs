@@ -6,13 +6,15 @@ use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
-use tautline_problem::value::{Given, Request, RuleName, Shape};
+use tautline_problem::value::{Given, Proofs, Request, RuleName, Shape};
 
 use crate::{
     black_box::Callback,
-    curve::Curve,
+    bounds::Constant,
+    curve::{Curve, unless},
     error::{ProblemError, raised},
-    set::SetOrPoint,
+    interruptible::interruptible,
+    set::{Set, SetOrPoint},
 };
 
 /// A metric on R^dimension as a recorded formula, compiled to programs once.
@@ -91,6 +93,28 @@ impl Program {
         self.unless_raised()?;
         // Column by column, of a symmetric matrix.
         entries.into_pyarray(py).reshape([x.len(), x.len()])
+    }
+
+    /// The constants c1, c2, L_H and M_H within a ball or a box, or on all of space; and where they
+    /// hold.
+    fn constants(
+        &self,
+        py: Python<'_>,
+        within: Option<Set>,
+        tolerance: f64,
+        boxes: Option<usize>,
+    ) -> PyResult<(Vec<Constant>, String)> {
+        if within.as_ref().is_some_and(|set| set.pieces.len() != 1) {
+            return Err(ProblemError::new_err("constants hold in a ball or a box, not in a union"));
+        }
+        let proofs = Proofs { claimed: None, tolerance: Some(tolerance), boxes };
+        let given = self.given.clone();
+        let found = interruptible(py, move |stopped| {
+            let within = within.as_ref().and_then(|set| set.pieces.first());
+            given.constants(within, &proofs, &unless(stopped))
+        })?;
+        let found = found.map_err(|error| raised(&error))?;
+        Ok((found.constants.into_iter().map(Constant::from).collect(), found.region))
     }
 
     fn solve(

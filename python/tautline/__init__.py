@@ -19,7 +19,9 @@ import numpy as np
 
 from ._metric import Metric
 from ._tautline import (
+    Bounds,
     Certificate,
+    Constant,
     Curve,
     Estimate,
     MetricError,
@@ -43,7 +45,9 @@ from ._tautline import (
 from ._trace import TraceError, Traced
 
 __all__ = [
+    "Bounds",
     "Certificate",
+    "Constant",
     "Curve",
     "Estimate",
     "Metric",

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ._tautline import ProblemError, Program
+from ._tautline import Constant, ProblemError, Program, Set
 from ._trace import coordinates, written
 
 
@@ -119,6 +119,25 @@ class Metric:
     def dimension(self) -> int:
         """The dimension D."""
         return self.program.dimension
+
+    def constants(
+        self, within: Set | None = None, *, tolerance: float = 1e-3, boxes: int | None = None
+    ) -> dict[str, Constant]:
+        """The constants of the theorems, proved from the formula: c1 ≤ H ≤ c2, L_H and M_H bound the
+        first and second derivatives.
+
+        They hold `within` a ball or a box, or on all of space if the formula shows what happens far
+        out. `tolerance` is their relative accuracy, `boxes` the largest number of boxes for one.
+
+        >>> constants = Metric.cost("2 - cos(x1)", 2).constants()
+        >>> [round(constants[name].upper, 3) for name in ("c1", "c2", "L_H")]
+        [1.0, 9.0, 4.407]
+
+        Raises `NotCertified` if the formula does not show where its constants hold. A constant that
+        is not proved to the tolerance says so: `Constant.proved`, `Constant.reason`.
+        """
+        found, _ = self.program.constants(within, tolerance, boxes)
+        return {constant.name: constant for constant in found}
 
     def __call__(self, x: Any) -> np.ndarray:
         """H at a point of shape (D,), an array of shape (D, D)."""

@@ -2,6 +2,9 @@
 
 import doctest
 import math
+import signal
+import threading
+import time
 import unittest
 
 import numpy as np
@@ -50,6 +53,43 @@ class Solving(unittest.TestCase):
         self.assertEqual((verdict.lower, verdict.upper), (found.lower, found.upper))
         with self.assertRaisesRegex(tl.NotCertified, "refused"):
             tl.check(found.text.replace("from point", "from pint"))
+
+    def test_bounds_and_constants(self):
+        valleys = tl.Metric.cost("2 - cos(x1)", 2)
+        curve = tl.solve(valleys, [0, 0], [1, 0.5])
+        bounds = curve.bounds()
+        self.assertTrue(bounds.lower <= float(curve.extrapolated) <= bounds.upper)
+        self.assertTrue(bounds.constants_proved, bounds)
+        self.assertIn(bounds.global_minimum, ("proved", "not needed"))
+        loose = curve.bounds(claimed=(1, 9, 5, None))
+        self.assertFalse(loose.constants_proved)
+        self.assertLess(loose.lower, bounds.lower)
+        c1 = valleys.constants()["c1"]
+        self.assertTrue(c1.proved and 1 - 1e-3 <= c1.lower <= 1 <= c1.upper)
+        within = valleys.constants(tl.ball([math.pi, 0], 0.1))["c1"]
+        self.assertGreater(within.lower, 8.9)
+        with self.assertRaisesRegex(tl.NotCertified, "ball or a box"):
+            tl.Metric.phi("1 + x1^2", 1).constants()
+        with self.assertRaisesRegex(tl.ProblemError, "union"):
+            valleys.constants(tl.ball([0, 0], 1) | tl.ball([3, 0], 1))
+        with self.assertRaisesRegex(tl.ProblemError, "c2"):
+            curve.bounds(claimed=(2, 1, 1, None))
+
+    def test_control_c_ends_a_search(self):
+        hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
+        curve = tl.solve(hill, [-1.5, 0.05], [1.5, -0.1])
+        for search in (
+            lambda: curve.certificate(1e-12, cubes=10**8),
+            lambda: tl.Metric.phi("2 + sin(7*x1)*sin(5*x2)*sin(x3)*sin(x4)", 4).constants(
+                tolerance=1e-9, boxes=10**9
+            ),
+        ):
+            timer = threading.Timer(0.5, signal.raise_signal, [signal.SIGINT])
+            start = time.monotonic()
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                search()
+            self.assertLess(time.monotonic() - start, 1.5)
 
     def test_errors_have_the_numbers(self):
         flat = tl.Metric("1 I", 2)

@@ -18,13 +18,13 @@ use crate::{
 
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
 pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
-    question: &Question,
+    proving: Proving,
     line: &TautLine<Formula<D>, R, D>,
     others: &[TautLine<Formula<D>, R, D>],
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
-    if let Some(claimed) = question.claimed {
+    if let Some(claimed) = proving.claimed {
         check_claims(claimed, line.metric(), line.sequence())?;
         let enclosure = line.enclosure_given(claimed).map_err(|error| error.to_string())?;
         let found = in_words(enclosure, UsedConstants::new(claimed, false, None));
@@ -35,8 +35,8 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     if const { D > LARGEST_PROVED_DIMENSION } {
         return Err(too_many_coordinates().to_string());
     }
-    let accuracy = Accuracy { tolerance: question.accuracy, budget: question.boxes };
-    let proof = line.prove_watched(accuracy, watch, observe).map_err(|error| no_proof(&error))?;
+    let proof =
+        line.prove_watched(proving.accuracy, watch, observe).map_err(|error| no_proof(&error))?;
     let within = proof
         .within
         .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
@@ -50,6 +50,25 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     }
     let curves = others.iter().filter_map(|other| other.admissible_curve().ok());
     Ok(found.and_no_longer_than(curves.map(|curve| curve.length().hi())))
+}
+
+/// What bounds rest on: constants that are claimed, or how they are proved.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Proving {
+    pub(crate) claimed: Option<Constants>,
+    pub(crate) accuracy: Accuracy,
+}
+
+impl Question {
+    /// Returns what bounds rest on.
+    pub(crate) fn proving(&self) -> Proving {
+        Proving { claimed: self.claimed, accuracy: self.accuracy() }
+    }
+
+    /// Returns how closely constants are proved, and at what cost.
+    pub(crate) fn accuracy(&self) -> Accuracy {
+        Accuracy { tolerance: self.accuracy, budget: self.boxes }
+    }
 }
 
 /// How much longer than its quadrature a curve may be by a bound with outward rounding, relative to
@@ -94,6 +113,9 @@ impl Bounds {
         ))
     }
 }
+
+/// Why there are no bounds by the rule that the paper does not treat.
+pub(crate) const NO_THEOREM: &str = "the paper has no theorem on the true trapezoid";
 
 /// What gives a lower bound of 0.
 const NOTHING: &str = "nothing: a distance is not negative";

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    AxisBox, Ball, CertifyError, Domain, Formula, Quantity,
+    AxisBox, Ball, CertifyError, Domain, Formula, Quantity, RecordError,
     certify::{Accuracy, Cell, Progress, Watch, certify_watched},
 };
 use tautline_portrait::Shape;
@@ -103,65 +103,95 @@ impl InDimension for Prove<'_> {
     fn run<const D: usize>(self) -> Self::Output {
         let Self { question, watch } = self;
         let formula = question.formula::<D>()?;
-        // The compiler decides.
-        if const { D > LARGEST_PROVED_DIMENSION } {
-            return Err(too_many_coordinates());
-        }
-        let (domain, region) = question.domain(&formula)?;
-        let accuracy = Accuracy { tolerance: question.accuracy, budget: question.boxes };
-        let of = |quantity| {
-            let found = certify_watched(&formula, quantity, &domain, accuracy, watch);
-            answer(quantity, found)
-        };
-        Ok(ConstantsAnswer { region, constants: Quantity::ALL.map(of).into() })
+        let within = question.within.as_ref().map(|within| &within.shape);
+        let proved = constants(&formula, within, question.accuracy(), watch);
+        proved.map_err(|error| match (error, &question.within) {
+            (ConstantsError::Region(message), Some(within)) => {
+                let place = within.places.first().cloned().unwrap_or_default();
+                Failure::BadInput(Diagnostic::new(message, place))
+            }
+            (ConstantsError::NotAllOfSpace(error), _) => Failure::NotComputed(format!(
+                "no constants on all of space: {error}. Constants in a region need [certify] with \
+                 within = {{ ball = … }} or {{ box = … }}"
+            )),
+            (ConstantsError::TooManyCoordinates, _) => too_many_coordinates(),
+            (error, _) => Failure::NotComputed(error.to_string()),
+        })
     }
 }
 
-impl Question {
-    /// Returns where constants are proved, and the same in words.
-    fn domain<const D: usize>(&self, formula: &Formula<D>) -> Result<(Domain<D>, String), Failure> {
-        let Some(within) = &self.within else {
+/// Why no constants were sought.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ConstantsError {
+    /// The region is neither a ball nor a box, or is empty.
+    #[error("{0}")]
+    Region(String),
+    /// The formula does not show what happens far out, and no region was given.
+    #[error("no constants on all of space: {0}; name a ball or a box within which they hold")]
+    NotAllOfSpace(CertifyError),
+    /// There is no formula.
+    #[error(transparent)]
+    NotRecorded(RecordError),
+    /// There are more than [`LARGEST_PROVED_DIMENSION`].
+    #[error("constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions")]
+    TooManyCoordinates,
+}
+
+/// Proves the constants of a formula, in a ball or a box or on all of space.
+pub(crate) fn constants<const D: usize>(
+    formula: &Formula<D>,
+    within: Option<&Shape>,
+    accuracy: Accuracy,
+    watch: &dyn Watch,
+) -> Result<ConstantsAnswer, ConstantsError> {
+    // The compiler decides.
+    if const { D > LARGEST_PROVED_DIMENSION } {
+        return Err(ConstantsError::TooManyCoordinates);
+    }
+    let (domain, region) = domain(formula, within)?;
+    let of = |quantity| {
+        let found = certify_watched(formula, quantity, &domain, accuracy, watch);
+        answer(quantity, found)
+    };
+    Ok(ConstantsAnswer { region, constants: Quantity::ALL.map(of).into() })
+}
+
+/// Returns where constants are proved, and the same in words.
+fn domain<const D: usize>(
+    formula: &Formula<D>,
+    within: Option<&Shape>,
+) -> Result<(Domain<D>, String), ConstantsError> {
+    let refuse = |message: String| ConstantsError::Region(message);
+    let (domain, region) = match within {
+        None => {
             let space = Domain::space(formula);
             if space.is_all_of_space() {
                 return Ok((space, "all of space".to_owned()));
             }
-            return match Domain::settled_space(formula) {
-                Ok(space) => {
-                    let known = "all of space, if the metric settles within a distance of 2^100";
-                    Ok((space, known.to_owned()))
-                }
-                Err(error) => Err(Failure::NotComputed(format!(
-                    "no constants on all of space: {error}. Constants in a region need [certify] \
-                     with within = {{ ball = … }} or {{ box = … }}"
-                ))),
-            };
-        };
-        let place = within.places.first().cloned().unwrap_or_default();
-        let refuse = |message: String| Failure::BadInput(Diagnostic::new(message, place.clone()));
-        let domain = match &within.shape {
-            Shape::Ball { centre, radius } => {
-                let ball = Ball::new(vector::<D>(centre), *radius);
-                ball.map_err(|error| refuse(error.to_string()))?;
-                Domain::ball(vector::<D>(centre), *radius)
-            }
-            Shape::AxisBox { low, high } => {
-                let sides = AxisBox::from_corners(vector::<D>(low), vector::<D>(high));
-                sides.map_err(|error| refuse(error.to_string()))?;
-                let corners = [low, high].map(|corner| vector::<D>(corner));
-                Cell::new(corners[0], corners[1]).map(Domain::cell)
-            }
-            // The file is read with these two only.
-            _ => Err(CertifyError::NotAllOfSpace),
-        };
-        let region = match &within.shape {
-            Shape::Ball { centre, radius } => {
-                format!("the ball of radius {radius} about {centre:?}")
-            }
-            Shape::AxisBox { low, high } => format!("the box from {low:?} to {high:?}"),
-            _ => String::new(),
-        };
-        domain.map(|domain| (domain, region)).map_err(|error| refuse(error.to_string()))
-    }
+            let known = "all of space, if the metric settles within a distance of 2^100";
+            let settled = Domain::settled_space(formula);
+            return settled
+                .map(|space| (space, known.to_owned()))
+                .map_err(ConstantsError::NotAllOfSpace);
+        }
+        Some(Shape::Ball { centre, radius }) => {
+            let ball = Ball::new(vector::<D>(centre), *radius);
+            ball.map_err(|error| refuse(error.to_string()))?;
+            let region = format!("the ball of radius {radius} about {centre:?}");
+            (Domain::ball(vector::<D>(centre), *radius), region)
+        }
+        Some(Shape::AxisBox { low, high }) => {
+            let sides = AxisBox::from_corners(vector::<D>(low), vector::<D>(high));
+            sides.map_err(|error| refuse(error.to_string()))?;
+            let corners = [low, high].map(|corner| vector::<D>(corner));
+            let region = format!("the box from {low:?} to {high:?}");
+            (Cell::new(corners[0], corners[1]).map(Domain::cell), region)
+        }
+        Some(shape) => {
+            return Err(refuse(format!("constants hold in a ball or a box, not {}", shape.name())));
+        }
+    };
+    domain.map(|domain| (domain, region)).map_err(|error| refuse(error.to_string()))
 }
 
 fn answer<const D: usize>(

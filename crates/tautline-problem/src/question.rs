@@ -72,9 +72,12 @@ pub const LEAST_TOLERANCE: f64 = 1e-13;
 /// second.
 const BOXES: usize = 100_000;
 
+/// The relative accuracy of a constant, unless the file has another.
+pub(crate) const ACCURACY: f64 = 1e-3;
+
 /// Returns the number of boxes for one constant, unless the file has another. A box costs more in
 /// more dimensions, so that a proof takes seconds, not minutes.
-fn default_boxes(dimension: usize) -> usize {
+pub(crate) fn default_boxes(dimension: usize) -> usize {
     BOXES / 5_usize.pow(dimension.saturating_sub(2) as u32)
 }
 
@@ -106,8 +109,10 @@ impl Question {
             .boxes
             .as_ref()
             .map_or_else(|| default_boxes(dimension), |boxes| *boxes.get_ref());
-        let accuracy =
-            certify.tolerance.as_ref().map_or(Ok(1e-3), |text| numbers.between(text, 0.0, 1.0))?;
+        let accuracy = certify
+            .tolerance
+            .as_ref()
+            .map_or(Ok(ACCURACY), |text| numbers.between(text, 0.0, 1.0))?;
         let audit = &problem.audit;
         let region =
             audit.region.as_ref().map(|it| sampled(it, &numbers, dimension)).transpose()?;

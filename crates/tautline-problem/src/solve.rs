@@ -14,7 +14,7 @@ use tautline_portrait::Shape;
 use crate::{
     Answer, Bounds, Diagnostic, Estimated, Failure, Grid, OtherMinimum, Question, Search,
     answer::is_shorter,
-    bounds::bounds,
+    bounds::{NO_THEOREM, bounds},
     dimension::{InDimension, in_dimension},
     file::request::RuleName,
     reading::shape::{Piece, union, vector},
@@ -70,17 +70,15 @@ impl InDimension for Solve<'_> {
         match question.rule {
             RuleName::Trapezoidal => {
                 let line = question.line(&problem, Trapezoidal, &options, solved)?;
-                question.answer(&line, |q, l, o| bounds(q, l, o, watch, observe), solved)
+                question.answer(&line, |q, l, o| bounds(q.proving(), l, o, watch, observe), solved)
             }
             RuleName::LeftEndpoint => {
                 let line = question.line(&problem, LeftEndpoint, &options, solved)?;
-                question.answer(&line, |q, l, o| bounds(q, l, o, watch, observe), solved)
+                question.answer(&line, |q, l, o| bounds(q.proving(), l, o, watch, observe), solved)
             }
             RuleName::TrueTrapezoid => {
                 let line = question.line(&problem, TrueTrapezoid, &options, solved)?;
-                let no_theorem = |_: &_, _: &_, _: &[_]| {
-                    Err("the paper has no theorem on the true trapezoid".to_owned())
-                };
+                let no_theorem = |_: &_, _: &_, _: &[_]| Err(NO_THEOREM.to_owned());
                 question.answer(&line, no_theorem, solved)
             }
         }

@@ -1,16 +1,19 @@
 //! `Curve`: a computed curve whose dimension is known when the program runs.
 
-use core::ops::ControlFlow;
 use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
-    CertificateError, LeftEndpoint, Rule, TautLine, Trapezoidal, TrueTrapezoid,
-    distance::{Progress, Wanted},
+    CertificateError, Formula, LeftEndpoint, Rule, TautLine, Trapezoidal, TrueTrapezoid,
+    certify::Watch, distance::Wanted,
 };
 
-use super::known::Known;
+use super::{
+    Proofs,
+    known::{Known, Observe},
+};
 use crate::{
-    CertifiedAnswer, Estimated, Search,
+    Bounds, CertifiedAnswer, Estimated, Search,
+    bounds::{NO_THEOREM, Proving, bounds},
     file::request::RuleName,
     solve::{estimated, extrapolated, search},
 };
@@ -51,6 +54,20 @@ pub trait Curve: Debug + Send + Sync {
     /// Returns other local minima that were met, shortest first.
     fn other_minima(&self) -> Vec<Arc<dyn Curve>>;
 
+    /// Proves bounds on the distance, as [`TautLine::prove`](tautline::TautLine::prove) does, or
+    /// takes them from constants that are claimed. `watch` and `observe` are told of the progress,
+    /// and may end it.
+    ///
+    /// # Errors
+    ///
+    /// A sentence that says why there are none.
+    fn bounds(
+        &self,
+        proofs: &Proofs,
+        watch: &dyn Watch,
+        observe: Observe<'_>,
+    ) -> Result<Bounds, String>;
+
     /// Searches for a certificate of the distance, as
     /// [`TautLine::certificate_with`](tautline::TautLine::certificate_with) does.
     ///
@@ -60,28 +77,57 @@ pub trait Curve: Debug + Send + Sync {
     fn certificate(
         &self,
         wanted: Wanted,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+        observe: Observe<'_>,
     ) -> Result<CertifiedAnswer, CertificateError>;
 }
 
 /// A rule with a name in files.
 pub(super) trait NamedRule: Rule + 'static {
     const NAME: RuleName;
+
+    /// Proves bounds on the distance.
+    fn bounds<const D: usize>(
+        line: &TautLine<Formula<D>, Self, D>,
+        proving: Proving,
+        watch: &dyn Watch,
+        observe: Observe<'_>,
+    ) -> Result<Bounds, String>;
 }
 
-impl NamedRule for Trapezoidal {
-    const NAME: RuleName = RuleName::Trapezoidal;
+macro_rules! of_the_paper {
+    ($rule:ident) => {
+        impl NamedRule for $rule {
+            const NAME: RuleName = RuleName::$rule;
+
+            fn bounds<const D: usize>(
+                line: &TautLine<Formula<D>, Self, D>,
+                proving: Proving,
+                watch: &dyn Watch,
+                observe: Observe<'_>,
+            ) -> Result<Bounds, String> {
+                bounds(proving, line, &line.other_minima(), watch, observe)
+            }
+        }
+    };
 }
 
-impl NamedRule for LeftEndpoint {
-    const NAME: RuleName = RuleName::LeftEndpoint;
-}
+of_the_paper!(Trapezoidal);
+of_the_paper!(LeftEndpoint);
 
 impl NamedRule for TrueTrapezoid {
     const NAME: RuleName = RuleName::TrueTrapezoid;
+
+    fn bounds<const D: usize>(
+        _: &TautLine<Formula<D>, Self, D>,
+        _: Proving,
+        _: &dyn Watch,
+        _: Observe<'_>,
+    ) -> Result<Bounds, String> {
+        Err(NO_THEOREM.to_owned())
+    }
 }
 
-impl<R: NamedRule, const D: usize> Curve for TautLine<Known<D>, R, D> {
+impl<M: Known<D>, R: NamedRule, const D: usize> Curve for TautLine<M, R, D> {
     fn dimension(&self) -> usize {
         D
     }
@@ -127,11 +173,20 @@ impl<R: NamedRule, const D: usize> Curve for TautLine<Known<D>, R, D> {
         TautLine::other_minima(self).into_iter().map(held).collect()
     }
 
+    fn bounds(
+        &self,
+        proofs: &Proofs,
+        watch: &dyn Watch,
+        observe: Observe<'_>,
+    ) -> Result<Bounds, String> {
+        M::bounds(self, proofs.proving(D), watch, observe)
+    }
+
     fn certificate(
         &self,
         wanted: Wanted,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+        observe: Observe<'_>,
     ) -> Result<CertifiedAnswer, CertificateError> {
-        CertifiedAnswer::of(self, wanted, observe)
+        M::certificate(self, wanted, observe)
     }
 }

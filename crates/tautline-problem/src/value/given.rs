@@ -3,17 +3,14 @@
 use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
-    ClosedSet, Ends, Formula, LeftEndpoint, Metric, Options, Prepared, Problem, SVector,
-    SolveError, TautLine, Trapezoidal, TrueTrapezoid, Union, Values, solve_all,
+    BlackBox, ClosedSet, Ends, Formula, LeftEndpoint, Options, Prepared, Problem, SVector,
+    SolveError, TautLine, Trapezoidal, TrueTrapezoid, Union, Values, certify::Watch, solve_all,
 };
 use tautline_portrait::Shape;
 
-use super::{
-    Curve, GivenError, Request,
-    curve::NamedRule,
-    known::{Known, black_box},
-};
+use super::{Curve, GivenError, Proofs, Request, curve::NamedRule, known::Known};
 use crate::{
+    ConstantsAnswer,
     dimension::{InDimension, in_dimension},
     file::request::RuleName,
     reading::shape::{set_of, vector},
@@ -86,6 +83,23 @@ impl Given {
         Ok(self.metric.gram(x))
     }
 
+    /// Proves the constants of the metric from its formula, in a ball or a box, or on all of space if
+    /// the formula shows what happens far out. `watch` is told of the progress, and may end the search
+    /// for a constant; the bounds found so far are then the answer.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError::Constants`], [`GivenError::Coordinates`]. A constant that is not proved is no
+    /// error: it has its reason.
+    pub fn constants(
+        &self,
+        within: Option<&Shape>,
+        proofs: &Proofs,
+        watch: &dyn Watch,
+    ) -> Result<ConstantsAnswer, GivenError> {
+        self.metric.constants(within, proofs, watch)
+    }
+
     /// Returns a curve between two sets, each the union of its pieces.
     ///
     /// # Errors
@@ -113,7 +127,7 @@ impl InDimension for Parse<'_> {
 
     fn run<const D: usize>(self) -> Self::Output {
         let formula = Formula::<D>::parse(self.text, self.parameters)?;
-        Ok(Given { metric: Arc::new(Held(Arc::new(Prepared::new(Known::Formula(formula))))) })
+        Ok(Given { metric: Arc::new(Held(Arc::new(Prepared::new(formula)))) })
     }
 }
 
@@ -126,8 +140,10 @@ impl InDimension for InBlackBox {
     type Output = Result<Given, GivenError>;
 
     fn run<const D: usize>(self) -> Self::Output {
-        let metric = black_box::<D>(self.values, self.step)?;
-        Ok(Given { metric: Arc::new(Held(Arc::new(metric))) })
+        let Self { values, step } = self;
+        let metric = BlackBox::<D>::new(values, step).ok_or(GivenError::Step { step })?;
+        let prepared = Prepared::of_black_box(metric.clone(), metric);
+        Ok(Given { metric: Arc::new(Held(Arc::new(prepared))) })
     }
 }
 
@@ -136,16 +152,22 @@ trait AnyDimension: Debug + Send + Sync {
     fn dimension(&self) -> usize;
     fn text(&self) -> Option<String>;
     fn gram(&self, x: &[f64]) -> Vec<f64>;
+    fn constants(
+        &self,
+        within: Option<&Shape>,
+        proofs: &Proofs,
+        watch: &dyn Watch,
+    ) -> Result<ConstantsAnswer, GivenError>;
     fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found;
     fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found>;
 }
 
 /// A metric in `D` dimensions.
 #[derive(Debug)]
-struct Held<const D: usize>(Arc<Prepared<Known<D>, D>>);
+struct Held<M, const D: usize>(Arc<Prepared<M, D>>);
 
-impl<const D: usize> Held<D> {
-    fn problem(&self, pieces: [&[Shape]; 2]) -> Result<Problem<Known<D>, D>, GivenError> {
+impl<M: Known<D>, const D: usize> Held<M, D> {
+    fn problem(&self, pieces: [&[Shape]; 2]) -> Result<Problem<M, D>, GivenError> {
         let ends = match pieces {
             // Of two points more is proved.
             [[Shape::Point(a)], [Shape::Point(b)]] => Ends::points(point::<D>(a)?, point::<D>(b)?)?,
@@ -154,23 +176,18 @@ impl<const D: usize> Held<D> {
         Ok(Problem::with_prepared(Arc::clone(&self.0), ends))
     }
 
-    fn by<R: NamedRule>(
-        problem: &Problem<Known<D>, D>,
-        rule: R,
-        n: usize,
-        options: &Options<D>,
-    ) -> Found {
+    fn by<R: NamedRule>(problem: &Problem<M, D>, rule: R, n: usize, options: &Options<D>) -> Found {
         held(problem.solve_with(rule, n, options))
     }
 
     fn all_by<R: NamedRule>(
-        problems: Vec<Result<Problem<Known<D>, D>, GivenError>>,
+        problems: Vec<Result<Problem<M, D>, GivenError>>,
         rule: R,
         n: usize,
         options: &Options<D>,
     ) -> Vec<Found> {
         let posed: Vec<_> = problems.iter().filter_map(|problem| problem.as_ref().ok()).collect();
-        let posed: Vec<Problem<Known<D>, D>> = posed.into_iter().cloned().collect();
+        let posed: Vec<Problem<M, D>> = posed.into_iter().cloned().collect();
         let mut solved = solve_all(&posed, rule, n, options).into_iter();
         let next = |problem: Result<_, _>| {
             problem.and_then(|_| held(solved.next().unwrap_or(Err(SolveError::NoStart))))
@@ -179,24 +196,35 @@ impl<const D: usize> Held<D> {
     }
 }
 
-fn held<R: NamedRule, const D: usize>(line: Result<TautLine<Known<D>, R, D>, SolveError>) -> Found {
+fn held<M: Known<D>, R: NamedRule, const D: usize>(
+    line: Result<TautLine<M, R, D>, SolveError>,
+) -> Found {
     Ok(Arc::new(line?))
 }
 
-impl<const D: usize> AnyDimension for Held<D> {
+impl<M: Known<D>, const D: usize> AnyDimension for Held<M, D> {
     fn dimension(&self) -> usize {
         D
     }
 
     fn text(&self) -> Option<String> {
-        match self.0.metric() {
-            Known::Formula(formula) => Some(formula.to_string()),
-            Known::BlackBox(_) => None,
-        }
+        self.0.metric().text()
     }
 
     fn gram(&self, x: &[f64]) -> Vec<f64> {
         self.0.metric().gram(&vector::<D>(x)).as_slice().to_vec()
+    }
+
+    fn constants(
+        &self,
+        within: Option<&Shape>,
+        proofs: &Proofs,
+        watch: &dyn Watch,
+    ) -> Result<ConstantsAnswer, GivenError> {
+        if let Some(shape) = within {
+            check_coordinates::<D>(shape)?;
+        }
+        self.0.metric().constants(within, proofs.accuracy(D), watch)
     }
 
     fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found {
@@ -233,6 +261,13 @@ fn point<const D: usize>(x: &[f64]) -> Result<SVector<f64, D>, GivenError> {
     }
 }
 
+/// Refuses a shape with another number of coordinates.
+fn check_coordinates<const D: usize>(shape: &Shape) -> Result<(), GivenError> {
+    let other = shape.coordinates().find(|&found| found != D);
+    let refused = |found| GivenError::Coordinates { what: shape.name(), found, dimension: D };
+    other.map_or(Ok(()), |found| Err(refused(found)))
+}
+
 /// Returns the union of the pieces, or the only one.
 fn set<const D: usize>(
     end: &'static str,
@@ -240,10 +275,7 @@ fn set<const D: usize>(
 ) -> Result<Arc<dyn ClosedSet<D>>, GivenError> {
     let mut sets = Vec::new();
     for piece in pieces {
-        if let Some(found) = piece.coordinates().find(|&found| found != D) {
-            let what = piece.name();
-            return Err(GivenError::Coordinates { what, found, dimension: D });
-        }
+        check_coordinates::<D>(piece)?;
         sets.push(set_of::<D>(piece)?);
     }
     match sets.len() {

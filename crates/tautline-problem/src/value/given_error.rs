@@ -2,7 +2,7 @@
 
 use tautline::{SequenceError, SetError, SolveError, TextError};
 
-use crate::LARGEST_DIMENSION;
+use crate::{ConstantsError, LARGEST_DIMENSION};
 
 /// Why a problem has no curve.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -45,6 +45,9 @@ pub enum GivenError {
         /// The step, in `ℓ`.
         step: f64,
     },
+    /// No constants were sought.
+    #[error(transparent)]
+    Constants(#[from] ConstantsError),
     /// Nothing was found.
     #[error(transparent)]
     Solve(#[from] SolveError),

@@ -1,32 +1,116 @@
 //! `Known`: a metric by its formula or by its values.
 
-use std::sync::Arc;
+use core::ops::ControlFlow;
 
-use tautline::{BlackBox, Formula, Metric, Prepared, SMatrix, SVector, Scalar, Values};
+use tautline::{
+    BlackBox, CertificateError, Formula, Metric, RecordError, TautLine,
+    certify::{Accuracy, Watch},
+    distance::{Progress, Wanted},
+};
+use tautline_portrait::Shape;
 
-use super::GivenError;
+use super::{GivenError, curve::NamedRule};
+use crate::{
+    Bounds, CertifiedAnswer, ConstantsAnswer,
+    bounds::Proving,
+    constants::{ConstantsError, constants},
+};
 
-/// A metric as a program gives it. All that is compiled for a dimension is compiled once for both.
-#[derive(Clone, Debug)]
-pub(super) enum Known<const D: usize> {
-    Formula(Formula<D>),
-    BlackBox(BlackBox<D>),
+/// Is told of every level of a certificate, and may end the search.
+pub type Observe<'o> = &'o mut dyn FnMut(Progress) -> ControlFlow<()>;
+
+/// A metric as a program gives it, and what is proved of it.
+pub(super) trait Known<const D: usize>:
+    Metric<D> + Clone + std::fmt::Debug + Send + 'static
+{
+    /// Returns the text of the formula, if there is one.
+    fn text(&self) -> Option<String>;
+
+    /// Proves the constants.
+    fn constants(
+        &self,
+        within: Option<&Shape>,
+        accuracy: Accuracy,
+        watch: &dyn Watch,
+    ) -> Result<ConstantsAnswer, GivenError>;
+
+    /// Proves bounds on the distance.
+    fn bounds<R: NamedRule>(
+        line: &TautLine<Self, R, D>,
+        proving: Proving,
+        watch: &dyn Watch,
+        observe: Observe<'_>,
+    ) -> Result<Bounds, String>;
+
+    /// Searches for a certificate.
+    fn certificate<R: NamedRule>(
+        line: &TautLine<Self, R, D>,
+        wanted: Wanted,
+        observe: Observe<'_>,
+    ) -> Result<CertifiedAnswer, CertificateError>;
 }
 
-impl<const D: usize> Metric<D> for Known<D> {
-    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        match self {
-            Known::Formula(formula) => formula.gram(x),
-            Known::BlackBox(black_box) => black_box.gram(x),
-        }
+impl<const D: usize> Known<D> for Formula<D> {
+    fn text(&self) -> Option<String> {
+        Some(self.to_string())
+    }
+
+    fn constants(
+        &self,
+        within: Option<&Shape>,
+        accuracy: Accuracy,
+        watch: &dyn Watch,
+    ) -> Result<ConstantsAnswer, GivenError> {
+        Ok(constants(self, within, accuracy, watch)?)
+    }
+
+    fn bounds<R: NamedRule>(
+        line: &TautLine<Self, R, D>,
+        proving: Proving,
+        watch: &dyn Watch,
+        observe: Observe<'_>,
+    ) -> Result<Bounds, String> {
+        R::bounds(line, proving, watch, observe)
+    }
+
+    fn certificate<R: NamedRule>(
+        line: &TautLine<Self, R, D>,
+        wanted: Wanted,
+        observe: Observe<'_>,
+    ) -> Result<CertifiedAnswer, CertificateError> {
+        CertifiedAnswer::of(line, wanted, observe)
     }
 }
 
-/// Returns the metric of a black box, ready for batches.
-pub(super) fn black_box<const D: usize>(
-    values: Arc<dyn Values>,
-    step: f64,
-) -> Result<Prepared<Known<D>, D>, GivenError> {
-    let black_box = BlackBox::new(values, step).ok_or(GivenError::Step { step })?;
-    Ok(Prepared::of_black_box(Known::BlackBox(black_box.clone()), black_box))
+/// Nothing is proved of a metric without a formula.
+impl<const D: usize> Known<D> for BlackBox<D> {
+    fn text(&self) -> Option<String> {
+        None
+    }
+
+    fn constants(
+        &self,
+        _: Option<&Shape>,
+        _: Accuracy,
+        _: &dyn Watch,
+    ) -> Result<ConstantsAnswer, GivenError> {
+        Err(ConstantsError::NotRecorded(RecordError::BlackBox).into())
+    }
+
+    fn bounds<R: NamedRule>(
+        _: &TautLine<Self, R, D>,
+        _: Proving,
+        _: &dyn Watch,
+        _: Observe<'_>,
+    ) -> Result<Bounds, String> {
+        Err(RecordError::BlackBox.to_string())
+    }
+
+    fn certificate<R: NamedRule>(
+        _: &TautLine<Self, R, D>,
+        _: Wanted,
+        _: Observe<'_>,
+    ) -> Result<CertifiedAnswer, CertificateError> {
+        Err(RecordError::BlackBox.into())
+    }
 }

@@ -22,7 +22,8 @@ mod request;
 pub use curve::Curve;
 pub use given::{Found, Given};
 pub use given_error::GivenError;
-pub use request::Request;
+pub use known::Observe;
+pub use request::{Proofs, Request};
 
 pub use crate::file::request::RuleName;
 pub use tautline::Values;

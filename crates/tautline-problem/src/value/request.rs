@@ -1,9 +1,14 @@
 //! `Request`: how a problem is to be solved.
 
-use tautline::{Options, PointSequence, Starts};
+use tautline::{Constants, Options, PointSequence, Starts, certify::Accuracy};
 
 use super::GivenError;
-use crate::{file::request::RuleName, question::CHORDS, reading::shape::vector};
+use crate::{
+    bounds::Proving,
+    file::request::RuleName,
+    question::{ACCURACY, CHORDS, default_boxes},
+    reading::shape::vector,
+};
 
 /// How a problem is to be solved.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,5 +59,30 @@ impl Request {
             (false, false) => Starts::Also(starts),
         };
         Ok(Options { starts, iterations: self.steps, threads: self.threads })
+    }
+}
+
+/// How bounds and constants are proved.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Proofs {
+    /// Constants that are claimed for the metric. Without them they are proved from its formula.
+    pub claimed: Option<Constants>,
+    /// The relative accuracy of a constant; a thousandth if absent.
+    pub tolerance: Option<f64>,
+    /// The largest number of boxes for one constant; 100,000 in the plane if absent, and a fifth of
+    /// that for each further dimension.
+    pub boxes: Option<usize>,
+}
+
+impl Proofs {
+    pub(super) fn accuracy(&self, dimension: usize) -> Accuracy {
+        Accuracy {
+            tolerance: self.tolerance.unwrap_or(ACCURACY),
+            budget: self.boxes.unwrap_or(default_boxes(dimension)),
+        }
+    }
+
+    pub(super) fn proving(&self, dimension: usize) -> Proving {
+        Proving { claimed: self.claimed, accuracy: self.accuracy(dimension) }
     }
 }

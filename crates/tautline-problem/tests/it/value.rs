@@ -2,10 +2,10 @@
 
 use std::{ops::ControlFlow, sync::Arc};
 
-use tautline::{CertificateError, RecordError, distance::Wanted};
+use tautline::{CertificateError, Constants, RecordError, certify, distance::Wanted};
 use tautline_problem::{
     Question,
-    value::{Given, GivenError, Request, RuleName, Shape, Values},
+    value::{Given, GivenError, Proofs, Request, RuleName, Shape, Values},
 };
 
 const HILL: &str = "cost(1 + 4*exp(-2*(x1^2 + x2^2)))";
@@ -142,4 +142,62 @@ fn a_black_box_has_the_minimum_of_the_formula_and_no_certificate() {
     assert_eq!((black_box.text(), black_box.dimension()), (None, 2));
     let refused = Given::black_box(Arc::new(Hill), 2, 0.0).map(|_| ());
     assert_eq!(refused, Err(GivenError::Step { step: 0.0 }));
+}
+
+/// What is proved of a metric given as a value is what is proved of a file, number by number.
+#[test]
+fn bounds_and_constants_are_those_of_a_file() {
+    let file = "[metric]\ncost = \"2 - cos(x1)\"\n[from]\npoint = [0, 0]\n[to]\npoint = [1, 0.5]\n\
+                [solve]\nn = 128\n[certify]\nwithin = { ball = { centre = [0, 0], radius = 3 } }\n";
+    let question = Question::read(file).expect("a file");
+    let answer = question.solve(&mut |_| ()).expect("solved");
+    let valleys = Given::parse("cost(2 - cos(x1))", 2, &[]).expect("a formula");
+    let ends = [point(&[0.0, 0.0]), point(&[1.0, 0.5])];
+    let request = Request { n: 128, ..Request::default() };
+    let curve = valleys.solve([&ends[0], &ends[1]], &request).expect("solved");
+    let (watch, proofs) = (|_: certify::Progress| true, Proofs::default());
+    let go_on = &mut |_| ControlFlow::Continue(());
+    assert_eq!(curve.bounds(&proofs, &watch, go_on).ok(), answer.bounds);
+    let ball = Shape::Ball { centre: vec![0.0, 0.0], radius: 3.0 };
+    let found = valleys.constants(Some(&ball), &proofs, &watch).expect("sought");
+    assert_eq!(found, question.constants().expect("sought"));
+    assert_ne!(found, valleys.constants(None, &proofs, &watch).expect("sought"));
+    // Claimed constants are used, and looser.
+    let claimed = Constants::new(1.0, 9.0, 5.0).expect("constants");
+    let loose = Proofs { claimed: Some(claimed), ..proofs };
+    let loose = curve.bounds(&loose, &watch, go_on).expect("bounds");
+    assert!(!loose.constants.proved && loose.lower.value <= answer.length.value);
+}
+
+#[test]
+fn what_cannot_be_proved_is_said() {
+    let (watch, proofs) = (|_: certify::Progress| true, Proofs::default());
+    let go_on = &mut |_| ControlFlow::Continue(());
+    let constants = |metric: &Given, within: Option<&Shape>| {
+        metric.constants(within, &proofs, &watch).map(|_| ()).expect_err("refused").to_string()
+    };
+    let black_box = Given::black_box(Arc::new(Hill), 2, 1e-3).expect("a step");
+    let growing = Given::parse("phi(1 + x1^2)", 1, &[]).expect("a formula");
+    let sphere = Shape::Sphere { centre: vec![0.0; 2], radius: 1.0 };
+    let line = Shape::Ball { centre: vec![0.0], radius: 1.0 };
+    let large = Given::parse("1 I", 7, &[]).expect("a formula");
+    for (metric, within, message) in [
+        (&black_box, None, "by its values only"),
+        (&growing, None, "name a ball or a box"),
+        (&hill(), Some(&sphere), "a ball or a box, not"),
+        (&hill(), Some(&line), "1 coordinates in 2 dimensions"),
+        (&large, None, "in up to 6 dimensions"),
+    ] {
+        let said = constants(metric, within);
+        assert!(said.contains(message), "{said}");
+    }
+    let ends = [point(&[-1.5, 0.05]), point(&[1.5, -0.1])];
+    let ends = [&ends[0][..], &ends[1][..]];
+    let curve = black_box.solve(ends, &Request::default()).expect("solved");
+    let said = curve.bounds(&proofs, &watch, go_on).expect_err("refused");
+    assert!(said.contains("by its values only"), "{said}");
+    let request = Request { rule: RuleName::TrueTrapezoid, ..Request::default() };
+    let curve = hill().solve(ends, &request).expect("solved");
+    let said = curve.bounds(&proofs, &watch, go_on).expect_err("refused");
+    assert!(said.contains("no theorem on the true trapezoid"), "{said}");
 }

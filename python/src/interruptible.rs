@@ -1,0 +1,50 @@
+//! Long computations that Ctrl-C ends.
+
+use std::{
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+        mpsc::{RecvTimeoutError, channel},
+    },
+    thread,
+    time::Duration,
+};
+
+use pyo3::{exceptions::PyRuntimeError, prelude::*};
+
+/// How often signals are looked for.
+const PERIOD: Duration = Duration::from_millis(50);
+
+/// The stack of the thread that computes: programs in many dimensions keep matrices on it.
+const STACK: usize = 16 << 20;
+
+/// Runs `work` on a thread of its own, while this one waits for signals without the interpreter. After
+/// a signal, such as Ctrl-C, its exception is raised at once, and the flag is set: the thread ends with
+/// what it has in hand, such as a level of cubes.
+pub(crate) fn interruptible<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> T + Send + 'static,
+) -> PyResult<T> {
+    py.detach(|| {
+        let stopped = Arc::new(AtomicBool::new(false));
+        let (sender, receiver) = channel();
+        let flag = Arc::clone(&stopped);
+        thread::Builder::new().stack_size(STACK).spawn(move || {
+            // Nobody receives it after a signal.
+            let _ = sender.send(work(&flag));
+        })?;
+        loop {
+            match receiver.recv_timeout(PERIOD) {
+                Ok(found) => return Ok(found),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(PyRuntimeError::new_err("the computation panicked"));
+                }
+            }
+            if let Err(error) = Python::attach(|py| py.check_signals()) {
+                stopped.store(true, Ordering::Relaxed);
+                return Err(error);
+            }
+        }
+    })
+}
