@@ -8,16 +8,16 @@ use std::sync::{
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use tautline::{Constants, HypothesisError, certify, distance::Wanted};
+use tautline::{certify, distance::Wanted};
 use tautline_problem::{
     Estimated,
     value::{self, Proofs},
 };
 
 use crate::{
-    bounds::Bounds,
+    bounds::{Bounds, FourConstants, constants},
     certificate::Certificate,
-    error::{NotCertified, ProblemError, uncertified},
+    error::{NotCertified, uncertified},
     interruptible::interruptible,
 };
 
@@ -78,6 +78,17 @@ impl Curve {
         let (points, dimension) = (self.curve.points(), self.curve.dimension());
         let rows = points.len() / dimension;
         points.into_pyarray(py).reshape([rows, dimension])
+    }
+
+    /// The point of the curve at t, clamped to [0, 1], an array of shape (D,).
+    fn at<'py>(&self, py: Python<'py>, t: f64) -> Bound<'py, PyArray1<f64>> {
+        self.curve.at(t).into_pyarray(py)
+    }
+
+    /// The energies of the local minima that were found on the coarsest grid, lowest first.
+    #[getter]
+    fn local_minima<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.curve.local_minima().into_pyarray(py)
     }
 
     /// The number of chords.
@@ -157,17 +168,11 @@ impl Curve {
     fn bounds(
         &self,
         py: Python<'_>,
-        claimed: Option<(f64, f64, f64, Option<f64>)>,
+        claimed: Option<FourConstants>,
         tolerance: f64,
         boxes: Option<usize>,
     ) -> PyResult<Bounds> {
-        let claimed = claimed.map(|(c1, c2, l_h, m_h)| {
-            let constants = Constants::new(c1, c2, l_h)?;
-            m_h.map_or(Ok(constants), |m_h| constants.with_m_h(m_h))
-        });
-        let claimed = claimed
-            .transpose()
-            .map_err(|error: HypothesisError| ProblemError::new_err(error.to_string()))?;
+        let claimed = claimed.map(constants).transpose()?;
         let proofs = Proofs { claimed, tolerance: Some(tolerance), boxes };
         let curve = Arc::clone(&self.curve);
         let found = interruptible(py, move |stopped| {

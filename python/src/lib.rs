@@ -16,7 +16,7 @@ use pyo3::prelude::*;
 mod _tautline {
     #[pymodule_export]
     use crate::{
-        bounds::{Bounds, Constant},
+        bounds::{Bounds, Constant, theorem_1_1, theorem_1_3},
         certificate::{Certificate, Verdict, check},
         curve::{Curve, Estimate},
         error::{MetricError, NotCertified, ProblemError},

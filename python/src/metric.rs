@@ -3,7 +3,7 @@
 use std::{collections::HashMap, sync::Arc};
 
 use numpy::{
-    IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
+    IntoPyArray, PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
 use tautline_problem::value::{Given, Proofs, Request, RuleName, Shape};
@@ -87,12 +87,22 @@ impl Program {
         self.given.text()
     }
 
-    /// H at a point, an array of shape (D, D).
-    fn gram<'py>(&self, py: Python<'py>, x: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let entries = self.given.gram(&x).map_err(|error| raised(&error))?;
-        self.unless_raised()?;
-        // Column by column, of a symmetric matrix.
-        entries.into_pyarray(py).reshape([x.len(), x.len()])
+    /// H at the rows of an array of shape (m, D), an array of shape (m, D, D).
+    fn gram<'py>(
+        &self,
+        py: Python<'py>,
+        x: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let [m, d] = [x.shape()[0], x.shape()[1]];
+        let mut entries = Vec::with_capacity(m * d * d);
+        for row in x.as_array().rows() {
+            let point = row.to_vec();
+            let h = self.given.gram(&point).map_err(|error| raised(&error))?;
+            self.unless_raised()?;
+            // Given column by column.
+            entries.extend((0..d * d).map(|n| h[n % d * d + n / d]));
+        }
+        entries.into_pyarray(py).reshape([m, d, d])
     }
 
     /// The constants c1, c2, L_H and M_H within a ball or a box, or on all of space; and where they

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from ._metric import Metric
+from ._plot import plot
 from ._tautline import (
     Bounds,
     Certificate,
@@ -40,6 +41,8 @@ from ._tautline import (
     points,
     segment,
     sphere,
+    theorem_1_1_excess,
+    theorem_1_3_excess,
     union,
 )
 from ._trace import TraceError, Traced
@@ -66,12 +69,15 @@ __all__ = [
     "check",
     "distance_matrix",
     "half_space",
+    "plot",
     "point",
     "points",
     "segment",
     "solve",
     "solve_batch",
     "sphere",
+    "theorem_1_1_excess",
+    "theorem_1_3_excess",
     "union",
 ]
 

@@ -140,8 +140,12 @@ class Metric:
         return {constant.name: constant for constant in found}
 
     def __call__(self, x: Any) -> np.ndarray:
-        """H at a point of shape (D,), an array of shape (D, D)."""
-        return self.program.gram(np.asarray(x, float).tolist())
+        """H at points: an array of shape (…, D, D) for one of shape (…, D)."""
+        x = np.ascontiguousarray(x, float)
+        if x.ndim == 0:
+            raise ProblemError("a point is an array of shape (D,), not a number")
+        h = self.program.gram(x.reshape(-1, x.shape[-1]))
+        return h.reshape(*x.shape, x.shape[-1])
 
     def __eq__(self, other: object) -> bool:
         """Whether two metrics are the same program: the same operations in the same order.

@@ -2,6 +2,7 @@
 
 import doctest
 import math
+import pathlib
 import signal
 import threading
 import time
@@ -53,6 +54,40 @@ class Solving(unittest.TestCase):
         self.assertEqual((verdict.lower, verdict.upper), (found.lower, found.upper))
         with self.assertRaisesRegex(tl.NotCertified, "refused"):
             tl.check(found.text.replace("from point", "from pint"))
+
+    def test_matrices_at_many_points(self):
+        metric = tl.Metric("[1 + x1^2, x2/4; x2/4, 2]", 2)
+        x = np.random.default_rng(3).uniform(-1, 1, (4, 3, 2))
+        h = metric(x)
+        self.assertEqual(h.shape, (4, 3, 2, 2))
+        np.testing.assert_array_equal(h[2, 1], metric(x[2, 1]))
+        np.testing.assert_array_equal(h[..., 0, 1], x[..., 1] / 4)
+        for wrong in (1.0, [1.0, 2.0, 3.0]):
+            with self.assertRaises(tl.ProblemError):
+                metric(wrong)
+
+    def test_pictures(self):
+        import matplotlib
+
+        matplotlib.use("Agg")
+        hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
+        curve = tl.solve(hill, [-1.5, 0.05], [1.5, -0.1])
+        ax = tl.plot(hill, [curve, *curve.other_minima], color="tab:red")
+        np.testing.assert_array_equal(ax.lines[0].get_xydata(), curve.points)
+        self.assertEqual(len(ax.lines), 2)
+        # The background is the cost: 5 on the hill, 1 far out.
+        background = ax.collections[0].get_array()
+        self.assertTrue(4.9 < background.max() <= 5 and 1 <= background.min() < 1.1)
+        with self.assertRaisesRegex(tl.ProblemError, r"\(0, 2\) of curves in 2 dim"):
+            tl.plot(hill, curve, coordinates=(0, 2))
+
+    def test_theorems(self):
+        # The numbers of the example in Rust.
+        self.assertEqual(f"{tl.theorem_1_1_excess((1, 2, 0.5, 1), 2.9963, 2, 512):.3e}", "3.052e+03")
+        left, other = (tl.theorem_1_3_excess((1, 2, 0.5, 1), 3, 2, n) for n in (512, 2048))
+        self.assertTrue(1.9 < left / other < 4.1)
+        with self.assertRaisesRegex(tl.ProblemError, "n = 0"):
+            tl.theorem_1_1_excess((1, 2, 0.5, 1), 3, 2, 0)
 
     def test_bounds_and_constants(self):
         valleys = tl.Metric.cost("2 - cos(x1)", 2)
@@ -230,6 +265,22 @@ class BlackBoxes(unittest.TestCase):
                     attempt()
         with self.assertRaisesRegex(tl.ProblemError, "step"):
             tl.Metric.black_box(self.values, 2, step=0)
+
+
+class Notebooks(unittest.TestCase):
+    def test_notebooks_run(self):
+        import nbclient
+        import nbformat
+
+        folder = pathlib.Path(__file__).parent.parent / "notebooks"
+        paths = sorted(folder.glob("*.ipynb"))
+        self.assertTrue(paths)
+        for path in paths:
+            notebook = nbformat.read(path, as_version=4)
+            nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
+            outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
+            self.assertTrue(any("image/png" in output.get("data", {}) for output in outputs))
+            self.assertFalse([o for o in outputs if o.output_type == "stream" and o.name == "stderr"])
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ use std::{env, fs, path::Path, process::Command};
 use crate::{peers::install, run::run};
 
 /// Makes the wheel of the Python module, installs it into `target/python-environment`, and runs its
-/// tests, those of its documentation, and `stubtest`.
+/// tests, its notebooks, `stubtest`, and its examples beside those in Rust.
 pub(crate) fn python(root: &Path, rest: &[&str]) -> Result<(), String> {
     if !rest.is_empty() {
         return Err("python takes no arguments".to_owned());
@@ -48,7 +48,46 @@ pub(crate) fn python(root: &Path, rest: &[&str]) -> Result<(), String> {
         "tautline",
     ])?;
     call(&["-m", "unittest", "discover", "--start-directory", "python/tests"])?;
-    call(&["-m", "mypy.stubtest", "tautline"])
+    call(&["-m", "mypy.stubtest", "tautline"])?;
+    twins(root, &python, &python_target)
+}
+
+/// Runs the examples in Python and those in Rust of the same name. Every line that the former print is
+/// one that the latter print.
+fn twins(root: &Path, python: &Path, target: &str) -> Result<(), String> {
+    let folder = root.join("python/examples");
+    let files = fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let mut names: Vec<String> = files
+        .filter_map(|file| Some(file.ok()?.path().file_stem()?.to_str()?.to_owned()))
+        .collect();
+    names.sort();
+    for name in &names {
+        let file = folder.join(format!("{name}.py"));
+        let found = printed(Command::new(python).arg(&file), &shown(&file))?;
+        let arguments = ["run", "--quiet", "--release", "--target-dir", target, "--package"];
+        let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
+        let mut twin = Command::new(cargo);
+        twin.current_dir(root).args(arguments).args(["tautline", "--example", name]);
+        let expected = printed(&mut twin, &format!("the example {name} of tautline"))?;
+        let lines: Vec<&str> = expected.lines().collect();
+        if let Some(line) = found.lines().find(|line| !lines.contains(line)) {
+            return Err(format!("{name}.py prints {line:?}, and its twin in Rust\n{expected}"));
+        }
+        if found.trim().is_empty() {
+            return Err(format!("{name}.py prints nothing"));
+        }
+        println!("{name}: {} lines, equal in Python and in Rust", found.lines().count());
+    }
+    Ok(())
+}
+
+/// Returns what a command prints.
+fn printed(command: &mut Command, line: &str) -> Result<String, String> {
+    let output = command.output().map_err(|error| format!("{line}: {error}"))?;
+    if !output.status.success() {
+        return Err(format!("{line} fails:\n{}", String::from_utf8_lossy(&output.stderr)));
+    }
+    String::from_utf8(output.stdout).map_err(|error| format!("{line}: {error}"))
 }
 
 fn shown(path: &Path) -> String {

@@ -29,6 +29,12 @@ pub trait Curve: Debug + Send + Sync {
     /// Returns the points, one after the other, from the first set to the second, in `ℓ`.
     fn points(&self) -> Vec<f64>;
 
+    /// Returns the point of the curve at `t`, clamped to `[0, 1]`, in `ℓ`.
+    fn at(&self, t: f64) -> Vec<f64>;
+
+    /// Returns the energies of the local minima on the coarsest grid, in `m²`, lowest first.
+    fn local_minima(&self) -> Vec<f64>;
+
     /// Returns the length of the curve, in `m`: an upper bound on the distance up to the error of its
     /// quadrature.
     fn length(&self) -> Estimated;
@@ -138,6 +144,14 @@ impl<M: Known<D>, R: NamedRule, const D: usize> Curve for TautLine<M, R, D> {
 
     fn points(&self) -> Vec<f64> {
         self.sequence().points().iter().flatten().copied().collect()
+    }
+
+    fn at(&self, t: f64) -> Vec<f64> {
+        TautLine::curve(self).at(t).as_slice().to_vec()
+    }
+
+    fn local_minima(&self) -> Vec<f64> {
+        self.minimum().local_minima.clone()
     }
 
     fn length(&self) -> Estimated {
