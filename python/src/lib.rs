@@ -8,6 +8,7 @@ mod error;
 mod interruptible;
 mod metric;
 mod set;
+mod sweep;
 
 use pyo3::prelude::*;
 
@@ -24,6 +25,7 @@ mod _tautline {
         set::{
             Set, affine_subspace, ball, box_, half_space, point, points, segment, sphere, union,
         },
+        sweep::{Plan, is_finished, merged, shard},
     };
 
     use super::*;

@@ -8,6 +8,7 @@ mod peers;
 mod python;
 mod run;
 mod second_checker;
+mod sweeps;
 
 use std::{
     env,
@@ -37,6 +38,10 @@ usage: cargo xtask <task>
   python                                        makes the wheel of the Python module, and tests it in
                                                 an environment of its own; needs Python 3.10 and,
                                                 the first time, the network
+  sweeps  [ray] [--seed SEED]                   2,000 problems in one process, on Dask with a worker
+                                                that is killed, in 40 shards that are killed, and on
+                                                Ray if asked: the same bytes; needs Python 3.10 and,
+                                                the first time, the network
   guide   [--check]                             the guide, to target/guide; --check opens every page
                                                 in Chromium and lists what is wrong
   ci                                            what continuous integration runs
@@ -57,6 +62,7 @@ fn main() -> ExitCode {
         ["peers", rest @ ..] => peers::peers(&root(), rest),
         ["second-checker", rest @ ..] => second_checker::second_checker(&root(), rest),
         ["python", rest @ ..] => python::python(&root(), rest),
+        ["sweeps", rest @ ..] => sweeps::sweeps(&root(), rest),
         ["guide", rest @ ..] => guide::guide(&root(), rest),
         ["ci"] => ci(),
         ["help" | "--help" | "-h"] => {

@@ -12,7 +12,20 @@ pub(crate) fn python(root: &Path, rest: &[&str]) -> Result<(), String> {
     }
     let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into()));
     let environment = target.join("python-environment");
-    install(&environment, &root.join("python/requirements.txt"))?;
+    wheel(root, &target, &environment)?;
+    let python = environment.join("bin/python");
+    let call = |arguments: &[&str]| {
+        let line = format!("{} {}", python.display(), arguments.join(" "));
+        run(Command::new(&python).args(arguments), &line)
+    };
+    call(&["-m", "unittest", "discover", "--start-directory", "python/tests"])?;
+    call(&["-m", "mypy.stubtest", "tautline"])?;
+    twins(root, &python, &shown(&target.join("python")))
+}
+
+/// Makes the wheel, and installs it into an environment with what makes and tests it.
+pub(crate) fn wheel(root: &Path, target: &Path, environment: &Path) -> Result<(), String> {
+    install(environment, &root.join("python/requirements.txt"))?;
     let python = environment.join("bin/python");
     let wheels = target.join("wheels");
     // An old wheel would be installed in place of the new one.
@@ -46,10 +59,7 @@ pub(crate) fn python(root: &Path, rest: &[&str]) -> Result<(), String> {
         "--find-links",
         &wheels,
         "tautline",
-    ])?;
-    call(&["-m", "unittest", "discover", "--start-directory", "python/tests"])?;
-    call(&["-m", "mypy.stubtest", "tautline"])?;
-    twins(root, &python, &python_target)
+    ])
 }
 
 /// Runs the examples in Python and those in Rust of the same name. Every line that the former print is

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use tautline_sweep::Shard;
 
 /// Shortest curves between two sets, under a metric that you type, with bounds on the distance.
 ///
@@ -28,6 +29,9 @@ pub(crate) enum Verb {
     Check(Check),
     Audit(Audit),
     Plot(Plot),
+    Plan(Plan),
+    Run(Run),
+    Merge(Merge),
     Schema(Schema),
     Examples(Examples),
     Completions(Completions),
@@ -157,6 +161,70 @@ pub(crate) struct Plot {
     /// Draw the metric and the sets alone.
     #[arg(long)]
     pub(crate) no_curve: bool,
+}
+
+/// Writes the table of problems of a sweep: a problem file with a section [sweep].
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline examples sweep --to .
+  $ tautline plan sweep.toml -o plan.csv
+  $ tautline run plan.csv --shard 1/2 --to results
+  $ tautline run plan.csv --shard 2/2 --to results
+  $ tautline merge results -o results.csv
+The head of the table is the sweep file with a hash, so that a shard needs one file.")]
+pub(crate) struct Plan {
+    /// The sweep file.
+    pub(crate) file: PathBuf,
+    /// Write the table to this file.
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Print the problem file of one problem, for `tautline solve` or `tautline certify`, in place of the
+    /// table.
+    #[arg(long, value_name = "ID", conflicts_with = "output")]
+    pub(crate) problem: Option<u64>,
+}
+
+/// Solves a block of the problems of a plan. What is finished is not done again.
+///
+/// A problem without a curve is a row with its reason. The rows do not depend on the number of threads or
+/// shards; the time is printed, and is not among them.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline run plan.csv --shard 3/40 --to results
+writes results/3-of-40.csv, at once when it is complete. Run the same line again after a crash.")]
+pub(crate) struct Run {
+    /// The plan, or the sweep file itself, from which the same problems follow.
+    pub(crate) plan: PathBuf,
+    /// Which of how many blocks of problems, from 1.
+    #[arg(long, value_name = "K/N", default_value = "1/1")]
+    pub(crate) shard: Shard,
+    /// The folder of the results; it is made if there is none.
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) to: PathBuf,
+    /// The number of threads; 0 stands for one for each processor.
+    #[arg(long, value_name = "COUNT", default_value_t = 0)]
+    pub(crate) threads: usize,
+    /// Write the time and the memory that the shard took to this file.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) times: Option<PathBuf>,
+}
+
+/// Joins the results of all shards. Every problem must be there once, of the same plan.
+///
+/// Exit code 1 if results are incomplete, missing or doubled; the message names them.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  $ tautline merge results -o results.csv")]
+pub(crate) struct Merge {
+    /// Files of results, and folders of which all files that end in .csv are taken.
+    #[arg(required = true)]
+    pub(crate) results: Vec<PathBuf>,
+    /// Write the table to this file.
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 /// Prints the JSON schema of problem files or of answers.

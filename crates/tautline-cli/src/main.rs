@@ -2,7 +2,9 @@
 
 mod arguments;
 mod decimal;
+mod draft;
 mod error;
+mod plan_file;
 mod problem;
 mod report;
 mod timed;
@@ -23,6 +25,9 @@ fn main() -> ExitCode {
         Verb::Check(arguments) => verbs::check::check(&arguments),
         Verb::Audit(arguments) => verbs::audit::audit(&arguments),
         Verb::Plot(arguments) => verbs::plot::plot(&arguments),
+        Verb::Plan(arguments) => verbs::plan::plan(&arguments),
+        Verb::Run(arguments) => verbs::run::run(&arguments),
+        Verb::Merge(arguments) => verbs::merge::merge(&arguments),
         Verb::Schema(arguments) => verbs::schema::schema(&arguments),
         Verb::Examples(arguments) => verbs::examples::examples(&arguments),
         Verb::Completions(arguments) => verbs::completions::completions(&arguments),

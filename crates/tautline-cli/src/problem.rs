@@ -45,7 +45,8 @@ impl ProblemText {
     }
 }
 
-fn bad_file(name: &str, text: &str, diagnostic: &Diagnostic) -> CommandError {
+/// Returns the error of a file, with its lines.
+pub(crate) fn bad_file(name: &str, text: &str, diagnostic: &Diagnostic) -> CommandError {
     let coloured = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     CommandError::BadFile(diagnostic.render(name, text, coloured))
 }

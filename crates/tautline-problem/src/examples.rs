@@ -44,4 +44,5 @@ pub const EXAMPLES: &[Example] = examples! {
     "wrong_constants"
     "counterexample"
     "twelve_coordinates"
+    "sweep"
 };

@@ -41,6 +41,7 @@ mod reading;
 mod schema;
 mod sign;
 mod solve;
+mod sweep;
 mod tolerance;
 pub mod value;
 
@@ -58,6 +59,8 @@ pub use float::Float;
 pub use question::{Grid, LEAST_TOLERANCE, Question};
 pub use schema::{answer_schema, certified_schema, constants_schema, problem_schema};
 pub use schemars::Schema;
+pub use solve::Programs;
+pub use sweep::{Axis, Sweep, Values};
 pub use tautline::{
     LARGEST_N,
     certify::{Progress, Watch},

@@ -2,6 +2,7 @@
 
 // The type alone: from `core`, which has no clock.
 use core::time::Duration;
+use std::sync::Arc;
 
 use tautline::{Constants, Formula, LARGEST_N};
 
@@ -37,8 +38,8 @@ pub enum Grid {
 #[derive(Clone, Debug)]
 pub struct Question {
     /// The text of the file.
-    pub(crate) file: String,
-    pub(crate) problem: ProblemFile,
+    pub(crate) file: Arc<str>,
+    pub(crate) problem: Arc<ProblemFile>,
     pub(crate) dimension: usize,
     pub(crate) parameters: Vec<(String, f64)>,
     /// The pieces of the two sets, if the file has them.
@@ -88,8 +89,19 @@ impl Question {
     ///
     /// [`Diagnostic`] with the place in the file.
     pub fn read(file: &str) -> Result<Self, Diagnostic> {
-        let problem = parse(file)?;
-        let numbers = Numbers::new(file, &problem)?;
+        let question = Self::evaluated(file.into(), Arc::new(parse(file)?), &[])?;
+        // A wrong section is an error even where it has no effect.
+        question.sweep()?;
+        Ok(question)
+    }
+
+    /// Evaluates a file, with other values of some of its parameters.
+    pub(crate) fn evaluated(
+        file: Arc<str>,
+        problem: Arc<ProblemFile>,
+        replaced: &[(&str, f64)],
+    ) -> Result<Self, Diagnostic> {
+        let numbers = Numbers::new(&file, &problem, replaced)?;
         let dimension = dimension(&problem)?;
         let ends = match (&problem.from, &problem.to) {
             (Some(from), Some(to)) => Some([
@@ -126,7 +138,6 @@ impl Question {
         let parameters = numbers.parameters;
         let Solve { grid, starts, steps, time_limit } = solve;
         let (rule, only_these_starts) = (problem.solve.rule, problem.solve.only_these_starts);
-        let file = file.to_owned();
         Ok(Self {
             file,
             problem,

@@ -1,10 +1,11 @@
 //! Solves the problem of a file.
 
-use core::ops::ControlFlow;
+use core::{any::Any, ops::ControlFlow};
+use std::sync::Arc;
 
 use tautline::{
     Curvature, Ends, Formula, Integral, LeftEndpoint, Metric, Minimum, Options, PointSequence,
-    Problem, Rule, SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
+    Prepared, Problem, Rule, SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
     certify::{Progress, Watch},
     distance,
 };
@@ -47,13 +48,73 @@ impl Question {
         watch: &dyn Watch,
         observe: &mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
     ) -> Result<Answer, Failure> {
-        let solve = Solve { question: self, solved, watch, observe };
+        let solve = Solve { question: self, programs: None, solved, watch, observe };
         in_dimension(self.dimension, solve).unwrap_or(Err(Failure::NotComputed(String::new())))
+    }
+
+    /// Solves the problem like [`solve`](Question::solve), on one thread, with programs of its metric
+    /// that other problems share. The answer is the same bit for bit.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`solve`](Question::solve).
+    pub fn solve_with(&self, programs: &Programs) -> Result<Answer, Failure> {
+        let solve = Solve {
+            question: self,
+            programs: Some(programs),
+            solved: &mut |_| (),
+            watch: &|_: Progress| true,
+            observe: &mut |_| ControlFlow::Continue(()),
+        };
+        in_dimension(self.dimension, solve).unwrap_or(Err(Failure::NotComputed(String::new())))
+    }
+
+    /// Returns the programs of the metric: those of `last` if the formula is the same, otherwise new
+    /// ones, which are derived on first use.
+    ///
+    /// # Errors
+    ///
+    /// [`Diagnostic`] with the place in the file, if an expression is wrong.
+    pub fn programs(&self, last: Option<&Programs>) -> Result<Programs, Diagnostic> {
+        let found = in_dimension(self.dimension, Derive { question: self, last });
+        found.unwrap_or_else(|| Err(Diagnostic::new("no such dimension", 0..0)))
+    }
+}
+
+/// The programs of a metric, which are derived once, and which problems with the same formula share.
+#[derive(Clone, Debug)]
+pub struct Programs(Arc<dyn Any + Send + Sync>);
+
+impl Programs {
+    /// Returns the metric with its programs, if it has `D` coordinates.
+    fn prepared<const D: usize>(&self) -> Option<Arc<Prepared<Formula<D>, D>>> {
+        Arc::clone(&self.0).downcast().ok()
+    }
+}
+
+struct Derive<'q> {
+    question: &'q Question,
+    last: Option<&'q Programs>,
+}
+
+impl InDimension for Derive<'_> {
+    type Output = Result<Programs, Diagnostic>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let formula = self.question.formula::<D>()?;
+        let is_same = |last: &&Programs| {
+            last.prepared::<D>().is_some_and(|prepared| *prepared.metric() == formula)
+        };
+        Ok(match self.last.filter(is_same) {
+            Some(last) => last.clone(),
+            None => Programs(Arc::new(Prepared::new(formula))),
+        })
     }
 }
 
 struct Solve<'q> {
     question: &'q Question,
+    programs: Option<&'q Programs>,
     solved: &'q mut dyn FnMut(&Answer),
     watch: &'q dyn Watch,
     observe: &'q mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
@@ -63,10 +124,16 @@ impl InDimension for Solve<'_> {
     type Output = Result<Answer, Failure>;
 
     fn run<const D: usize>(self) -> Self::Output {
-        let Self { question, solved, watch, observe } = self;
-        let formula = question.formula::<D>()?;
-        let problem = Problem::new(formula, question.pair::<D>()?);
-        let options = question.options::<D>()?;
+        let Self { question, programs, solved, watch, observe } = self;
+        let mut options = question.options::<D>()?;
+        let prepared = match programs.and_then(Programs::prepared::<D>) {
+            Some(prepared) => {
+                options.threads = 1;
+                prepared
+            }
+            None => Arc::new(Prepared::new(question.formula::<D>()?)),
+        };
+        let problem = Problem::with_prepared(prepared, question.pair::<D>()?);
         match question.rule {
             RuleName::Trapezoidal => {
                 let line = question.line(&problem, Trapezoidal, &options, solved)?;

@@ -4,7 +4,7 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 22] = [
+const BELOW: [(&str, &str); 23] = [
     ("drawing", ""),
     ("chance", ""),
     ("scalar", "chance"),
@@ -24,7 +24,8 @@ const BELOW: [(&str, &str); 22] = [
     ("portrait", "chance drawing tautline"),
     ("page", "drawing tautline"),
     ("problem", "chance portrait tautline"),
-    ("cli", "chance problem"),
+    ("sweep", "chance problem"),
+    ("cli", "chance problem sweep"),
     ("statements", "tautline"),
     ("kit", "tautline chance statements"),
     ("suite", "tautline chance statements"),

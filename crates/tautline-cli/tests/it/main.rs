@@ -2,6 +2,7 @@
 
 mod certificates;
 mod malformed;
+mod sweeps;
 mod verbs;
 
 use std::{

@@ -6,6 +6,7 @@ pub(crate) mod metric;
 pub(crate) mod placed;
 pub(crate) mod request;
 pub(crate) mod set;
+pub(crate) mod sweep;
 
 use std::collections::BTreeMap;
 
@@ -17,6 +18,7 @@ use metric::MetricFile;
 use placed::Placed;
 use request::{AuditFile, CertifyFile, OutputFile, SolveFile};
 use set::SetFile;
+use sweep::SweepFile;
 
 /// A problem: a metric, the two sets that a curve joins, and the options of each command.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -49,4 +51,6 @@ pub(crate) struct ProblemFile {
     /// What is shown.
     #[serde(default)]
     pub(crate) output: OutputFile,
+    /// Which parameters vary, for `tautline plan` and `tautline run`.
+    pub(crate) sweep: Option<Placed<SweepFile>>,
 }

@@ -12,6 +12,10 @@ use toml::Spanned;
 pub(crate) struct Placed<T>(Spanned<T>);
 
 impl<T> Placed<T> {
+    pub(crate) fn at(span: Range<usize>, value: T) -> Self {
+        Self(Spanned::new(span, value))
+    }
+
     pub(crate) fn get_ref(&self) -> &T {
         self.0.get_ref()
     }

@@ -24,12 +24,18 @@ pub(crate) struct Numbers<'f> {
 }
 
 impl<'f> Numbers<'f> {
-    pub(crate) fn new(file: &'f str, problem: &ProblemFile) -> Result<Self, Diagnostic> {
+    /// Evaluates the parameters of a file, some of them with other values in place of their own.
+    pub(crate) fn new(
+        file: &'f str,
+        problem: &ProblemFile,
+        replaced: &[(&str, f64)],
+    ) -> Result<Self, Diagnostic> {
         let mut numbers = Self { file, parameters: Vec::new() };
         let mut parameters: Vec<_> = problem.parameters.iter().collect();
         parameters.sort_by_key(|(name, _)| name.span().start);
         for (name, value) in parameters {
-            let value = numbers.number(value)?;
+            let other = replaced.iter().find(|(replaced, _)| replaced == name.get_ref());
+            let value = other.map_or_else(|| numbers.number(value), |&(_, value)| Ok(value))?;
             // The name is checked by using it.
             let with = [(name.get_ref().as_str(), value)];
             if let Err(error) = formula::number("0", &with) {

@@ -40,6 +40,10 @@ fn the_schema_refuses_what_the_reader_refuses() {
         ("[metric]", "dimension = -1\n[metric]"),
         ("[to]", "[solve]\nrule = \"simpson\"\n[to]"),
         ("[to]", "[solve]\nchords = 3\n[to]"),
+        ("[to]", "[sweep]\ndraw = 3\n[to]"),
+        ("[to]", "[parameters]\na = 1\n[sweep.vary]\na = true\n[to]"),
+        ("[to]", "[parameters]\na = 1\n[sweep.vary]\na = [[true]]\n[to]"),
+        ("[to]", "[parameters]\na = 1\n[sweep.vary]\na = { from = 0, to = 1, cuont = 2 }\n[to]"),
     ] {
         let bad = good.replace(from, to);
         assert!(!schema.is_valid(&json(&bad)), "{bad}");

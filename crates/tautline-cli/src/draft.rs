@@ -1,0 +1,149 @@
+//! `Draft`: a file that appears under its name once it is complete and on the disk.
+
+use std::{
+    ffi::OsString,
+    fs::{self, File, TryLockError},
+    io::{self, BufWriter, Write},
+    path::{Path, PathBuf},
+    process,
+    time::{SystemTime, UNIX_EPOCH},
+};
+
+use crate::error::CommandError;
+
+/// The end of the names of drafts.
+const DRAFT: &str = ".part";
+
+/// A file that is written under another name next to its own, and gets its own once it is complete and on
+/// the disk. A draft that is dropped is removed.
+#[derive(Debug)]
+pub(crate) struct Draft {
+    /// Both are there until the draft is finished.
+    file: Option<BufWriter<File>>,
+    path: PathBuf,
+    temporary: PathBuf,
+}
+
+impl Draft {
+    /// Begins a file, and removes drafts of it whose processes have ended.
+    pub(crate) fn of(path: &Path) -> Result<Self, CommandError> {
+        let failed = |error| CommandError::File { path: path.to_owned(), error };
+        remove_abandoned(path);
+        // Processes of several machines may write to one folder.
+        let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        let own = format!(".{}-{}{DRAFT}", process::id(), since.as_nanos());
+        let mut name = start_of_name(path);
+        name.push(own);
+        let temporary = path.with_file_name(name);
+        let file = File::create_new(&temporary).map_err(failed)?;
+        // The lock only says that the draft is in use. Where there are no locks, drafts of processes that
+        // were killed remain.
+        let _ = file.try_lock();
+        let (path, file) = (path.to_owned(), Some(BufWriter::new(file)));
+        Ok(Self { file, path, temporary })
+    }
+
+    /// Appends to the file.
+    pub(crate) fn write(&mut self, text: &str) -> Result<(), CommandError> {
+        let written = self.file.as_mut().map_or(Ok(()), |file| file.write_all(text.as_bytes()));
+        written.map_err(|error| CommandError::File { path: self.temporary.clone(), error })
+    }
+
+    /// Brings the file to the disk, and only then under its name.
+    pub(crate) fn finish(mut self) -> Result<(), CommandError> {
+        let done = (|| {
+            if let Some(file) = self.file.take() {
+                let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
+                file.sync_all()?;
+            }
+            fs::rename(&self.temporary, &self.path)?;
+            sync_folder(&self.path)
+        })();
+        done.map_err(|error| CommandError::File { path: self.path.clone(), error })
+    }
+}
+
+impl Drop for Draft {
+    fn drop(&mut self) {
+        // After it was renamed, there is none.
+        let _ = fs::remove_file(&self.temporary);
+    }
+}
+
+/// Returns how the names of the drafts of a file begin.
+fn start_of_name(path: &Path) -> OsString {
+    let mut name = OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name
+}
+
+/// Returns the folder of a file.
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."))
+}
+
+/// Brings the entry of a file in its folder to the disk, where folders can be opened.
+fn sync_folder(path: &Path) -> io::Result<()> {
+    if cfg!(unix) { File::open(folder(path))?.sync_all() } else { Ok(()) }
+}
+
+/// Removes drafts of a file that no process has locked any more. What cannot be removed remains.
+fn remove_abandoned(path: &Path) {
+    let start = start_of_name(path).to_string_lossy().into_owned() + ".";
+    for entry in fs::read_dir(folder(path)).into_iter().flatten().flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if !(name.starts_with(&start) && name.ends_with(DRAFT)) {
+            continue;
+        }
+        let Ok(file) = File::open(entry.path()) else { continue };
+        match file.try_lock() {
+            Ok(()) => {
+                let _ = fs::remove_file(entry.path());
+            }
+            Err(TryLockError::WouldBlock | TryLockError::Error(_)) => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::Draft;
+
+    #[test]
+    fn a_file_appears_when_it_is_complete() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.csv");
+        let count = || fs::read_dir(folder.path()).expect("a folder").count();
+        let mut draft = Draft::of(&path).expect("a draft");
+        draft.write("one\n").expect("written");
+        assert!(!path.exists() && count() == 1);
+        draft.finish().expect("renamed");
+        assert_eq!((fs::read_to_string(&path).expect("a file").as_str(), count()), ("one\n", 1));
+        // One that is given up leaves what was there.
+        let mut draft = Draft::of(&path).expect("a draft");
+        draft.write("two\n").expect("written");
+        drop(draft);
+        assert_eq!((fs::read_to_string(&path).expect("a file").as_str(), count()), ("one\n", 1));
+    }
+
+    /// A draft of a killed process has no lock.
+    #[test]
+    fn abandoned_drafts_are_removed_and_others_are_not() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (path, other) = (folder.path().join("a.csv"), folder.path().join("b.csv"));
+        let abandoned = [".a.csv.7-1.part", ".b.csv.7-1.part", ".a.csv.txt"];
+        abandoned.iter().for_each(|name| fs::write(folder.path().join(name), "").expect("written"));
+        let living = Draft::of(&path).expect("a draft");
+        let own = Draft::of(&path).expect("another draft");
+        assert!(living.temporary.exists() && own.temporary != living.temporary);
+        let remain = abandoned.map(|name| folder.path().join(name).exists());
+        assert_eq!(remain, [false, true, true]);
+        drop(Draft::of(&other).expect("a draft"));
+        assert!(!folder.path().join(abandoned[1]).exists());
+        // Both finish: the last one stays.
+        living.finish().expect("renamed");
+        own.finish().expect("renamed");
+    }
+}

@@ -1,0 +1,70 @@
+//! `PlanFile`: a plan in a file, or the sweep file from which it follows.
+
+use std::{
+    fs::File,
+    io::{self, BufRead, BufReader, Lines},
+    ops::Range,
+    path::Path,
+};
+
+use tautline_sweep::{Plan, PlanError, TableHead};
+
+use crate::{error::CommandError, problem::bad_file};
+
+/// A plan, and the rows of its table, if it is a table.
+pub(crate) struct PlanFile {
+    name: String,
+    pub(crate) plan: Plan,
+    rows: Option<Lines<BufReader<File>>>,
+    /// The id of the next row.
+    next: u64,
+}
+
+impl PlanFile {
+    /// Opens a table of problems, or a sweep file.
+    pub(crate) fn open(path: &Path) -> Result<Self, CommandError> {
+        let name = path.display().to_string();
+        let failed = |error| CommandError::File { path: path.to_owned(), error };
+        let explain = |error| explained(&name, error);
+        let mut lines = BufReader::new(File::open(path).map_err(failed)?).lines();
+        let (mut head, mut begin) = (TableHead::default(), String::new());
+        loop {
+            let line = lines.next().transpose().map_err(failed)?;
+            if begin.is_empty() && !line.as_deref().is_some_and(TableHead::begins) {
+                let file = io::read_to_string(File::open(path).map_err(failed)?).map_err(failed)?;
+                let plan = Plan::read(&file).map_err(explain)?;
+                return Ok(Self { name, plan, rows: None, next: 0 });
+            }
+            let line = line.unwrap_or_default();
+            if let Some(plan) = head.line(&line).map_err(explain)? {
+                return Ok(Self { name, plan, rows: Some(lines), next: 0 });
+            }
+            begin = line;
+        }
+    }
+
+    /// Compares rows of the table with those of the plan. Ids may only grow from one call to the next.
+    pub(crate) fn check(&mut self, ids: Range<u64>) -> Result<(), CommandError> {
+        let Some(rows) = &mut self.rows else { return Ok(()) };
+        let failed = |error| CommandError::File { path: self.name.clone().into(), error };
+        // After the last problem the table ends.
+        let last = if ids.end == self.plan.count() { Some(ids.end) } else { None };
+        for id in ids.chain(last) {
+            let skipped = usize::try_from(id - self.next).unwrap_or(usize::MAX);
+            let row = rows.nth(skipped).transpose().map_err(failed)?;
+            self.next = id + 1;
+            let checked = self.plan.check_line(id, row.as_deref());
+            checked.map_err(|error| explained(&self.name, error))?;
+        }
+        Ok(())
+    }
+}
+
+/// Returns an error of a plan, with the lines of the sweep file if it is wrong.
+pub(crate) fn explained(name: &str, error: PlanError) -> CommandError {
+    match error {
+        PlanError::File { diagnostic, file } => bad_file(name, &file, &diagnostic),
+        error @ PlanError::Threads { .. } => CommandError::NotDone(error.to_string()),
+        error => CommandError::BadArgument(format!("{name}: {error}")),
+    }
+}

@@ -1,0 +1,100 @@
+//! The row of a problem in the results: only what does not depend on the machine, on threads or time.
+
+use tautline_problem::{Answer, Diagnostic, Failure};
+
+/// The columns after the id and the parameters.
+pub(crate) const COLUMNS: [&str; 12] = [
+    "length",
+    "length_error",
+    "extrapolated",
+    "extrapolated_error",
+    "chords",
+    "stop",
+    "hessian",
+    "residual",
+    "newton_steps",
+    "other_minima",
+    "status",
+    "reason",
+];
+
+/// What became of a problem.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Status {
+    /// The search converged to a strict minimum, and the chords resolve the metric.
+    Solved,
+    /// There is a curve, but the search or the grid is not good enough.
+    Doubtful,
+    /// There is no curve.
+    Failed,
+}
+
+impl Status {
+    fn name(self) -> &'static str {
+        match self {
+            Status::Solved => "solved",
+            Status::Doubtful => "doubtful",
+            Status::Failed => "failed",
+        }
+    }
+}
+
+/// Returns the fields of a problem, and what became of it.
+pub(crate) fn fields(answer: &Result<Answer, Failure>) -> ([String; COLUMNS.len()], Status) {
+    let mut fields = [(); COLUMNS.len()].map(|()| String::new());
+    let mut set = |column: &str, value: String| {
+        if let Some(index) = COLUMNS.iter().position(|name| *name == column) {
+            fields[index] = value;
+        }
+    };
+    // Each number is the shortest decimal that is read as this number.
+    let number = |value: f64| format!("{value:?}");
+    let (status, reason) = match answer {
+        Ok(answer) => {
+            set("length", number(answer.length.value));
+            set("length_error", number(answer.length.error));
+            if let Some(extrapolated) = &answer.extrapolated {
+                set("extrapolated", number(extrapolated.value));
+                set("extrapolated_error", number(extrapolated.error));
+            }
+            set("chords", answer.n.to_string());
+            set("stop", answer.search.stop.to_owned());
+            set("hessian", answer.search.hessian.clone());
+            set("residual", number(answer.search.residual));
+            set("newton_steps", answer.search.newton_steps.to_string());
+            set("other_minima", answer.other_minima.len().to_string());
+            match doubt(answer) {
+                Some(reason) => (Status::Doubtful, reason.to_owned()),
+                None => (Status::Solved, String::new()),
+            }
+        }
+        Err(Failure::BadInput(diagnostic)) => (Status::Failed, in_words(diagnostic)),
+        Err(Failure::NotComputed(reason)) => (Status::Failed, reason.clone()),
+    };
+    set("status", status.name().to_owned());
+    // A row is a line.
+    set("reason", reason.split_whitespace().collect::<Vec<_>>().join(" "));
+    (fields, status)
+}
+
+/// Returns why a curve may not be what was asked for.
+fn doubt(answer: &Answer) -> Option<&'static str> {
+    if !answer.search.converged {
+        Some("the search did not end at a strict minimum")
+    } else if answer.other_minima.iter().any(|other| other.is_shorter_than(answer)) {
+        Some("another minimum is shorter")
+    } else if !answer.resolved {
+        Some("too few chords for the metric")
+    } else if answer.within_tolerance == Some(false) {
+        Some("the tolerance is not reached")
+    } else {
+        None
+    }
+}
+
+fn in_words(diagnostic: &Diagnostic) -> String {
+    match &diagnostic.help {
+        Some(help) => format!("{diagnostic}; {help}"),
+        None => diagnostic.to_string(),
+    }
+}
