@@ -94,7 +94,7 @@ class Sweeps(unittest.TestCase):
         curve = tl.solve(hill, [-2, self.plan.rows(7, 8)[0, 1]], [2, 0], n=16)
         self.assertEqual(table["length"][7], curve.length.value)
         self.assertEqual(table["status"][[7, 12]].tolist(), ["solved", "failed"])
-        self.assertTrue(math.isnan(table["length"][12]) and "positive definite" in table["reason"][12])
+        self.assertTrue(math.isnan(table["length"][12]) and "positive" in table["reason"][12])
 
     def test_batches_have_the_rows_of_their_ids(self):
         ids = np.array([3, 4, 9, 0])

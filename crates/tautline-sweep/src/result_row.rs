@@ -1,4 +1,4 @@
-//! The row of a problem in the results: only what does not depend on the machine, on threads or time.
+//! The row of a problem in the results: nothing that depends on threads, on shards or on time.
 
 use tautline_problem::{Answer, Diagnostic, Failure};
 
@@ -96,5 +96,22 @@ fn in_words(diagnostic: &Diagnostic) -> String {
     match &diagnostic.help {
         Some(help) => format!("{diagnostic}; {help}"),
         None => diagnostic.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_problem::Failure;
+
+    use super::{COLUMNS, Status, fields};
+
+    #[test]
+    fn a_reason_is_one_line() {
+        let (fields, status) = fields(&Err(Failure::NotComputed("no curve:\r\n  why".to_owned())));
+        assert_eq!((COLUMNS[11], fields[11].as_str()), ("reason", "no curve: why"));
+        assert_eq!(
+            (status, fields[10].as_str(), fields[0].as_str()),
+            (Status::Failed, "failed", "")
+        );
     }
 }

@@ -47,6 +47,8 @@ fn random_values_are_those_of_the_id_and_the_seed() {
         assert!((-3.0..=-2.0).contains(&x) && (0.0..=1.0).contains(&y), "{x} {y}");
         assert!(seen.insert(x.to_bits()) && seen.insert(y.to_bits()), "{id} repeats a number");
         assert_ne!(drawn.row(id)[1], other.row(id)[1]);
+        // The axes are unrelated: the same draw on both would give y = x + 3 up to rounding.
+        assert!((y - x - 3.0).abs() > 1e-9, "{x} {y}");
     }
     assert_eq!(drawn.row(123), plan(sweep).row(123));
 }
