@@ -163,7 +163,7 @@ pub(crate) struct Plot {
     pub(crate) no_curve: bool,
 }
 
-/// Writes the table of problems of a sweep: a problem file with a section [sweep].
+/// Writes the table of problems of a sweep: of a problem file that says which parameters vary.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:

@@ -26,11 +26,10 @@
 //! assert_eq!((plan.count(), plan.row(7)), (10, vec![1.0, 0.0]));
 //!
 //! let runner = Runner::new(&plan, 1)?;
-//! let shard = |k| runner.solved(Shard::new(k, 2)?.ids(plan.count()));
-//! let (first, second) = (shard(1)?, shard(2)?);
-//! let blocks = [&second, &first].map(|text| Block::read(text));
-//! let [second, first] = blocks;
-//! assert_eq!(merged(&[second?, first?])?, runner.solved(0..10)?);
+//! let first = runner.solved(Shard::new(1, 2)?.ids(plan.count()))?;
+//! let second = runner.solved(Shard::new(2, 2)?.ids(plan.count()))?;
+//! let blocks = [Block::read(&second)?, Block::read(&first)?];
+//! assert_eq!(merged(&blocks)?, runner.solved(0..10)?);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
