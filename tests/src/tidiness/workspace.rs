@@ -8,6 +8,7 @@ const BELOW: [(&str, &str); 23] = [
     ("drawing", ""),
     ("chance", ""),
     ("scalar", "chance"),
+    ("spline", "chance scalar"),
     ("metrics", "chance scalar"),
     ("formula", "chance metrics scalar"),
     ("sets", "chance scalar"),
