@@ -10,8 +10,8 @@ pub(crate) struct Stencil {
     values: [f64; 64],
     /// How many there are along each axis.
     counts: [usize; 3],
-    /// A bound on the distance of each value from the exact difference.
-    error: f64,
+    /// Bounds on the distance of each value from the exact difference.
+    errors: [f64; 64],
 }
 
 impl Stencil {
@@ -29,7 +29,7 @@ impl Stencil {
         let [x, y, z] = std::array::from_fn(|axis| {
             clamped(start[axis], taken[axis], spline.lengths[axis], strides[axis])
         });
-        let mut stencil = Self { values: [0.0; 64], counts: taken, error: 0.0 };
+        let mut stencil = Self { values: [0.0; 64], counts: taken, errors: [0.0; 64] };
         for i in 0..taken[0] {
             for j in 0..taken[1] {
                 for k in 0..taken[2] {
@@ -47,34 +47,34 @@ impl Stencil {
 
     /// Replaces the values by their differences along one axis.
     ///
-    /// A difference of values that are wrong by `e` is wrong by `2e`, and by its own rounding, which
-    /// Knuth's TwoSum finds exactly. So differences of integers, and of other numbers with few
-    /// digits, have no error at all. The error is rounded up: its sum has a relative error of at
-    /// most `u`, the product another one, and if it is subnormal the sum is exact.
+    /// The error of a difference is at most the sum of the errors of both values, and its own
+    /// rounding, which Knuth's TwoSum finds exactly. So differences of integers, and of other
+    /// numbers with few digits, have no error at all. The sum is rounded up: its relative error is
+    /// less than `3u`, and that of the product `u`; if it is subnormal, it is exact.
     fn difference(&mut self, axis: usize) {
         let stride = STRIDES[axis];
         self.counts[axis] -= 1;
-        let mut rounding = 0.0_f64;
-        let values = &mut self.values;
+        let (values, errors) = (&mut self.values, &mut self.errors);
         each(self.counts, |at| {
             let (a, b) = (values[at + stride], -values[at]);
             let s = a + b;
             let from_b = s - a;
             let from_a = s - from_b;
-            rounding = rounding.max(((a - from_a) + (b - from_b)).abs());
+            let rounding = ((a - from_a) + (b - from_b)).abs();
             values[at] = s;
+            errors[at] = (errors[at] + errors[at + stride] + rounding) * (1.0 + 4.0 * f64::EPSILON);
         });
-        self.error = (2.0 * self.error + rounding) * (1.0 + 4.0 * f64::EPSILON);
     }
 
     /// Returns bounds on all exact differences.
     pub(crate) fn hull(&self) -> (f64, f64) {
-        let (lo, hi) = self.extremes();
-        if self.error == 0.0 {
-            (lo, hi)
-        } else {
-            ((lo - self.error).next_down(), (hi + self.error).next_up())
-        }
+        let (mut lo, mut hi) = (f64::INFINITY, f64::NEG_INFINITY);
+        each(self.counts, |at| {
+            let (value, error) = (self.values[at], self.errors[at]);
+            lo = lo.min(if error == 0.0 { value } else { (value - error).next_down() });
+            hi = hi.max(if error == 0.0 { value } else { (value + error).next_up() });
+        });
+        (lo, hi)
     }
 
     fn extremes(&self) -> (f64, f64) {
@@ -128,13 +128,15 @@ impl Stencil {
         let hull = self.hull();
         let (lo, hi) = self.extremes();
         let largest = hi.max(-lo);
+        let mut error = 0.0_f64;
+        each(self.counts, |at| error = error.max(self.errors[at]));
         let mut scale = 1.0;
         for axis in (3 - axes..3).rev() {
             self.combine(axis, weights[axis]);
             scale *= basis::FACTORIAL[degrees[axis]];
         }
         let relative = (12 * axes + 2) as f64 * UNIT;
-        let radius = (self.error + relative * largest) * (1.0 + 4.0 * f64::EPSILON) + TINY;
+        let radius = (error + relative * largest) * (1.0 + 4.0 * f64::EPSILON) + TINY;
         let (lo, hi) = self.extremes();
         // Combinations also lie in the hull of the differences, which is exact where these are.
         let lo = (lo / scale - radius).next_down().max(hull.0);

@@ -1,0 +1,13 @@
+//! Splines, compared with exact arithmetic, with brute force, and with what their documentation
+//! says.
+
+mod border;
+mod derivatives;
+mod enclosures;
+mod exact;
+mod interpolation;
+mod pyramids;
+mod sampled;
+mod shapes;
+mod smoothing;
+mod tightness;
