@@ -65,8 +65,27 @@ fn times<const E: usize>(n: usize, orders: &[[u8; 3]]) {
     });
 }
 
+/// In a bowl, the extremes of a window are at its border, so that a search of the pyramid must look
+/// at most blocks there.
+fn bowl(n: usize) {
+    let numbers = (0..n * n).map(|k| {
+        let [x, y] = [k / n, k % n].map(|k| (2 * k) as f64 / n as f64 - 1.0);
+        x * x + y * y
+    });
+    let spline = Spline::new(&[n, n], numbers.collect()).expect("finite");
+    println!("\na bowl");
+    let mut random = Random(2);
+    for width in [0.1 * n as f64, 0.5 * n as f64] {
+        let boxes = boxes::<2>(n, width, &mut random);
+        time(&format!("  enclosure over a box of width {width}"), 20_000, |k| {
+            black_box(spline.enclosure(&boxes[k % 1000], [0; 3]));
+        });
+    }
+}
+
 fn main() {
     times::<1>(512, &[[0; 3], [2, 0, 0]]);
     times::<2>(512, &[[0; 3], [1, 0, 0], [0, 1, 0], [2, 0, 0], [1, 1, 0], [0, 2, 0], [0, 3, 0]]);
+    bowl(512);
     times::<3>(64, &[[0; 3], [1, 1, 0]]);
 }

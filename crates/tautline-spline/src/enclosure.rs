@@ -80,8 +80,8 @@ impl Spline {
     ///
     /// Over a box of at most 16 cells the result is the range of the Bernstein coefficients on the
     /// part of each cell. If the box shrinks, it exceeds the true range by a multiple of the square
-    /// of the width. At a point it is wide by at most `2⁻⁴⁷` of the largest coefficient that meets
-    /// the cell (or of the largest of their differences), and by the rounding of the differences.
+    /// of the width. At a point it is wide by at most `2⁻⁴⁶` of the largest difference of these orders
+    /// that meets the cell, and twice the rounding of these differences.
     ///
     /// Over more cells the result is the range of the coefficients that meet them, or of their
     /// differences. A search of a pyramid finds it, without a look at most of them.
@@ -115,9 +115,8 @@ impl Spline {
     /// Returns bounds on the partial derivative of these orders over all of space: the range of the
     /// coefficients, or of their differences.
     ///
-    /// Bounds on the value are exact if they are attained, and otherwise too wide by what cubic
-    /// B-splines smooth: a single coefficient 1 among zeros has the range `[0, 1]`, but with `E`
-    /// axes the largest value is `(2/3)ᴱ`.
+    /// The spline smooths its coefficients, so the result is wider than the true range: with `E` axes
+    /// a single coefficient 1 among zeros has the range `[0, 1]`, but the largest value is `(2/3)ᴱ`.
     #[must_use]
     pub fn range<K: Kernel>(&self, orders: [u8; 3]) -> Enclosure<K> {
         enclosing(self.inner_orders(orders).map_or((0.0, 0.0), |orders| self.pyramid(orders).all()))

@@ -13,8 +13,8 @@ impl Spline {
     /// nearest coefficient is repeated, so it is `(5 c₀ + c₁) / 6` at the first node, and likewise
     /// at the last. That is also what the mirror images of the samples at `−1/2` and `n − 1/2` would
     /// give. So between the first and the last node, the spline is the one through the samples and
-    /// their mirror images, without end. A border changes the coefficient that is `k` nodes away by
-    /// a factor `(2 − √3)ᵏ = 0.268ᵏ` less than the one at the border.
+    /// their mirror images, without end. What the border changes falls by `2 − √3 = 0.268` from one
+    /// coefficient to the next.
     ///
     /// # Overshoot
     ///

@@ -22,7 +22,7 @@ const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
 ///
 /// The coefficients, 8 bytes each. The first enclosure over many cells adds, for its orders, a
 /// pyramid of about 1.4 bytes per coefficient with two axes (6 with one, 0.3 with three). A picture
-/// of 512 × 512 takes 2.1 MB, and with the six pyramids of value, gradient and Hessian 4.3 MB.
+/// of 512 × 512 takes 2.1 MB, and with the six pyramids of value, gradient and Hessian 4.2 MB.
 /// [`memory`](Self::memory) tells. Clones copy everything, so share a spline through an `Arc`.
 ///
 /// # Equality

@@ -72,9 +72,9 @@ fn enclosures_beyond_the_border_are_exact() {
             let mut at = 0;
             let mut sides = Vec::new();
             for &n in spline.shape() {
-                let (below, end) = (random.bits() % 2 == 0, n as f64);
+                let (below, end) = (random.bits().is_multiple_of(2), n as f64);
                 at = at * n + if below { 0 } else { n - 1 };
-                sides.push(match (below, random.bits() % 2 == 0) {
+                sides.push(match (below, random.bits().is_multiple_of(2)) {
                     (true, true) => interval(-INFINITY, -1.0),
                     (true, false) => interval(-1.75, -1.25),
                     (false, true) => interval(end, INFINITY),

@@ -108,7 +108,7 @@ fn mirror_images_beyond_the_border_change_nothing_inside() -> Result<(), SplineE
 #[test]
 fn the_worst_overshoot_between_nodes_is_1_549() -> Result<(), SplineError> {
     let worst = (1.0 + 3.0 * 3.0_f64.sqrt()) / 4.0;
-    let sign = |k: usize| if k % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
     let line: Vec<f64> = (0..80).map(|k| if k < 40 { sign(k + 1) } else { sign(k) }).collect();
     let spline = Spline::interpolating(&[80], line.clone())?;
     let value = spline.value(&[39.5], [0; 3]);

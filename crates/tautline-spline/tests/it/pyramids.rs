@@ -143,7 +143,7 @@ fn the_range_over_all_of_space_is_that_of_all_differences() {
 
 /// The documented sizes, in megabytes.
 #[test]
-fn a_picture_takes_2_1_megabytes_and_4_3_with_six_pyramids() {
+fn a_picture_takes_2_1_megabytes_and_4_2_with_six_pyramids() {
     let picture = Spline::new(&[512, 512], vec![1.0; 512 * 512]).expect("finite");
     let megabytes = |spline: &Spline| (spline.memory() as f64 / 1e5).round() / 10.0;
     assert_eq!(megabytes(&picture), 2.1);

@@ -96,3 +96,9 @@ fn the_fingerprint_is_the_same_everywhere() {
     let spline = Spline::new(&[2, 2], vec![1.0, -2.0, 0.5, 4.0]).expect("finite");
     assert_eq!(format!("{spline:?}"), "Spline([2, 2], cd981ab65a5f116b)");
 }
+
+#[test]
+fn threads_can_share_a_spline() {
+    fn shared<T: Send + Sync>(_: &T) {}
+    shared(&Spline::new(&[1], vec![1.0]).expect("finite"));
+}

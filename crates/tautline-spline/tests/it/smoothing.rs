@@ -55,7 +55,7 @@ fn monotone_samples_give_a_monotone_function() {
         let n = 2 + (random.bits() % 9) as usize;
         let mut sum = random.between(-1.0, 1.0);
         let steps = |_| {
-            sum += if random.bits() % 3 == 0 { 0.0 } else { random.with_exponent(-20, 2) };
+            sum += if random.bits().is_multiple_of(3) { 0.0 } else { random.with_exponent(-20, 2) };
             sum
         };
         let samples: Vec<f64> = (0..n).map(steps).collect();
@@ -78,8 +78,9 @@ fn values_lie_between_the_nearest_samples() {
     let mut random = Random(seed(8304));
     for _ in 0..cases(300) {
         let n = 9;
-        let samples: Vec<f64> =
-            (0..n * n).map(|_| if random.bits() % 2 == 0 { 0.0 } else { random.unit() }).collect();
+        let samples: Vec<f64> = (0..n * n)
+            .map(|_| if random.bits().is_multiple_of(2) { 0.0 } else { random.unit() })
+            .collect();
         let spline = Spline::new(&[n, n], samples).expect("finite");
         let (i, j) = ((random.bits() % 6) as usize + 1, (random.bits() % 6) as usize + 1);
         let near = (i - 1..=i + 2).flat_map(|i| (j - 1..=j + 2).map(move |j| (i, j)));
