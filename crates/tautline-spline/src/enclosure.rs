@@ -43,8 +43,7 @@ impl Side {
     /// Returns the weights of the Bernstein coefficients on the part of a cell that belongs to the
     /// interval, and how many there are. A single point has one, its value.
     fn bernstein(&self, cell: isize, degree: usize) -> ([[f64; 4]; 4], usize) {
-        let a = distance(cell, self.lo, f64::next_down);
-        let b = distance(cell, self.hi, f64::next_up);
+        let (a, b) = (distance(cell, self.lo), distance(cell, self.hi));
         let count = if a == b { 1 } else { degree + 1 };
         let point = |j: usize, q: usize| if q < j { b } else { a };
         let row = |j| blossom(degree, [point(j, 0), point(j, 1), point(j, 2)]);
@@ -56,15 +55,12 @@ impl Side {
     }
 }
 
-/// Returns `u − cell`, moved outward if it is not exact, and then to the nearest number in
-/// `[0, 1]`.
+/// Returns the number in `[0, 1]` that is nearest to `u − cell`, up to rounding by `2⁻⁵⁴`.
 ///
-/// For `0 ≤ u` in the cell it is exact, see [`Place`](crate::place::Place). If `u` is not in the
-/// cell, the result is 0 or 1, since rounding keeps the order.
-fn distance(cell: isize, u: f64, outward: impl Fn(f64) -> f64) -> f64 {
-    let t = u - cell as f64;
-    let t = if u < 0.0 && t + cell as f64 != u { outward(t) } else { t };
-    t.clamp(0.0, 1.0)
+/// It is exact in the cell of `u ≥ 0` and beyond, see [`Place`](crate::place::Place), and 0 or 1 if
+/// `u` is not in the cell, since rounding keeps the order. Only in the cell below 0 it is rounded.
+fn distance(cell: isize, u: f64) -> f64 {
+    (u - cell as f64).clamp(0.0, 1.0)
 }
 
 impl Spline {

@@ -110,13 +110,15 @@ impl Stencil {
     /// Let `m` be the largest value, `u = 2⁻⁵³`, and `w` the exact weights of one axis, which are
     /// not negative and have the sum 1, after the division by `p!`. The computed weights have a
     /// relative error of `7u` (see `basis`), and a combination of four adds `4u` of the sum of the
-    /// `w |x|`, which is at most `m`. That is `11u m` for each axis, and the division by all `p!` at
-    /// the end adds `u m`. With 12 for each axis, terms of higher order and the rounding of the
-    /// bound itself are covered. The weights' underflow, below `2⁻¹⁰⁷⁰ m`, is covered as well. If a
-    /// product of weight and value underflows, it is wrong by at most `2⁻¹⁰⁷⁵`. At most 4 products
-    /// in each of at most 3 combinations enter a result, which is then divided by what later weights
-    /// multiply it by: less than `2⁻¹⁰⁷⁰` together. The error of the differences passes through
-    /// unchanged, as the weights have the sum 1.
+    /// `w |x|`, which is at most `m`. In the cell below 0, `t` is rounded by `u/2`, and slopes are at
+    /// most `2m`. That is `12u m` for each axis, and the division by all `p!` at the end adds `u m`.
+    /// With 13 for each axis, terms of higher order and the rounding of the bound itself are covered.
+    /// So is the underflow of weights, below `2⁻¹⁰⁷⁰ m`.
+    ///
+    /// If a product of weight and value underflows, it is wrong by at most `2⁻¹⁰⁷⁵`. At most 4
+    /// products in each of at most 3 combinations enter a result, which is then divided by what
+    /// later weights multiply it by: less than `2⁻¹⁰⁷⁰` together. The error of the differences
+    /// passes through unchanged, as the exact weights have the sum 1.
     pub(crate) fn combinations(
         mut self,
         axes: usize,
@@ -135,7 +137,7 @@ impl Stencil {
             self.combine(axis, weights[axis]);
             scale *= basis::FACTORIAL[degrees[axis]];
         }
-        let relative = (12 * axes + 2) as f64 * UNIT;
+        let relative = (13 * axes + 2) as f64 * UNIT;
         let radius = (error + relative * largest) * (1.0 + 4.0 * f64::EPSILON) + TINY;
         let (lo, hi) = self.extremes();
         // Combinations also lie in the hull of the differences, which is exact where these are.

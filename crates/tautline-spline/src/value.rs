@@ -17,7 +17,7 @@ impl Spline {
     /// Returns NaN if a coordinate is NaN, or if there are not as many coordinates as axes.
     ///
     /// The rounding error is at most `2ᵃ⁻⁴⁷ m`, where `a` is the sum of the orders, and `m` the largest
-    /// of the `4^E` coefficients that meet the cell, in absolute value: each axis adds at most `11 u`,
+    /// of the `4^E` coefficients that meet the cell, in absolute value: each axis adds at most `12 u`,
     /// see the bound of enclosures in `stencil.rs`, and a difference doubles. Differences of equal
     /// coefficients are exactly 0.
     #[must_use]

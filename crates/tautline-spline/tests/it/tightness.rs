@@ -94,7 +94,7 @@ fn the_excess_over_one_cell_is_bounded_by_second_derivatives() {
     }
 }
 
-/// At a point, the bound on rounding is `(12 E + 2) u` on both sides, with `u = 2⁻⁵³`, and the ends
+/// At a point, the bound on rounding is `(13 E + 2) u` on both sides, with `u = 2⁻⁵³`, and the ends
 /// are moved by one double: less than `2⁻⁴⁶` times the largest coefficient. Differences of small
 /// integers are exact.
 #[test]
