@@ -46,6 +46,10 @@ fn times<const E: usize>(n: usize, orders: &[[u8; 3]]) {
     time("value, gradient and Hessian", 1_000_000, |k| {
         black_box(spline.expansion(&points[k % 1000]));
     });
+    let boxes_of_1_percent = boxes::<E>(n, 0.01, &mut random);
+    time("bounds on these over a box of width 0.01", 100_000, |k| {
+        black_box(spline.enclosures(&boxes_of_1_percent[k % 1000]));
+    });
     println!("{:52} {:10.2} MB", "memory", megabytes(&spline));
     for &order in orders {
         let start = Instant::now();

@@ -2,7 +2,7 @@
 
 use tautline_scalar::{Enclosure, Kernel};
 
-use crate::{Spline, basis::blossom, stencil::Stencil};
+use crate::{Expansion, Spline, basis::blossom, stencil::Stencil};
 
 /// An enclosure over at most so many cells takes each of them apart; over more it takes the range
 /// of the coefficients.
@@ -106,6 +106,25 @@ impl Spline {
             });
             self.pyramid(orders).range(self, from, to)
         })
+    }
+
+    /// Returns bounds on the value, the gradient and the Hessian over a box: for each of them the
+    /// result of [`enclosure`](Self::enclosure).
+    #[must_use]
+    pub fn enclosures<K: Kernel>(&self, u: &[Enclosure<K>]) -> Expansion<Enclosure<K>> {
+        let of = |axes: &[usize]| {
+            let mut orders = [0; 3];
+            axes.iter().for_each(|&axis| orders[axis] += 1);
+            self.enclosure(u, orders)
+        };
+        let mut hessian = [[Enclosure::UNDEFINED; 3]; 3];
+        for i in 0..3 {
+            for j in i..3 {
+                hessian[i][j] = of(&[i, j]);
+                hessian[j][i] = hessian[i][j];
+            }
+        }
+        Expansion { value: of(&[]), gradient: [0, 1, 2].map(|i| of(&[i])), hessian }
     }
 
     /// Returns bounds on the partial derivative of these orders over all of space: the range of the

@@ -6,17 +6,18 @@ use crate::{
     place::{Place, clamped},
 };
 
-/// The value of a spline at a point, with all derivatives of first and second order, in grid units.
+/// The value of a spline at a point, with all derivatives of first and second order, in grid units;
+/// or bounds on each of them.
 ///
 /// Entries of axes that the spline does not have are 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Expansion {
+pub struct Expansion<T = f64> {
     /// The value.
-    pub value: f64,
+    pub value: T,
     /// The gradient: the derivative along each axis.
-    pub gradient: [f64; 3],
+    pub gradient: [T; 3],
     /// The Hessian, which is symmetric.
-    pub hessian: [[f64; 3]; 3],
+    pub hessian: [[T; 3]; 3],
 }
 
 /// The weights of the cubic, of its first and of its second derivative.

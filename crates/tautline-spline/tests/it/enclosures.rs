@@ -174,3 +174,25 @@ fn enclosures_are_undefined_where_a_side_is() {
     let fast: FastInterval = spline.enclosure(&[unit.with_kernel(); 2], [1, 0, 0]);
     assert_eq!(fast.with_kernel(), spline.enclosure(&[unit; 2], [1, 0, 0]));
 }
+
+#[test]
+fn enclosures_of_an_expansion_are_those_of_its_parts() {
+    let mut random = Random(seed(8506));
+    for axes in 1..=3 {
+        let spline = spline(&shape(axes, 2, 7, &mut random), &mut random);
+        let sides: Vec<Interval> = spline.shape().iter().map(|&n| side(n, &mut random)).collect();
+        let all = spline.enclosures(&sides);
+        assert_eq!(all.value, spline.enclosure(&sides, [0; 3]));
+        for i in 0..3 {
+            let mut orders = [0; 3];
+            orders[i] = 1;
+            assert_eq!(all.gradient[i], spline.enclosure(&sides, orders));
+            for j in 0..3 {
+                let mut both = orders;
+                both[j] += 1;
+                assert_eq!(all.hessian[i][j], spline.enclosure(&sides, both));
+            }
+        }
+        assert!(spline.enclosures::<tautline_scalar::Rigorous>(&[]).hessian[0][0].is_undefined());
+    }
+}
