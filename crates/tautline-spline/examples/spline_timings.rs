@@ -8,16 +8,16 @@ use tautline_chance::Random;
 use tautline_scalar::Interval;
 use tautline_spline::Spline;
 
-/// Prints the mean time of `work` on numbers from 0 on, in nanoseconds.
-fn time(what: &str, count: usize, mut work: impl FnMut(usize)) {
-    for k in 0..count.div_ceil(10) {
-        work(k);
-    }
-    let start = Instant::now();
-    for k in 0..count {
-        work(k);
-    }
-    println!("{what:52} {:10.1} ns", start.elapsed().as_nanos() as f64 / count as f64);
+/// Prints the time of one call of `work`, in nanoseconds. The calls are in batches of a thousand, of
+/// which the fastest counts, so that other work of the machine does not.
+fn time(what: &str, mut work: impl FnMut(usize)) {
+    let batch = |_| {
+        let start = Instant::now();
+        (0..1000).for_each(&mut work);
+        start.elapsed().as_nanos() as f64 / 1000.0
+    };
+    let best = (0..50).map(batch).fold(f64::INFINITY, f64::min);
+    println!("{what:52} {best:10.1} ns");
 }
 
 fn megabytes(spline: &Spline) -> f64 {
@@ -40,14 +40,14 @@ fn times<const E: usize>(n: usize, orders: &[[u8; 3]]) {
     let spline = Spline::new(&[n; E], noise).expect("finite");
     let points: Vec<[f64; E]> =
         (0..1000).map(|_| [(); E].map(|()| random.between(0.0, n as f64 - 1.0))).collect();
-    time("value", 1_000_000, |k| {
+    time("value", |k| {
         black_box(spline.value(&points[k % 1000], [0; 3]));
     });
-    time("value, gradient and Hessian", 1_000_000, |k| {
+    time("value, gradient and Hessian", |k| {
         black_box(spline.expansion(&points[k % 1000]));
     });
     let boxes_of_1_percent = boxes::<E>(n, 0.01, &mut random);
-    time("bounds on these over a box of width 0.01", 100_000, |k| {
+    time("bounds on these over a box of width 0.01", |k| {
         black_box(spline.enclosures(&boxes_of_1_percent[k % 1000]));
     });
     println!("{:52} {:10.2} MB", "memory", megabytes(&spline));
@@ -58,13 +58,13 @@ fn times<const E: usize>(n: usize, orders: &[[u8; 3]]) {
         println!("orders {order:?}: pyramid in {built:.1} ms, memory {:.2} MB", megabytes(&spline));
         for width in [0.0, 0.01, 1.0, 0.1 * n as f64, 0.5 * n as f64] {
             let boxes = boxes::<E>(n, width, &mut random);
-            time(&format!("  enclosure over a box of width {width}"), 20_000, |k| {
+            time(&format!("  enclosure over a box of width {width}"), |k| {
                 black_box(spline.enclosure(&boxes[k % 1000], order));
             });
         }
     }
     let all = [Interval::REALS; E];
-    time("  enclosure over all of space", 20_000, |_| {
+    time("  enclosure over all of space", |_| {
         black_box(spline.enclosure(&all, [0; 3]));
     });
 }
@@ -81,7 +81,7 @@ fn bowl(n: usize) {
     let mut random = Random(2);
     for width in [0.1 * n as f64, 0.5 * n as f64] {
         let boxes = boxes::<2>(n, width, &mut random);
-        time(&format!("  enclosure over a box of width {width}"), 20_000, |k| {
+        time(&format!("  enclosure over a box of width {width}"), |k| {
             black_box(spline.enclosure(&boxes[k % 1000], [0; 3]));
         });
     }

@@ -62,6 +62,7 @@ fn the_excess_falls_with_the_square_of_the_width() {
             let at = |width: f64| excess(&spline, u.map(|u| u - width / 3.0), width, orders);
             let (wide, narrow) = (at(2.0_f64.powi(-3)), at(2.0_f64.powi(-9)));
             let order = (wide / narrow).log2() / 6.0;
+            println!("orders {orders:?}, near {u:?}: the excess is of order {order:.3}");
             assert!(order >= 1.9, "order {order} at {u:?}: {wide:e}, {narrow:e}");
         }
         assert!(found >= 3, "only {found} stationary points");
