@@ -22,7 +22,9 @@ fn raised(error: impl std::fmt::Display) -> PyErr {
 /// Returns an error of a plan, with the lines of the sweep file if it is wrong.
 fn explained(error: PlanError) -> PyErr {
     match error {
-        PlanError::File { diagnostic, file } => raised(diagnostic.render("the sweep file", &file, false)),
+        PlanError::File { diagnostic, file } => {
+            raised(diagnostic.render("the sweep file", &file, false))
+        }
         error => raised(error),
     }
 }

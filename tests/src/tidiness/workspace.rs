@@ -4,7 +4,7 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 23] = [
+const BELOW: [(&str, &str); 24] = [
     ("drawing", ""),
     ("chance", ""),
     ("scalar", "chance"),
