@@ -1,8 +1,12 @@
 //! Reading certificates. Everything that the format does not name is an error.
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 use tautline_formula::Formula;
+use tautline_scalar::Table;
 use tautline_sets::{AxisBox, Ball, HalfSpace, Point, Shape};
+use tautline_spline::Spline;
 
 use crate::{Certificate, CheckError, Cubes, Level, Place, Region};
 
@@ -46,6 +50,9 @@ impl AnyCertificate {
         }
     }
 }
+
+/// A table and the name by which the formula calls it.
+type Named = (String, Arc<dyn Table>);
 
 /// The lines of a file, and the one to be read next.
 struct Lines<'t> {
@@ -121,7 +128,8 @@ impl<'t> Lines<'t> {
 
     /// Reads what follows the dimension.
     fn certificate<const D: usize>(mut self) -> Result<Certificate<D>, CheckError> {
-        let formula = self.formula()?;
+        let tables = self.tables()?;
+        let formula = self.formula(&tables)?;
         let sets = [self.set("from")?, self.set("to")?];
         let hi = self.words("hi", "hi BITS", 1)?;
         let hi = self.doubles(&hi, "hi BITS")?[0];
@@ -149,8 +157,35 @@ impl<'t> Lines<'t> {
         Ok(Certificate { formula, sets, hi, region, curve, levels })
     }
 
+    /// Reads the tables that the formula calls.
+    fn tables(&mut self) -> Result<Vec<Named>, CheckError> {
+        let expected = "table with one to three lengths";
+        let mut tables: Vec<Named> = Vec::new();
+        while self.begins("table") {
+            let shape: Vec<&str> = self.next(expected)?.split(' ').skip(1).collect();
+            let shape: Vec<usize> =
+                shape.iter().map(|word| self.integer(word, expected)).collect::<Result<_, _>>()?;
+            let Some((&last, others)) = shape.split_last() else {
+                return Err(self.error(expected));
+            };
+            let rows = others.iter().try_fold(1_usize, |rows, &n| rows.checked_mul(n));
+            let rows = rows.ok_or_else(|| self.error(expected))?;
+            let at = self.at;
+            let mut numbers = Vec::new();
+            for _ in 0..rows {
+                numbers.extend(self.row("a row of a table", last)?);
+            }
+            let spline = Spline::new(&shape, numbers).map_err(|_| {
+                self.at = at;
+                self.error("a table with one to three lengths and finite numbers")
+            })?;
+            tables.push((format!("table{}", tables.len() + 1), Arc::new(spline)));
+        }
+        Ok(tables)
+    }
+
     /// Reads the formula, which has to be printed as the checker prints it.
-    fn formula<const D: usize>(&mut self) -> Result<Formula<D>, CheckError> {
+    fn formula<const D: usize>(&mut self, tables: &[Named]) -> Result<Formula<D>, CheckError> {
         let expected = "metric COUNT";
         let count = self.words("metric", expected, 1)?;
         let count: usize = self.integer(count[0], expected)?;
@@ -160,13 +195,16 @@ impl<'t> Lines<'t> {
             self.next(expected)?;
         }
         let lines = &self.text[first..self.at];
-        let formula = Formula::parse(&lines.join("\n"), &[]).ok();
+        let named: Vec<(&str, Arc<dyn Table>)> =
+            tables.iter().map(|(name, table)| (name.as_str(), Arc::clone(table))).collect();
+        let formula = Formula::parse_with(&lines.join("\n"), &[], &named).ok();
         let printed = formula.as_ref().map(ToString::to_string).unwrap_or_default();
         // Infinite numbers are printed as quotients.
         let is_line = |(line, printed): (&&str, &str)| *line == printed && !line.contains("/0)");
         let good = lines.iter().zip(printed.split('\n')).take_while(|&pair| is_line(pair)).count();
         let is_whole = good == count && printed.split('\n').count() == count;
-        formula.filter(|_| is_whole).ok_or_else(|| {
+        let calls_all = |formula: &Formula<D>| formula.tables().len() == tables.len();
+        formula.filter(|formula| is_whole && calls_all(formula)).ok_or_else(|| {
             self.at = first + good + 1;
             self.error(expected)
         })

@@ -1,8 +1,13 @@
 //! Certificates as text. The format is described in `FORMAT.md` of this crate.
 
-use std::fmt::{self, Display, Formatter};
+use std::{
+    any::Any,
+    fmt::{self, Display, Formatter},
+};
 
+use sha2::{Digest, Sha256};
 use tautline_sets::Shape;
+use tautline_spline::Spline;
 
 use crate::{Certificate, Level, Place, Region};
 
@@ -22,7 +27,7 @@ fn decimals(numbers: &[f64]) -> String {
 impl<const D: usize> Display for Certificate<D> {
     /// Writes the file that [`AnyCertificate::read`](crate::AnyCertificate::read) reads.
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.write_statement(f, bits)?;
+        self.write_statement(f, bits, write_table)?;
         if let Some(points) = &self.curve {
             writeln!(f, "curve {}", points.len())?;
             points.iter().try_for_each(|x| write_row(f, x.as_slice()))?;
@@ -34,10 +39,22 @@ impl<const D: usize> Display for Certificate<D> {
 
 impl<const D: usize> Certificate<D> {
     /// Writes what the certificate is about: the metric, the sets, `hi` and the region.
-    fn write_statement(&self, f: &mut impl fmt::Write, numbers: Written) -> fmt::Result {
+    fn write_statement<W: fmt::Write>(
+        &self,
+        f: &mut W,
+        numbers: Written,
+        table: impl Fn(&mut W, &Spline) -> fmt::Result,
+    ) -> fmt::Result {
         let formula = self.formula.to_string();
         writeln!(f, "tautline-distance 1")?;
         writeln!(f, "dimension {D}")?;
+        for known in self.formula.tables() {
+            match (&**known as &dyn Any).downcast_ref() {
+                Some(spline) => table(f, spline)?,
+                // No reader accepts it.
+                None => writeln!(f, "table unknown")?,
+            }
+        }
         writeln!(f, "metric {}", formula.lines().count())?;
         formula.lines().try_for_each(|line| writeln!(f, "{line}"))?;
         for (name, set) in ["from", "to"].into_iter().zip(&self.sets) {
@@ -53,14 +70,38 @@ impl<const D: usize> Certificate<D> {
     }
 
     /// Returns the first lines of the certificate, with decimals: the metric, the sets, `hi` and the
-    /// region. Two certificates with the same lines make statements about the same distance.
+    /// region. Of a table it has the shape and a SHA-256 of the numbers. Two certificates with the same lines make statements about the same distance.
     #[must_use]
     pub fn statement(&self) -> String {
         let mut text = String::new();
         // Writing to a string does not fail.
-        let _ = self.write_statement(&mut text, decimals);
+        let _ = self.write_statement(&mut text, decimals, write_hash);
         text
     }
+}
+
+/// Writes the shape of a table and its numbers, those along the last axis on a line.
+fn write_table(f: &mut impl fmt::Write, spline: &Spline) -> fmt::Result {
+    write_shape(f, spline)?;
+    writeln!(f)?;
+    let last = spline.shape().last().copied().unwrap_or(1);
+    let mut rows = spline.coefficients().chunks(last);
+    rows.try_for_each(|row| writeln!(f, "{}", bits(row).trim_start()))
+}
+
+/// Writes the shape of a table, and the SHA-256 of its numbers, 8 bytes each, the lowest first.
+fn write_hash(f: &mut impl fmt::Write, spline: &Spline) -> fmt::Result {
+    let mut hash = Sha256::new();
+    spline.coefficients().iter().for_each(|number| hash.update(number.to_bits().to_le_bytes()));
+    write_shape(f, spline)?;
+    f.write_str(" sha256 ")?;
+    hash.finalize().iter().try_for_each(|byte| write!(f, "{byte:02x}"))?;
+    writeln!(f)
+}
+
+fn write_shape(f: &mut impl fmt::Write, spline: &Spline) -> fmt::Result {
+    f.write_str("table")?;
+    spline.shape().iter().try_for_each(|length| write!(f, " {length}"))
 }
 
 fn write_piece<const D: usize>(

@@ -1,8 +1,10 @@
 //! `Formula`: the Gram matrix of a metric as a list of operations.
 
+use std::sync::Arc;
+
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
-use tautline_scalar::Scalar;
+use tautline_scalar::{Scalar, Table};
 
 use crate::{
     RecordError,
@@ -26,6 +28,7 @@ pub struct Formula<const D: usize> {
     operations: Vec<Operation>,
     /// The steps that are the entries of `H`, column by column.
     entries: Vec<Step>,
+    tables: Vec<Arc<dyn Table>>,
 }
 
 impl<const D: usize> Formula<D> {
@@ -49,18 +52,26 @@ impl<const D: usize> Formula<D> {
         if entries.iter().any(|&entry| entry as usize >= recording.operations.len()) {
             return Err(RecordError::Foreign);
         }
-        let (operations, entries) = without_idle(&recording.operations, &entries, D);
-        Ok(Self { operations, entries })
+        let (mut operations, entries) = without_idle(&recording.operations, &entries, D);
+        let tables = called(&mut operations, &recording.tables);
+        Ok(Self { operations, entries, tables })
     }
 
     pub(crate) fn tape(&self) -> Tape<'_> {
-        Tape { dimension: D, operations: &self.operations, entries: &self.entries }
+        let Self { operations, entries, tables } = self;
+        Tape { dimension: D, operations, entries, tables }
     }
 
     /// Returns the steps.
     #[must_use]
     pub fn operations(&self) -> &[Operation] {
         &self.operations
+    }
+
+    /// Returns the tables that steps refer to by their numbers, in the order of the first calls.
+    #[must_use]
+    pub fn tables(&self) -> &[Arc<dyn Table>] {
+        &self.tables
     }
 
     /// Returns the function of one number that the step at `place` computes, with its argument. One
@@ -90,6 +101,7 @@ pub(crate) struct Tape<'f> {
     pub(crate) operations: &'f [Operation],
     /// The steps of the entries, column by column.
     pub(crate) entries: &'f [Step],
+    pub(crate) tables: &'f [Arc<dyn Table>],
 }
 
 impl Tape<'_> {
@@ -117,6 +129,11 @@ impl Tape<'_> {
                 }
                 // A second step always comes after its first.
                 Operation::Second => second.unwrap_or_else(S::zero),
+                Operation::Table(call) => {
+                    let table = &self.tables[call.table as usize];
+                    let u = call.arguments.map(at);
+                    S::tabulated(table, call.orders, &u[..usize::from(call.axes)])
+                }
             };
             values.push(value);
         }
@@ -129,6 +146,22 @@ impl<const D: usize> Metric<D> for Formula<D> {
         let values = self.tape().values(x.as_slice());
         SMatrix::from_fn(|i, j| values[self.entries[j * D + i] as usize])
     }
+}
+
+/// Returns the tables that steps call, in the order of the first calls, and numbers them anew.
+fn called(operations: &mut [Operation], tables: &[Arc<dyn Table>]) -> Vec<Arc<dyn Table>> {
+    let mut order: Vec<u32> = Vec::new();
+    for operation in operations {
+        if let Operation::Table(call) = operation {
+            let known = order.iter().position(|&table| table == call.table);
+            let number = known.unwrap_or_else(|| {
+                order.push(call.table);
+                order.len() - 1
+            });
+            call.table = number as u32;
+        }
+    }
+    order.into_iter().map(|table| Arc::clone(&tables[table as usize])).collect()
 }
 
 /// Returns the coordinates and the steps that these entries need, in their order, and the entries

@@ -61,7 +61,7 @@ pub use any_metric::AnyMetric;
 pub use batch::{Batch, Batches, Inputs, Kind, Layout, Plain, Prepared};
 pub use black_box::{BlackBox, BlackBoxBatches, Values};
 pub use formula::Formula;
-pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step};
+pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step, Tabulation};
 pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use record_error::RecordError;
 pub use text::{AnyFormula, Form, Part, Problem, TextError, Written, WrittenError, number};

@@ -152,6 +152,33 @@ impl Pair {
     }
 }
 
+/// A partial derivative of a table, and the steps at which it is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Tabulation {
+    /// The number of the table among those of the formula.
+    pub table: u32,
+    /// The orders along the axes.
+    pub orders: [u8; 3],
+    /// The number of arguments, 1 to 3.
+    pub axes: u8,
+    /// The arguments; those beyond the last axis repeat the first.
+    pub arguments: [Step; 3],
+}
+
+impl Tabulation {
+    /// Returns the derivative along an axis.
+    pub(crate) fn along(mut self, axis: usize) -> Self {
+        self.orders[axis] = self.orders[axis].saturating_add(1);
+        self
+    }
+
+    /// Returns the arguments.
+    #[must_use]
+    pub fn arguments(&self) -> &[Step] {
+        &self.arguments[..usize::from(self.axes)]
+    }
+}
+
 /// One step: an operation exactly as the formula called it.
 ///
 /// `x + 2.0` and `x + S::constant(2.0)` are different steps, and so are `a + b` and `b + a`, since
@@ -174,19 +201,25 @@ pub enum Operation {
     First(Pair, Step),
     /// The second of the two functions of the previous step.
     Second,
+    /// A table at some arguments.
+    Table(Tabulation),
 }
 
 impl Operation {
     /// Returns the steps that the operation at `place` reads. The second of a pair reads the first.
-    pub(crate) fn reads(self, place: Step) -> [Option<Step>; 2] {
+    pub(crate) fn reads(self, place: Step) -> [Option<Step>; 3] {
         match self {
-            Operation::Coordinate(_) | Operation::Constant(_) => [None, None],
-            Operation::Binary(_, a, b) => [Some(a), Some(b)],
+            Operation::Coordinate(_) | Operation::Constant(_) => [None; 3],
+            Operation::Binary(_, a, b) => [Some(a), Some(b), None],
             Operation::WithNumber(_, a, _)
             | Operation::Powi(a, _)
             | Operation::Of(_, a)
-            | Operation::First(_, a) => [Some(a), None],
-            Operation::Second => [place.checked_sub(1), None],
+            | Operation::First(_, a) => [Some(a), None, None],
+            Operation::Second => [place.checked_sub(1), None, None],
+            Operation::Table(call) => {
+                let used = |axis: usize| call.arguments().get(axis).copied();
+                [used(0), used(1), used(2)]
+            }
         }
     }
 
@@ -199,6 +232,9 @@ impl Operation {
             Operation::Powi(a, n) => Operation::Powi(other(a), n),
             Operation::Of(function, a) => Operation::Of(function, other(a)),
             Operation::First(pair, a) => Operation::First(pair, other(a)),
+            Operation::Table(call) => {
+                Operation::Table(Tabulation { arguments: call.arguments.map(other), ..call })
+            }
         }
     }
 }

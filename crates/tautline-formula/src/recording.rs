@@ -4,20 +4,23 @@ use std::{
     cell::RefCell,
     collections::HashMap,
     ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+    sync::Arc,
 };
 
 use num_traits::{One, Zero};
-use tautline_scalar::Scalar;
+use tautline_scalar::{Scalar, Table};
 
 use crate::{
     LONGEST, RecordError,
-    operation::{Arithmetic, Function, Number, Operation, Pair, Step},
+    operation::{Arithmetic, Function, Number, Operation, Pair, Step, Tabulation},
 };
 
 /// A tape under construction. Identical steps are written only once. Nothing else is simplified.
 #[derive(Debug, Default)]
 pub(crate) struct Recording {
     pub(crate) operations: Vec<Operation>,
+    /// The tables, each once.
+    pub(crate) tables: Vec<Arc<dyn Table>>,
     known: HashMap<Operation, Step>,
     /// The first reason why the tape does not represent the formula, if there is one.
     pub(crate) failed: Option<RecordError>,
@@ -60,6 +63,25 @@ impl Recording {
             self.operations.push(Operation::Second);
         }
         step
+    }
+
+    /// Writes a table at some arguments.
+    fn tabulate(&mut self, table: &Arc<dyn Table>, orders: [u8; 3], u: &[Symbol]) -> Step {
+        if u.len() != table.axes() || !(1..=3).contains(&u.len()) {
+            return self.write(Operation::Constant(Number::of(f64::NAN)));
+        }
+        let known = self.tables.iter().position(|known| known == table);
+        let number = known.unwrap_or_else(|| {
+            self.tables.push(Arc::clone(table));
+            self.tables.len() - 1
+        });
+        let argument = |axis: usize| u.get(axis).unwrap_or(&u[0]).0;
+        self.write(Operation::Table(Tabulation {
+            table: number as u32,
+            orders,
+            axes: u.len() as u8,
+            arguments: [argument(0), argument(1), argument(2)],
+        }))
     }
 
     fn constant(&self, symbol: Symbol) -> Option<f64> {
@@ -133,6 +155,11 @@ fn with<T>(otherwise: T, write: impl FnOnce(&mut Recording) -> T) -> T {
 impl Symbol {
     fn write(operation: Operation) -> Self {
         Self(with(NOWHERE, |recording| recording.write(operation)))
+    }
+
+    /// Writes a table of this recording at some of its steps.
+    pub(crate) fn of_table(call: Tabulation) -> Self {
+        Self::write(Operation::Table(call))
     }
 
     fn of(self, function: Function) -> Self {
@@ -224,6 +251,10 @@ macro_rules! functions {
 impl Scalar for Symbol {
     fn constant(value: f64) -> Self {
         Self::write(Operation::Constant(Number::of(value)))
+    }
+
+    fn tabulated(table: &Arc<dyn Table>, orders: [u8; 3], u: &[Self]) -> Self {
+        Self(with(NOWHERE, |recording| recording.tabulate(table, orders, u)))
     }
 
     fn powi(self, n: i32) -> Self {

@@ -54,7 +54,7 @@ pub(crate) fn formula_of<const D: usize>(
     let whole = problem.metric.span();
     let coordinates: Vec<usize> = (1..=D).collect();
     let metric = texts.written(metric, &coordinates)?;
-    let formula = Formula::compose(&numbers.by_name(), &definitions, &metric);
+    let formula = Formula::compose(&numbers.by_name(), &[], &definitions, &metric);
     formula.map_err(|WrittenError { id, error }| {
         let span = texts.places.get(id).cloned().unwrap_or(whole);
         numbers.explain(&error, span, &defined)

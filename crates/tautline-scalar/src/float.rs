@@ -1,6 +1,8 @@
 //! `f64` as a [`Scalar`]: values only.
 
-use crate::Scalar;
+use std::sync::Arc;
+
+use crate::{Scalar, Table};
 
 macro_rules! inherent {
     ($($function:ident)*) => {$(
@@ -35,5 +37,9 @@ impl Scalar for f64 {
 
     fn sinh_cosh(self) -> (f64, f64) {
         (f64::sinh(self), f64::cosh(self))
+    }
+
+    fn tabulated(table: &Arc<dyn Table>, orders: [u8; 3], u: &[f64]) -> f64 {
+        if u.len() == table.axes() { table.value(u, orders) } else { f64::NAN }
     }
 }

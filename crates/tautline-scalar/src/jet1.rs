@@ -1,8 +1,11 @@
 //! `Jet1`: a value and its gradient in `D` variables.
 
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::{
+    ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+    sync::Arc,
+};
 
-use crate::{Scalar, operators::jet};
+use crate::{Scalar, Table, operators::jet, table::raised};
 
 /// A first-order Taylor expansion `v + Σ gᵢ dxᵢ` in `D` variables.
 ///
@@ -32,6 +35,9 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
             first: std::array::from_fn(|j| if i == j { T::one() } else { T::zero() }),
         })
     }
+
+    /// The order of the expansion.
+    const ORDER: usize = 1;
 
     #[inline]
     fn constant_part(value: T) -> Self {

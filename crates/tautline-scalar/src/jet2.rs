@@ -1,8 +1,11 @@
 //! `Jet2`: a value with its gradient and second derivatives in `D` variables.
 
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::{
+    ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+    sync::Arc,
+};
 
-use crate::{Scalar, operators::jet};
+use crate::{Scalar, Table, operators::jet, table::raised};
 
 /// A second-order Taylor expansion `v + Σ gᵢ dxᵢ + ½ Σ hᵢⱼ dxᵢ dxⱼ` in `D` variables.
 ///
@@ -54,6 +57,9 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
     pub fn second(&self, i: usize, j: usize) -> T {
         self.second[i.min(j)][i.max(j)]
     }
+
+    /// The order of the expansion.
+    const ORDER: usize = 2;
 
     #[inline]
     fn constant_part(value: T) -> Self {

@@ -84,6 +84,7 @@ mod operators;
 mod pair;
 mod scalar;
 mod short;
+mod table;
 
 pub use interval::{Enclosure, Fast, FastInterval, Interval, IntervalError, Kernel, Rigorous};
 pub use jet1::Jet1;
@@ -92,6 +93,7 @@ pub use lanes::Lanes;
 pub use pair::Pair;
 pub use scalar::Scalar;
 pub use short::Short;
+pub use table::Table;
 
 #[doc(hidden)]
 pub use num_traits;

@@ -209,6 +209,31 @@ macro_rules! jet {
                 let first = x.cosh().sqr().recip();
                 self.chain(t, first, -t * first * 2.0)
             }
+
+            /// Taylor's formula to second order, which is exact for jets.
+            fn tabulated(table: &Arc<dyn Table>, orders: [u8; 3], u: &[Self]) -> Self {
+                let mut at = [T::zero(); 3];
+                at.iter_mut().zip(u).for_each(|(at, u)| *at = u.value);
+                let at = &at[..u.len().min(3)];
+                let value = T::tabulated(table, orders, at);
+                let mut sum = Self::constant_part(value);
+                // What an argument adds to its value.
+                let step = |axis: usize| Self { value: T::zero(), ..u[axis] };
+                for axis in 0..at.len() {
+                    let slopes = raised(orders, axis);
+                    let slope = T::tabulated(table, slopes, at);
+                    sum += step(axis).map(|c| c * slope);
+                    if Self::ORDER < 2 {
+                        continue;
+                    }
+                    for other in axis..at.len() {
+                        let bend = T::tabulated(table, raised(slopes, other), at);
+                        let bend = if other == axis { bend * 0.5 } else { bend };
+                        sum += (step(axis) * step(other)).map(|c| c * bend);
+                    }
+                }
+                Self { value, ..sum }
+            }
         }
     };
     (

@@ -1,11 +1,14 @@
 //! `Pair`: two `f64` in one vector register.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::{
+    ops::{Add, Div, Mul, Neg, Sub},
+    sync::Arc,
+};
 
 use num_traits::One;
 use wide::f64x2;
 
-use crate::Scalar;
+use crate::{Scalar, Table};
 
 /// Two `f64` in one vector register, with which a formula is evaluated at two points at once.
 ///
@@ -137,6 +140,15 @@ impl Scalar for Pair {
     #[inline]
     fn sinh_cosh(self) -> (Self, Self) {
         (self.each(f64::sinh), self.each(f64::cosh))
+    }
+
+    fn tabulated(table: &Arc<dyn Table>, orders: [u8; 3], u: &[Self]) -> Self {
+        let lane = |lane: usize| {
+            let mut arguments = [0.0; 3];
+            arguments.iter_mut().zip(u).for_each(|(to, u)| *to = u.both()[lane]);
+            f64::tabulated(table, orders, &arguments[..u.len().min(3)])
+        };
+        Self::new(lane(0), lane(1))
     }
 }
 

@@ -3,11 +3,12 @@
 use std::{
     fmt::Debug,
     ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+    sync::Arc,
 };
 
 use num_traits::{One, Zero};
 
-use crate::f64_on_the_left::Beside;
+use crate::{Table, f64_on_the_left::Beside};
 
 /// A number in which a smooth formula can be evaluated.
 ///
@@ -120,6 +121,14 @@ pub trait Scalar:
     /// Returns `tanh x`.
     #[must_use]
     fn tanh(self) -> Self;
+
+    /// Returns the partial derivative of a table at the arguments `u`, one for each axis; `orders` are
+    /// its orders along the axes, all 0 for the value. NaN for a wrong number of arguments, and in a
+    /// number type that does not know tables.
+    #[must_use]
+    fn tabulated(_table: &Arc<dyn Table>, _orders: [u8; 3], _u: &[Self]) -> Self {
+        Self::constant(f64::NAN)
+    }
 
     /// Returns `sin x`, with `x` in radians.
     #[must_use]

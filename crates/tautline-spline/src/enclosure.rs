@@ -86,17 +86,24 @@ impl Spline {
         if u.len() != self.axes || u.iter().any(|side| side.is_undefined()) {
             return Enclosure::UNDEFINED;
         }
+        let mut sides = [(0.0, 0.0); 3];
+        sides.iter_mut().zip(u).for_each(|(side, u)| *side = (u.lo(), u.hi()));
+        enclosing(self.bounds_over(&sides[..u.len()], orders))
+    }
+
+    /// Returns bounds over a box, given the ends of its sides, as many as there are axes and none NaN.
+    pub(crate) fn bounds_over(&self, ends: &[(f64, f64)], orders: [u8; 3]) -> (f64, f64) {
         let Some(orders) = self.inner_orders(orders) else {
-            return enclosing((0.0, 0.0));
+            return (0.0, 0.0);
         };
         let first = 3 - self.axes;
         let sides: [Side; 3] = std::array::from_fn(|axis| {
-            let side = u.get(axis.wrapping_sub(first)).map_or((0.0, 0.0), |u| (u.lo(), u.hi()));
+            let side = ends.get(axis.wrapping_sub(first)).copied().unwrap_or((0.0, 0.0));
             Side::new(side, self.lengths[axis], orders[axis])
         });
         let cells =
             sides.iter().fold(1_usize, |product, side| product.saturating_mul(side.cells()));
-        enclosing(if cells <= CELLS {
+        if cells <= CELLS {
             self.over_cells(&sides, orders)
         } else {
             let from =
@@ -105,7 +112,7 @@ impl Spline {
                 if axis < first { 0 } else { sides[axis].last + 2 - orders[axis] as isize }
             });
             self.pyramid(orders).range(self, from, to)
-        })
+        }
     }
 
     /// Returns bounds on the value, the gradient and the Hessian over a box: for each of them the

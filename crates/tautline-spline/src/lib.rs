@@ -60,6 +60,7 @@ mod pyramid;
 mod spline;
 mod spline_error;
 mod stencil;
+mod table;
 mod value;
 
 pub use expansion::Expansion;

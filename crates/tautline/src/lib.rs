@@ -100,11 +100,12 @@ pub use tautline_optimizers::{
     Other, SolveError, Starts, Stop, Workspace, extrapolate, leading_constants, minimise,
     minimise_by_batches, minimise_in, newton_step,
 };
-pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short};
+pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table};
 pub use tautline_sets::{
     AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
     Shape, Sphere, Union,
 };
+pub use tautline_spline::{Spline, SplineError};
 
 pub use nalgebra::{SMatrix, SVector};
 

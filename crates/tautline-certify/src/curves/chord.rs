@@ -153,7 +153,10 @@ fn bound<K: Kernel>(
     middle: &Taylor<Enclosure<K>, 3>,
     all: &Taylor<Enclosure<K>, 5>,
 ) -> Enclosure<K> {
-    let taylor = middle.coefficient(0) + middle.coefficient(2) / 12.0 + all.coefficient(4) / 80.0;
+    let fourth = middle.coefficient(0) + middle.coefficient(2) / 12.0 + all.coefficient(4) / 80.0;
+    // Third derivatives of a table may jump; then a lower order serves.
+    let second = middle.coefficient(0) + all.coefficient(2) / 12.0;
+    let taylor = if fourth.is_undefined() { second } else { fourth };
     if taylor.is_undefined() {
         // A derivative may be undefined where the value is defined, as for the root of zero.
         return range;

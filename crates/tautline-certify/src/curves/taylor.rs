@@ -3,10 +3,13 @@
 #[cfg(test)]
 mod tests;
 
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::{
+    ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+    sync::Arc,
+};
 
 use num_traits::{One, Zero};
-use tautline_scalar::Scalar;
+use tautline_scalar::{Scalar, Table};
 
 /// The coefficients `aₖ = f⁽ᵏ⁾/k!`, `k < M`, of a function `f` of one variable.
 ///
@@ -202,6 +205,38 @@ impl<T: Scalar, const M: usize> One for Taylor<T, M> {
 impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
     fn constant(value: f64) -> Self {
         Self::constant_part(T::constant(value))
+    }
+
+    /// The sum of `∂^α F(u₀) Π (uₐ − uₐ₀)^αₐ / αₐ!` over all `|α| < M`. A term adds nothing to the
+    /// coefficients below `|α|`, which stay defined if this derivative has no bounds.
+    fn tabulated(table: &Arc<dyn Table>, orders: [u8; 3], u: &[Self]) -> Self {
+        let axes = u.len().min(3);
+        let (mut at, mut steps) = ([T::zero(); 3], [Self::zero(); 3]);
+        for axis in 0..axes {
+            (at[axis], steps[axis]) = (u[axis].0[0], u[axis]);
+            steps[axis].0[0] = T::zero();
+        }
+        let most = |axis: usize, left: usize| if axis < axes { left } else { 0 };
+        let mut sum = Self::zero();
+        let mut of_first = Self::one();
+        for a in 0..=most(0, M - 1) {
+            let mut of_both = of_first;
+            for b in 0..=most(1, M - 1 - a) {
+                let mut term = of_both;
+                for c in 0..=most(2, M - 1 - a - b) {
+                    let raised = [a, b, c].map(|more| more as u8);
+                    let orders = [0, 1, 2].map(|axis| orders[axis].saturating_add(raised[axis]));
+                    let derivative = T::tabulated(table, orders, &at[..axes]);
+                    for k in a + b + c..M {
+                        sum.0[k] += term.0[k] * derivative;
+                    }
+                    term = term * steps[2] / (c + 1) as f64;
+                }
+                of_both = of_both * steps[1] / (b + 1) as f64;
+            }
+            of_first = of_first * steps[0] / (a + 1) as f64;
+        }
+        sum
     }
 
     fn sqr(self) -> Self {

@@ -108,6 +108,10 @@ pub(super) fn steps<const D: usize, const N: usize>(
             Operation::Powi(a, 1) => at(a),
             Operation::Powi(a, n) => at(a).under(Dependence::bent, |constant| constant.powi(n)),
             Operation::Of(Function::Neg, a) => at(a).negative(),
+            Operation::Table(call) => {
+                let arguments = call.arguments().iter().map(|&argument| at(argument));
+                arguments.fold(Dependence::constant(0.0), Dependence::joined)
+            }
             Operation::Of(..) | Operation::First(..) | Operation::Second => {
                 let (function, a) = formula.function(place).expect("a second follows its first");
                 let bent = match function {

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use tautline_formula::{Arithmetic, Formula, Function, Operation};
+use tautline_formula::{Arithmetic, Formula, Function, Operation, Tabulation};
 
 /// Returns whether the formula shows that `H(x) = φ(x) I`, with zeros off the diagonal and the same
 /// expression in every diagonal entry. False proves nothing, since equal functions may be written
@@ -33,6 +33,7 @@ pub(crate) fn is_radial<const D: usize>(formula: &Formula<D>) -> bool {
             Node::Constant(_) => {}
             Node::Sum(a, b) | Node::Product(a, b) | Node::Quotient(a, b) => open.extend([a, b]),
             Node::Negative(a) | Node::Power(a, _) | Node::Of(_, a) => open.push(a),
+            Node::Table(call) => open.extend(call.arguments()),
         }
     }
     true
@@ -63,6 +64,8 @@ enum Node {
     Negative(Expression),
     Power(Expression, i32),
     Of(Function, Expression),
+    /// A table of the formula, with expressions as its arguments.
+    Table(Tabulation),
 }
 
 impl Expressions {
@@ -95,6 +98,10 @@ impl Expressions {
                 Operation::Powi(a, n) => self.power(at(a), n),
                 Operation::Of(Function::Neg, a) => self.negative(at(a)),
                 Operation::Of(Function::Sqr, a) => self.power(at(a), 2),
+                Operation::Table(call) => {
+                    let arguments = call.arguments.map(at);
+                    self.number(Node::Table(Tabulation { arguments, ..call }))
+                }
                 Operation::Of(..) | Operation::First(..) | Operation::Second => {
                     let (function, a) =
                         formula.function(place).expect("a second follows its first");

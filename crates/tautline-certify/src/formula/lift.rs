@@ -105,10 +105,16 @@ impl<const D: usize> Lift<D> {
             let function = formula.function(place);
             let read = match (self.roles[place], *operation) {
                 (Role::Linear(_), _) => continue,
-                (Role::Wall(Wall { numerator, z, .. }), _) => [numerator, Some(z)],
-                (_, Operation::Binary(_, a, b)) => [Some(a), Some(b)],
-                (_, Operation::WithNumber(_, a, _) | Operation::Powi(a, _)) => [Some(a), None],
-                _ => [function.map(|(_, a)| a), None],
+                (Role::Wall(Wall { numerator, z, .. }), _) => [numerator, Some(z), None],
+                (_, Operation::Binary(_, a, b)) => [Some(a), Some(b), None],
+                (_, Operation::WithNumber(_, a, _) | Operation::Powi(a, _)) => {
+                    [Some(a), None, None]
+                }
+                (_, Operation::Table(call)) => {
+                    let argument = |axis: usize| call.arguments().get(axis).copied();
+                    [argument(0), argument(1), argument(2)]
+                }
+                _ => [function.map(|(_, a)| a), None, None],
             };
             for step in read.into_iter().flatten() {
                 let Some((form, scale)) = self.form(&depends[step as usize], step)? else {
@@ -294,6 +300,11 @@ pub(crate) fn operate<S: Scalar, const D: usize>(
         Operation::Binary(how, a, b) => how.of(at(a), at(b)),
         Operation::WithNumber(how, a, c) => how.of(at(a), c.value()),
         Operation::Powi(a, n) => at(a).powi(n),
+        Operation::Table(call) => {
+            let table = &formula.tables()[call.table as usize];
+            let u = call.arguments.map(at);
+            S::tabulated(table, call.orders, &u[..call.arguments().len()])
+        }
         Operation::Of(..) | Operation::First(..) | Operation::Second => {
             let (function, a) = formula.function(place).expect("a second follows its first");
             function.of(at(a))

@@ -7,7 +7,7 @@ use crate::{
         Graph,
         derivatives::{By, Derivatives},
     },
-    operation::{Arithmetic, Function, Operation, Step, needed},
+    operation::{Arithmetic, Function, Operation, Step, Tabulation, needed},
 };
 
 /// The order up to which derivatives are wanted.
@@ -179,8 +179,33 @@ impl Graph {
                 let (slope, bend) = self.slopes(function, a, v);
                 self.chain(of(a), Some(slope), Some(bend), order)
             }
+            Operation::Table(call) => {
+                let of = call.arguments().iter().map(|&argument| of(argument));
+                self.table_rule(call, &of.collect::<Vec<_>>(), order)
+            }
             _ => none,
         }
+    }
+
+    /// For `v = T(u)`: `∂ₖv = Σₐ Tₐ ∂ₖuₐ`, and `∂ₖ∂ₗv = Σₐ Tₐ ∂ₖ∂ₗuₐ + Σₐᵦ Tₐᵦ ∂ₖuₐ ∂ₗuᵦ`.
+    fn table_rule(&mut self, call: Tabulation, of: &[&Derivatives], order: Order) -> Derivatives {
+        let mut all = Derivatives::default();
+        for (axis, of_axis) in of.iter().enumerate().filter(|(_, of)| !of.0.is_empty()) {
+            let (slope, bend) = (self.table(call.along(axis)), call.along(axis).along(axis));
+            let bend = (order == Order::Second).then(|| self.table(bend));
+            for (by, term) in self.chain(of_axis, Some(slope), bend, order).0 {
+                self.add_to(&mut all, by, term);
+            }
+            let others = of.iter().enumerate().skip(axis + 1);
+            for (other, of_other) in others.filter(|(_, of)| !of.0.is_empty()) {
+                if order == Order::Second {
+                    let bend = self.table(call.along(axis).along(other));
+                    let crossed = [*of_axis, *of_other];
+                    self.add_crossed(&mut all, crossed, |graph, term| graph.mul(term, bend));
+                }
+            }
+        }
+        all
     }
 
     fn map(&mut self, of: &Derivatives, f: impl Fn(&mut Self, Step) -> Step) -> Derivatives {

@@ -9,12 +9,14 @@ mod recorded;
 mod slopes;
 mod squares;
 
-use std::collections::HashMap;
+use std::{collections::HashMap, sync::Arc};
+
+use tautline_scalar::Table;
 
 pub(crate) use contraction::{Contracted, Sums, contract};
 pub(crate) use derivative::Order;
 
-use crate::operation::{Arithmetic, Function, Number, Operation, Step};
+use crate::operation::{Arithmetic, Function, Number, Operation, Step, Tabulation};
 
 /// Which identities are used to simplify expressions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +35,8 @@ pub(crate) enum Identities {
 /// those of the point, followed by those of the chord.
 #[derive(Debug)]
 pub(crate) struct Graph {
+    /// The tables of the formula.
+    tables: Vec<Arc<dyn Table>>,
     operations: Vec<Operation>,
     known: HashMap<Operation, Step>,
     identities: Identities,
@@ -51,6 +55,15 @@ impl Graph {
 
     pub(crate) fn operation(&self, step: Step) -> Operation {
         self.operations[step as usize]
+    }
+
+    pub(crate) fn tables(&self) -> &[Arc<dyn Table>] {
+        &self.tables
+    }
+
+    /// Returns a table at some arguments.
+    pub(crate) fn table(&mut self, call: Tabulation) -> Step {
+        self.node(Operation::Table(call))
     }
 
     fn node(&mut self, operation: Operation) -> Step {

@@ -5,13 +5,14 @@ use std::collections::HashMap;
 use crate::{
     formula::Tape,
     graph::{Graph, Identities},
-    operation::{Arithmetic, Operation, Step, function_at},
+    operation::{Arithmetic, Operation, Step, Tabulation, function_at},
 };
 
 impl Graph {
     /// Returns the graph of a formula, and its entries `(i, j)` at `[i D + j]`.
     pub(crate) fn of(formula: Tape<'_>) -> (Self, Vec<Step>) {
         let mut graph = Self {
+            tables: formula.tables.to_vec(),
             operations: Vec::new(),
             known: HashMap::new(),
             identities: Identities::Exact,
@@ -32,6 +33,9 @@ impl Graph {
                 Operation::WithNumber(Arithmetic::Mul, a, c) => graph.times(at(a), c.value()),
                 Operation::WithNumber(Arithmetic::Div, a, c) => graph.over(at(a), c.value()),
                 Operation::Powi(a, n) => graph.power(at(a), n),
+                Operation::Table(call) => {
+                    graph.table(Tabulation { arguments: call.arguments.map(at), ..call })
+                }
                 Operation::Of(..) | Operation::First(..) | Operation::Second => {
                     let (function, a) =
                         function_at(formula.operations, place).expect("a second follows its first");

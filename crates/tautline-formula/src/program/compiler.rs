@@ -2,7 +2,7 @@
 
 use crate::{
     graph::Graph,
-    operation::{Arithmetic, Function, Operation, Step},
+    operation::{Arithmetic, Function, Operation, Step, Tabulation},
     program::{
         Instruction, Program, Register,
         allocation::Allocation,
@@ -188,6 +188,7 @@ impl<'g> Compiler<'g> {
             instructions: Vec::with_capacity(order.len()),
             count: inputs,
             constants: Vec::new(),
+            tables: self.graph.tables().to_vec(),
             outputs: Vec::new(),
         };
         // Coordinates and constants keep their registers.
@@ -283,6 +284,9 @@ impl<'g> Compiler<'g> {
                 Some(pair) => Instruction::SinCos(pair, at(a)),
                 None => Instruction::Of(function, to, at(a)),
             },
+            Operation::Table(Tabulation { table, orders, axes, arguments }) => {
+                Instruction::Table { to, table, orders, axes, u: arguments.map(at) }
+            }
             // Sums have terms, coordinates and constants have registers, and a graph contains
             // nothing else.
             _ => return None,

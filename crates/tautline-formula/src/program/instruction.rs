@@ -36,4 +36,6 @@ pub(crate) enum Instruction {
     Products { begins: bool, count: u8, a: [Register; 2], b: [Register; 2], c: [f64; 2] },
     /// Ends a sum.
     Done(Register),
+    /// A partial derivative of a table.
+    Table { to: Register, table: u32, orders: [u8; 3], axes: u8, u: [Register; 3] },
 }

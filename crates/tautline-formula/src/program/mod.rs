@@ -7,6 +7,10 @@ mod registers;
 mod row;
 mod sum;
 
+use std::sync::Arc;
+
+use tautline_scalar::Table;
+
 pub(crate) use instruction::Instruction;
 pub use registers::{InstructionSet, Registers, WIDTH};
 
@@ -23,6 +27,8 @@ pub(crate) struct Program {
     count: usize,
     /// The registers with constant values, and these values.
     constants: Vec<(Register, f64)>,
+    /// The tables that instructions refer to.
+    tables: Vec<Arc<dyn Table>>,
     /// The registers of the values.
     pub(crate) outputs: Vec<Register>,
 }

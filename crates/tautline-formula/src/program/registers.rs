@@ -1,6 +1,7 @@
 //! `Registers`: the memory of a program, and the interpreter.
 
 use nalgebra::SVector;
+use tautline_scalar::Table;
 
 use crate::{
     functions,
@@ -59,6 +60,7 @@ impl Registers {
             instructions: Vec::new(),
             count: rows,
             constants: Vec::new(),
+            tables: Vec::new(),
             outputs: Vec::new(),
         };
         Self::new(&none, lanes, InstructionSet::Baseline)
@@ -250,6 +252,12 @@ impl Registers {
                     }
                 }
                 Instruction::Done(to) => done!(to),
+                Instruction::Table { to, table, orders, axes, u } => {
+                    let u = u.map(|u| &rows[u as usize][..used]);
+                    let table = &*program.tables[table as usize];
+                    tabulate(&mut out[..used], &u[..usize::from(axes)], table, orders);
+                    done!(to)
+                }
             }
         }
     }
@@ -343,6 +351,17 @@ fn products<const COUNT: usize, const BEGINS: bool>(
             }
             sum
         });
+    }
+}
+
+#[inline(never)]
+fn tabulate(y: &mut [Chunk], u: &[&[Chunk]], table: &dyn Table, orders: [u8; 3]) {
+    for (k, y) in y.iter_mut().enumerate() {
+        for (lane, y) in y.iter_mut().enumerate() {
+            let mut at = [0.0; 3];
+            at.iter_mut().zip(u).for_each(|(at, u)| *at = u[k][lane]);
+            *y = table.value(&at[..u.len()], orders);
+        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! The part of the parser that reads expressions.
 
-use tautline_scalar::Scalar;
+use std::sync::Arc;
+
+use tautline_scalar::{Scalar, Table};
 
 use super::{
     Problem, TextError,
-    parser::{Parser, STEP},
+    parser::{Meaning, Parser, STEP},
     token::Token,
     value::Value,
 };
@@ -108,8 +110,16 @@ impl Parser<'_> {
     }
 
     fn named(&mut self, name: &str) -> Result<Value, TextError> {
-        if let Some(&value) = self.names.get(name) {
-            return self.advance().map(|_| value);
+        match self.names.get(name) {
+            Some(&Meaning::Value(value)) => return self.advance().map(|_| value),
+            Some(Meaning::Table(table)) => {
+                let table = Arc::clone(table);
+                return self.tabulated(name, &table, [0; 3]);
+            }
+            None => {}
+        }
+        if let Some((table, orders)) = self.derivative(name) {
+            return self.tabulated(name, &table, orders);
         }
         match self.builtin(name) {
             Ok(Some(value)) => return self.advance().map(|_| value),
@@ -127,5 +137,38 @@ impl Parser<'_> {
         self.advance()?;
         let value = self.bracket()?;
         Ok(function.map_or_else(|| Value::Symbol(value.symbol()), |function| value.under(function)))
+    }
+
+    /// Returns the table of a name such as `height_10`, and the orders of the derivative.
+    fn derivative(&self, name: &str) -> Option<(Arc<dyn Table>, [u8; 3])> {
+        let (name, digits) = name.rsplit_once('_')?;
+        let Some(Meaning::Table(table)) = self.names.get(name) else { return None };
+        let mut orders = [0; 3];
+        // Third derivatives jump.
+        let is_order = |byte: u8| (b'0'..=b'2').contains(&byte);
+        if digits.len() != table.axes() || !digits.bytes().all(is_order) {
+            return None;
+        }
+        orders.iter_mut().zip(digits.bytes()).for_each(|(order, digit)| *order = digit - b'0');
+        Some((Arc::clone(table), orders))
+    }
+
+    /// Parses the arguments of a table.
+    fn tabulated(
+        &mut self,
+        name: &str,
+        table: &Arc<dyn Table>,
+        orders: [u8; 3],
+    ) -> Result<Value, TextError> {
+        let at = self.advance()?.1;
+        self.sign('(', "(")?;
+        let arguments = self.row(Value::symbol)?;
+        if arguments.len() != table.axes() {
+            let (name, takes, found) = (name.to_owned(), table.axes(), arguments.len());
+            let at = at.start..self.ahead.1.end;
+            return Err(TextError { at, problem: Problem::Arguments { name, takes, found } });
+        }
+        self.sign(')', "an operator, a comma or )")?;
+        Ok(Value::Symbol(Symbol::tabulated(table, orders, &arguments)))
     }
 }

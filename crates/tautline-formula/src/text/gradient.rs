@@ -86,6 +86,18 @@ fn derivative(operations: &[Operation], step: Step, made: &[Value], coordinate: 
             // A second step always follows its first.
             _ => UNDEFINED,
         },
+        Operation::Table(call) => {
+            let along_axis = |(axis, &argument): (usize, &Step)| {
+                let slope = || Value::Symbol(Symbol::of_table(call.along(axis)));
+                match () {
+                    _ if by(argument).is(0.0) => ZERO,
+                    // Third derivatives jump.
+                    _ if call.orders[axis] >= 2 => UNDEFINED,
+                    _ => along(by(argument), slope()),
+                }
+            };
+            call.arguments().iter().enumerate().map(along_axis).fold(ZERO, sum)
+        }
     }
 }
 

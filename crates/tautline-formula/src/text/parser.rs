@@ -1,6 +1,8 @@
 //! The parser, which turns a text into a formula.
 
-use std::{collections::HashMap, ops::Range};
+use std::{collections::HashMap, ops::Range, sync::Arc};
+
+use tautline_scalar::Table;
 
 use super::{
     Problem, TextError,
@@ -75,12 +77,30 @@ impl<const D: usize> Formula<D> {
     ///
     /// [`TextError`] with the offending bytes.
     pub fn parse(text: &str, parameters: &[(&str, f64)]) -> Result<Self, TextError> {
+        Self::parse_with(text, parameters, &[])
+    }
+
+    /// Parses a formula like [`parse`](Formula::parse), with tables as further functions: `height(x1,
+    /// x2)` is the value of the table `height`, and `height_10(x1, x2)` its derivative along the first
+    /// axis. Along each axis the order is at most 2, since third derivatives may jump.
+    ///
+    /// # Errors
+    ///
+    /// [`TextError`] with the offending bytes.
+    pub fn parse_with(
+        text: &str,
+        parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
+    ) -> Result<Self, TextError> {
         let (entries, recording) = record(D, |x| {
             let mut names = Names::new();
             let coordinates: Vec<usize> = (0..D).collect();
             let mut parser = Parser::new(text, x, &coordinates, &mut names);
             for &(name, value) in parameters {
                 parser.define(name, Value::Number(value))?;
+            }
+            for (name, table) in tables {
+                parser.define_table(name, table)?;
             }
             parser.advance()?;
             parser.metric()
@@ -91,8 +111,15 @@ impl<const D: usize> Formula<D> {
     }
 }
 
-/// The parameters and definitions so far.
-pub(super) type Names = HashMap<String, Value>;
+/// The parameters, tables and definitions so far.
+pub(super) type Names = HashMap<String, Meaning>;
+
+/// What a name stands for.
+#[derive(Clone)]
+pub(super) enum Meaning {
+    Value(Value),
+    Table(Arc<dyn Table>),
+}
 
 pub(super) struct Parser<'a> {
     pub(super) tokens: Tokens<'a>,
@@ -118,7 +145,18 @@ impl<'a> Parser<'a> {
 
     pub(super) fn define(&mut self, name: &str, value: Value) -> Result<(), TextError> {
         self.check_new(name)?;
-        self.names.insert(name.to_owned(), value);
+        self.names.insert(name.to_owned(), Meaning::Value(value));
+        Ok(())
+    }
+
+    /// Gives a table a name.
+    pub(super) fn define_table(
+        &mut self,
+        name: &str,
+        table: &Arc<dyn Table>,
+    ) -> Result<(), TextError> {
+        self.check_new(name)?;
+        self.names.insert(name.to_owned(), Meaning::Table(Arc::clone(table)));
         Ok(())
     }
 
@@ -126,7 +164,7 @@ impl<'a> Parser<'a> {
     pub(super) fn define_itself(&mut self, value: Value) -> Result<(), TextError> {
         self.advance()?;
         let name = self.new_name()?;
-        self.names.insert(name, value);
+        self.names.insert(name, Meaning::Value(value));
         if self.ahead.0 == Token::End { Ok(()) } else { self.unexpected("the end of a name") }
     }
 
@@ -211,12 +249,12 @@ impl<'a> Parser<'a> {
             }
             self.sign('=', "=")?;
             let (a, b) = self.pair()?;
-            self.names.insert(first, Value::Symbol(a));
-            self.names.insert(second, Value::Symbol(b));
+            self.names.insert(first, Meaning::Value(Value::Symbol(a)));
+            self.names.insert(second, Meaning::Value(Value::Symbol(b)));
         } else {
             self.sign('=', "=")?;
             let value = self.expression()?;
-            self.names.insert(first, value);
+            self.names.insert(first, Meaning::Value(value));
         }
         self.sign(';', "an operator or ;")
     }
@@ -287,7 +325,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Parses expressions between commas, and applies `of` to each before it parses the next.
-    fn row<T>(&mut self, of: fn(Value) -> T) -> Result<Vec<T>, TextError> {
+    pub(super) fn row<T>(&mut self, of: fn(Value) -> T) -> Result<Vec<T>, TextError> {
         let mut row = vec![of(self.expression()?)];
         while self.takes(',')? {
             row.push(of(self.expression()?));

@@ -33,6 +33,20 @@ impl<const D: usize> fmt::Display for Formula<D> {
                 Operation::Of(function, a) => write!(f, "{}({})", function.name(), name(a))?,
                 Operation::First(Pair::SinCos, a) => write!(f, "sin_cos({})", name(a))?,
                 Operation::First(Pair::SinhCosh, a) => write!(f, "sinh_cosh({})", name(a))?,
+                Operation::Table(call) => {
+                    write!(f, "table{}", call.table + 1)?;
+                    if call.orders != [0; 3] {
+                        write!(f, "_")?;
+                        call.orders[..usize::from(call.axes)]
+                            .iter()
+                            .try_for_each(|order| write!(f, "{order}"))?;
+                    }
+                    for (axis, &argument) in call.arguments().iter().enumerate() {
+                        let before = if axis == 0 { "(" } else { ", " };
+                        write!(f, "{before}{}", name(argument))?;
+                    }
+                    f.write_str(")")?;
+                }
                 Operation::Second => {}
             }
             writeln!(f, ";")?;

@@ -80,6 +80,16 @@ pub enum Problem {
         /// The number of coordinates.
         dimension: usize,
     },
+    /// A table with too few or too many arguments.
+    #[error("{name} takes {takes} arguments, found {found}")]
+    Arguments {
+        /// The name of the table.
+        name: String,
+        /// How many it takes.
+        takes: usize,
+        /// How many there are.
+        found: usize,
+    },
     /// Brackets nested too deeply.
     #[error("more than {most} levels of brackets")]
     TooDeep {

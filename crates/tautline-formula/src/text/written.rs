@@ -1,5 +1,9 @@
 //! `Written`: a metric written as several texts, for example the entries of a matrix in a file.
 
+use std::sync::Arc;
+
+use tautline_scalar::Table;
+
 use super::{
     Problem, TextError,
     form::Form,
@@ -38,12 +42,14 @@ pub struct AnyFormula {
     dimension: usize,
     operations: Vec<Operation>,
     entries: Vec<Step>,
+    tables: Vec<Arc<dyn Table>>,
 }
 
 impl<const D: usize> From<&Formula<D>> for AnyFormula {
     fn from(formula: &Formula<D>) -> Self {
-        let Tape { dimension, operations, entries } = formula.tape();
-        Self { dimension, operations: operations.to_vec(), entries: entries.to_vec() }
+        let Tape { dimension, operations, entries, tables } = formula.tape();
+        let (operations, entries) = (operations.to_vec(), entries.to_vec());
+        Self { dimension, operations, entries, tables: tables.to_vec() }
     }
 }
 
@@ -80,7 +86,7 @@ impl<const D: usize> Formula<D> {
     ///
     /// let part = |text| Part { text, id: 0 };
     /// let phi = Written::Form(Form::Cost, vec![part("f")]);
-    /// let valleys = Formula::<2>::compose(&[("a", 2.0)], &[[part("f"), part("a - cos(x1)")]], &phi)?;
+    /// let valleys = Formula::<2>::compose(&[("a", 2.0)], &[], &[[part("f"), part("a - cos(x1)")]], &phi)?;
     /// assert_eq!(Ok(valleys), Formula::parse("sqr(2 - cos(x1)) I", &[]));
     /// # Ok::<(), tautline_formula::WrittenError>(())
     /// ```
@@ -91,6 +97,7 @@ impl<const D: usize> Formula<D> {
     /// or of a parameter's name, is reported at the first text of the metric.
     pub fn compose(
         parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
         definitions: &[[Part<'_>; 2]],
         metric: &Written<'_>,
     ) -> Result<Self, WrittenError> {
@@ -100,6 +107,9 @@ impl<const D: usize> Formula<D> {
             let mut writer = Writer { x, names: Names::new(), id };
             for &(name, value) in parameters {
                 writer.parser("", &[]).define(name, Value::Number(value)).map_err(whole)?;
+            }
+            for (name, table) in tables {
+                writer.parser("", &[]).define_table(name, table).map_err(whole)?;
             }
             for [name, value] in definitions {
                 let value = writer.expression(*value)?;
@@ -203,8 +213,8 @@ impl Writer<'_> {
             Written::Product(blocks) => self.product(blocks, coordinates),
             Written::Recorded(formula) if formula.dimension == dimension => {
                 let x: Vec<Symbol> = coordinates.iter().map(|&i| self.x[i]).collect();
-                let AnyFormula { dimension, ref operations, ref entries } = *formula;
-                let values = Tape { dimension, operations, entries }.values(&x);
+                let AnyFormula { dimension, ref operations, ref entries, ref tables } = *formula;
+                let values = Tape { dimension, operations, entries, tables }.values(&x);
                 Ok(entries.iter().map(|&entry| values[entry as usize]).collect())
             }
             Written::Recorded(formula) => {

@@ -9,6 +9,7 @@ mod random;
 mod random_formulas;
 mod recorded;
 mod squares;
+mod tables;
 mod text;
 mod written;
 

@@ -14,7 +14,7 @@ fn parts<'a>(texts: &[&'a str]) -> Vec<Part<'a>> {
 
 #[track_caller]
 fn assert_is<const D: usize>(written: &Written<'_>, text: &str) {
-    let composed = Formula::<D>::compose(&[("a", 0.5)], &[], written);
+    let composed = Formula::<D>::compose(&[("a", 0.5)], &[], &[], written);
     assert_eq!(composed, Ok(Formula::parse(text, &[("a", 0.5)]).expect(text)), "{text}");
 }
 
@@ -44,10 +44,11 @@ fn each_way_of_writing_records_the_tape_of_one_text() {
         let functions: &[&str] = if form == Form::Phi { &["2"] } else { &["x1^2", "x2^2"] };
         Written::Form(form, parts(functions))
     });
-    let h = Formula::<2>::compose(&[], &[], &Written::Sum(sum.to_vec())).expect("a metric");
+    let h = Formula::<2>::compose(&[], &[], &[], &Written::Sum(sum.to_vec())).expect("a metric");
     assert_eq!(h.gram(&vector![0.5, -3.0]), nalgebra::matrix![2.25, 0.0; 0.0, 11.0]);
     let scaled = Written::Scaled(part(0, "exp(x1)"), Box::new(Written::Whole(part(1, "2 I"))));
-    let h = Formula::<2>::compose(&[], &[], &scaled).expect("a metric").gram(&vector![0.5, 0.0]);
+    let h =
+        Formula::<2>::compose(&[], &[], &[], &scaled).expect("a metric").gram(&vector![0.5, 0.0]);
     assert_eq!(h, (2.0 * 0.5_f64.exp() * nalgebra::matrix![1.0, 0.0; 0.0, 1.0]));
 }
 
@@ -58,7 +59,7 @@ fn a_product_has_its_blocks_on_the_diagonal() {
     let line = Written::Form(Form::Phi, vec![part(1, "2 + sin(x1)")]);
     let product = Written::Product(vec![(vec![2, 0], graph), (vec![1], line)]);
     let x = vector![0.3, 0.7, -1.1];
-    let h = Formula::<3>::compose(&[], &[], &product).expect("a metric").gram(&x);
+    let h = Formula::<3>::compose(&[], &[], &[], &product).expect("a metric").gram(&x);
     let (by_1, by_3) = (x[1] * x[2], x[0] * x[1]);
     let expected = nalgebra::matrix![
         1.0 + by_1 * by_1, 0.0, by_1 * by_3;
@@ -72,15 +73,16 @@ fn a_recorded_formula_is_a_block_with_the_same_bits() {
     let shear = gallery::Shear::new(0.7, 1.3).expect("a wave number");
     let recorded = Formula::<2>::record(&shear).expect("recorded");
     let recorded = Written::Recorded(AnyFormula::from(&recorded));
-    let alone = Formula::<2>::compose(&[], &[], &recorded).expect("a metric");
+    let alone = Formula::<2>::compose(&[], &[], &[], &recorded).expect("a metric");
     assert_eq!(Ok(alone), Formula::record(&shear));
     let line = Written::Form(Form::Phi, vec![part(0, "x2^2 + 1")]);
     let product = Written::Product(vec![(vec![1], line), (vec![2, 0], recorded.clone())]);
-    let h =
-        Formula::<3>::compose(&[], &[], &product).expect("a metric").gram(&vector![0.1, 0.2, 0.3]);
+    let h = Formula::<3>::compose(&[], &[], &[], &product)
+        .expect("a metric")
+        .gram(&vector![0.1, 0.2, 0.3]);
     let block = shear.gram(&vector![0.3, 0.1]);
     assert_eq!([h[(2, 2)], h[(2, 0)], h[(0, 0)]], [block[(0, 0)], block[(0, 1)], block[(1, 1)]]);
-    let refused = Formula::<3>::compose(&[], &[], &recorded).expect_err("two coordinates");
+    let refused = Formula::<3>::compose(&[], &[], &[], &recorded).expect_err("two coordinates");
     assert!(matches!(refused.error.problem, Problem::Shape { found: 2, dimension: 3, .. }));
 }
 
@@ -88,18 +90,19 @@ fn a_recorded_formula_is_a_block_with_the_same_bits() {
 fn definitions_use_those_before_them() {
     let definitions = [[part(0, "f"), part(1, "a + x1")], [part(2, "g"), part(3, "f^2")]];
     let metric = Written::Form(Form::Phi, vec![part(4, "g")]);
-    let composed = Formula::<1>::compose(&[("a", 3.0)], &definitions, &metric);
+    let composed = Formula::<1>::compose(&[("a", 3.0)], &[], &definitions, &metric);
     assert_eq!(composed, Ok(Formula::parse("(3 + x1)^2 I", &[]).expect("a formula")));
     // The definitions of a whole text are not those of the next one.
     let whole = |id| Written::Whole(part(id, "own = 1 + x1^2; own I"));
     let sum = Written::Sum(vec![whole(4), whole(5)]);
-    assert!(Formula::<1>::compose(&[], &[], &sum).is_ok());
+    assert!(Formula::<1>::compose(&[], &[], &[], &sum).is_ok());
 }
 
 #[test]
 fn an_error_names_the_text_and_the_bytes() {
     let refused = |definitions: &[[Part<'_>; 2]], metric: Written<'_>| {
-        let error = Formula::<2>::compose(&[("a", 1.0)], definitions, &metric).expect_err("wrong");
+        let error =
+            Formula::<2>::compose(&[("a", 1.0)], &[], definitions, &metric).expect_err("wrong");
         let WrittenError { id, error } = error;
         (id, error.at, error.problem.to_string())
     };

@@ -4,7 +4,8 @@ use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
     BlackBox, ClosedSet, Ends, Formula, LeftEndpoint, Options, Prepared, Problem, SVector,
-    SolveError, TautLine, Trapezoidal, TrueTrapezoid, Union, Values, certify::Watch, solve_all,
+    SolveError, Table, TautLine, Trapezoidal, TrueTrapezoid, Union, Values, certify::Watch,
+    solve_all,
 };
 use tautline_portrait::Shape;
 
@@ -27,8 +28,8 @@ pub struct Given {
 pub type Found = Result<Arc<dyn Curve>, GivenError>;
 
 impl Given {
-    /// Parses a metric, given values for named parameters: the texts of
-    /// [`Formula::parse`](tautline::Formula::parse).
+    /// Parses a metric, given values for named parameters, and tables that it may call by their names:
+    /// the texts of [`Formula::parse_with`](tautline::Formula::parse_with).
     ///
     /// # Errors
     ///
@@ -37,8 +38,9 @@ impl Given {
         text: &str,
         dimension: usize,
         parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
     ) -> Result<Self, GivenError> {
-        let parse = Parse { text, parameters };
+        let parse = Parse { text, parameters, tables };
         in_dimension(dimension, parse).unwrap_or(Err(GivenError::Dimension { dimension }))
     }
 
@@ -120,13 +122,14 @@ impl Given {
 struct Parse<'t> {
     text: &'t str,
     parameters: &'t [(&'t str, f64)],
+    tables: &'t [(&'t str, Arc<dyn Table>)],
 }
 
 impl InDimension for Parse<'_> {
     type Output = Result<Given, GivenError>;
 
     fn run<const D: usize>(self) -> Self::Output {
-        let formula = Formula::<D>::parse(self.text, self.parameters)?;
+        let formula = Formula::<D>::parse_with(self.text, self.parameters, self.tables)?;
         Ok(Given { metric: Arc::new(Held(Arc::new(Prepared::new(formula)))) })
     }
 }

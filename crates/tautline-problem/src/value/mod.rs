@@ -4,7 +4,7 @@
 //! ```
 //! use tautline_problem::value::{Given, Request, Shape};
 //!
-//! let valleys = Given::parse("cost(2 - cos(x1))", 2, &[])?;
+//! let valleys = Given::parse("cost(2 - cos(x1))", 2, &[], &[])?;
 //! let from = [Shape::Ball { centre: vec![0.0, 0.0], radius: 0.5 }];
 //! let to = [Shape::HalfSpace { normal: vec![-1.0, 0.0], offset: -3.0 }];
 //! let curve = valleys.solve([&from, &to], &Request::default())?;

@@ -15,7 +15,7 @@ fn point(x: &[f64]) -> [Shape; 1] {
 }
 
 fn hill() -> Given {
-    Given::parse(HILL, 2, &[]).expect("a formula")
+    Given::parse(HILL, 2, &[], &[]).expect("a formula")
 }
 
 /// Bit for bit, for each rule.
@@ -94,7 +94,7 @@ fn what_is_wrong_is_said_with_its_numbers() {
     for (found, expected) in cases {
         assert!(found.contains(expected), "{found}, not {expected}");
     }
-    let refused = |text, dimension| Given::parse(text, dimension, &[]).expect_err("refused");
+    let refused = |text, dimension| Given::parse(text, dimension, &[], &[]).expect_err("refused");
     for dimension in [0, 13] {
         assert_eq!(refused("1 I", dimension), GivenError::Dimension { dimension });
     }
@@ -106,7 +106,7 @@ fn what_is_wrong_is_said_with_its_numbers() {
 #[test]
 fn a_metric_is_its_text() {
     let given = hill();
-    let read = Given::parse(&given.text().expect("a formula"), 2, &[]).expect("a formula");
+    let read = Given::parse(&given.text().expect("a formula"), 2, &[], &[]).expect("a formula");
     assert_eq!(read.text(), given.text());
     assert_eq!(read.gram(&[0.3, -0.2]), given.gram(&[0.3, -0.2]));
     assert_eq!(given.gram(&[0.0, 0.0]), Ok(vec![25.0, 0.0, 0.0, 25.0]));
@@ -151,7 +151,7 @@ fn bounds_and_constants_are_those_of_a_file() {
                 [solve]\nn = 128\n[certify]\nwithin = { ball = { centre = [0, 0], radius = 3 } }\n";
     let question = Question::read(file).expect("a file");
     let answer = question.solve(&mut |_| ()).expect("solved");
-    let valleys = Given::parse("cost(2 - cos(x1))", 2, &[]).expect("a formula");
+    let valleys = Given::parse("cost(2 - cos(x1))", 2, &[], &[]).expect("a formula");
     let ends = [point(&[0.0, 0.0]), point(&[1.0, 0.5])];
     let request = Request { n: 128, ..Request::default() };
     let curve = valleys.solve([&ends[0], &ends[1]], &request).expect("solved");
@@ -177,10 +177,10 @@ fn what_cannot_be_proved_is_said() {
         metric.constants(within, &proofs, &watch).map(|_| ()).expect_err("refused").to_string()
     };
     let black_box = Given::black_box(Arc::new(Hill), 2, 1e-3).expect("a step");
-    let growing = Given::parse("phi(1 + x1^2)", 1, &[]).expect("a formula");
+    let growing = Given::parse("phi(1 + x1^2)", 1, &[], &[]).expect("a formula");
     let sphere = Shape::Sphere { centre: vec![0.0; 2], radius: 1.0 };
     let line = Shape::Ball { centre: vec![0.0], radius: 1.0 };
-    let large = Given::parse("1 I", 7, &[]).expect("a formula");
+    let large = Given::parse("1 I", 7, &[], &[]).expect("a formula");
     for (metric, within, message) in [
         (&black_box, None, "by its values only"),
         (&growing, None, "name a ball or a box"),

@@ -1,5 +1,7 @@
 //! Elementary functions of intervals: `Enclosure` as a [`Scalar`].
 
+use std::sync::Arc;
+
 use num_traits::One;
 
 use super::{
@@ -8,7 +10,7 @@ use super::{
     elementary::quarter_turns::{LARGEST_ANGLE, QuarterTurns},
     kernel::Kernel,
 };
-use crate::Scalar;
+use crate::{Scalar, Table};
 
 impl<K: Kernel> Enclosure<K> {
     /// Returns the image under an increasing function, given bounds on the function at a double.
@@ -81,6 +83,17 @@ impl<K: Kernel> Scalar for Enclosure<K> {
     #[inline]
     fn constant(value: f64) -> Self {
         Self::point(value)
+    }
+
+    /// Undefined if an argument is, or if the table has no bounds.
+    fn tabulated(table: &Arc<dyn Table>, orders: [u8; 3], u: &[Self]) -> Self {
+        if u.len() != table.axes() || u.iter().any(|u| u.is_undefined()) {
+            return Self::UNDEFINED;
+        }
+        let mut sides = [(0.0, 0.0); 3];
+        sides.iter_mut().zip(u).for_each(|(side, u)| *side = (u.lo(), u.hi()));
+        let bounds = table.bounds(&sides[..u.len()], orders);
+        bounds.and_then(|(lo, hi)| Self::new(lo, hi).ok()).unwrap_or(Self::UNDEFINED)
     }
 
     #[inline]

@@ -93,6 +93,11 @@ impl<const D: usize> Metric<D> for Misread<D> {
                 Operation::First(Pair::SinCos, a) => at(a).sin(),
                 Operation::First(Pair::SinhCosh, a) => at(a).sinh(),
                 Operation::Second => self.second(place, &values),
+                Operation::Table(call) => {
+                    let table = &self.formula.tables()[call.table as usize];
+                    let u = call.arguments.map(at);
+                    S::tabulated(table, call.orders, &u[..call.arguments().len()])
+                }
             };
             values.push(value);
         }

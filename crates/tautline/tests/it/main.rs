@@ -6,3 +6,4 @@ mod enclosure;
 mod front_door;
 mod own_norms;
 mod proofs;
+mod tables;
