@@ -9,6 +9,7 @@ mod interruptible;
 mod metric;
 mod set;
 mod sweep;
+mod table;
 
 use pyo3::prelude::*;
 
@@ -26,6 +27,7 @@ mod _tautline {
             Set, affine_subspace, ball, box_, half_space, point, points, segment, sphere, union,
         },
         sweep::{Plan, is_finished, merged, shard},
+        table::Spline,
     };
 
     use super::*;

@@ -6,6 +6,7 @@ use numpy::{
     IntoPyArray, PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
+use tautline::Table;
 use tautline_problem::value::{Given, Proofs, Request, RuleName, Shape};
 
 use crate::{
@@ -15,6 +16,7 @@ use crate::{
     error::{ProblemError, raised},
     interruptible::interruptible,
     set::{Set, SetOrPoint},
+    table::Spline,
 };
 
 /// A metric on R^dimension as a recorded formula, compiled to programs once.
@@ -44,18 +46,26 @@ const BLOCK: usize = 4096;
 #[pymethods]
 impl Program {
     #[new]
-    #[pyo3(signature = (text, dimension, parameters=None))]
+    #[pyo3(signature = (text, dimension, parameters=None, tables=None))]
     fn new(
         text: &str,
         dimension: usize,
         parameters: Option<HashMap<String, f64>>,
+        tables: Option<HashMap<String, Spline>>,
     ) -> PyResult<Self> {
         let mut parameters: Vec<(String, f64)> =
             parameters.unwrap_or_default().into_iter().collect();
         parameters.sort_by(|a, b| a.0.cmp(&b.0));
         let parameters: Vec<(&str, f64)> =
             parameters.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        let given = Given::parse(text, dimension, &parameters).map_err(|error| raised(&error))?;
+        let mut tables: Vec<(String, Spline)> = tables.unwrap_or_default().into_iter().collect();
+        tables.sort_by(|a, b| a.0.cmp(&b.0));
+        let tables: Vec<(&str, Arc<dyn Table>)> = tables
+            .iter()
+            .map(|(name, table)| (name.as_str(), Arc::clone(&table.spline) as Arc<dyn Table>))
+            .collect();
+        let given = Given::parse(text, dimension, &parameters, &tables);
+        let given = given.map_err(|error| raised(&error))?;
         Ok(Self { given, callback: None })
     }
 

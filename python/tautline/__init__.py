@@ -19,6 +19,7 @@ import numpy as np
 
 from ._metric import Metric
 from ._plot import plot
+from ._table import Table
 from ._tautline import (
     Bounds,
     Certificate,
@@ -59,6 +60,7 @@ __all__ = [
     "ProblemError",
     "Program",
     "Set",
+    "Table",
     "TraceError",
     "Traced",
     "Verdict",

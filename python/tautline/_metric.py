@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+
+from ._table import Table
 
 from ._tautline import Constant, ProblemError, Program, Set
 from ._trace import coordinates, written
@@ -17,7 +19,7 @@ class Metric:
     `what` is one of
 
     - a text, such as "cost(2 - cos(x1))" or "[1 + x1^2, 0; 0, 1]"; coordinates are x1, …, xD, and
-      `parameters` gives values to other names;
+      `parameters` gives values to other names, and `tables` are functions that it may call, see `Table`;
     - a function of an array x of shape (D,), which returns an array of shape (D, D). It is called
       once, with symbols that record what it computes, and may use NumPy;
     - a SymPy matrix, with the coordinates in `variables`.
@@ -40,17 +42,48 @@ class Metric:
         dimension: int | None = None,
         *,
         parameters: Mapping[str, float] | None = None,
+        tables: Mapping[str, Table] | None = None,
         variables: Sequence[Any] | None = None,
     ) -> None:
         if variables is not None:
             what, dimension = _from_sympy(what, variables), len(variables)
         if dimension is None:
             raise ProblemError("the dimension of a metric is needed: Metric(…, dimension=2)")
+        named = dict(tables or {})
         if callable(what):
-            what = _traced(what, dimension)
+            what, found = _traced(what, dimension)
+            named.update(found)
+        elif isinstance(what, _Written):
+            what, found = what.text, what.tables
+            named.update(found)
         if not isinstance(what, str):
             raise ProblemError(f"a metric is a text or a function, not {what!r}")
-        self.program = Program(what, dimension, dict(parameters or {}))
+        splines = {name: table.spline for name, table in named.items()}
+        self.program = Program(what, dimension, dict(parameters or {}), splines)
+
+    @classmethod
+    def image(
+        cls,
+        cost: Any,
+        *,
+        spacing: float | Sequence[float] = 1.0,
+        origin: float | Sequence[float] = 0.0,
+        interpolate: bool = False,
+    ) -> Metric:
+        """The metric of a cost image: `cost[i, j]` is the cost of a unit of length at the point
+        `origin + spacing * (i, j)`, smoothed as by `Table`. Arrays may have one to three axes.
+
+        >>> import numpy as np
+        >>> metric = Metric.image(np.array([[1.0, 1.0], [3.0, 3.0]]), spacing=0.5)
+        >>> round(float(np.sqrt(metric([0.25, 0.1])[0, 0])), 6), metric.constants()["c1"].lower > 0.99
+        (2.0, True)
+        """
+        table = Table(cost, interpolate=interpolate)
+        axes = len(table.shape)
+        step, start = (np.broadcast_to(np.asarray(x, float), axes) for x in (spacing, origin))
+        if not np.all(step > 0):
+            raise ProblemError(f"the spacing {step.tolist()}; it must be positive")
+        return cls.cost(lambda x: table(*((x - start) / step)), axes)
 
     @classmethod
     def black_box(
@@ -165,23 +198,31 @@ class Metric:
         return f"<tautline.Metric in {self.dimension} dimensions>"
 
 
-def _traced(function: Callable[[np.ndarray], Any], dimension: int) -> str:
+class _Written(NamedTuple):
+    text: str
+    tables: dict[str, Table]
+
+
+def _traced(
+    function: Callable[[np.ndarray], Any], dimension: int
+) -> tuple[str, dict[str, Table]]:
     h = np.asarray(function(coordinates(dimension)), object)
     if h.shape != (dimension, dimension):
         hint = "; for f² I use Metric.cost, for a diagonal Metric.diag" if h.ndim < 2 else ""
         raise ProblemError(f"H has the shape {h.shape}, not {(dimension, dimension)}{hint}")
-    lines, names = written(h.ravel().tolist())
+    lines, names, tables = written(h.ravel().tolist())
     rows = [", ".join(names[i : i + dimension]) for i in range(0, len(names), dimension)]
-    return "\n".join([*lines, f"[{'; '.join(rows)}]"])
+    return "\n".join([*lines, f"[{'; '.join(rows)}]"]), tables
 
 
-def _form(form: str, f: Any, dimension: int) -> str:
+def _form(form: str, f: Any, dimension: int) -> str | _Written:
     if isinstance(f, str):
         return f"{form}({f})"
     if not callable(f):
         return f"{form}({', '.join(f)})"
-    lines, names = written(np.asarray(f(coordinates(dimension)), object).ravel().tolist())
-    return "\n".join([*lines, f"{form}({', '.join(names)})"])
+    numbers = np.asarray(f(coordinates(dimension)), object).ravel().tolist()
+    lines, names, tables = written(numbers)
+    return _Written("\n".join([*lines, f"{form}({', '.join(names)})"]), tables)
 
 
 def _from_sympy(matrix: Any, variables: Sequence[Any]) -> Callable[[np.ndarray], Any]:

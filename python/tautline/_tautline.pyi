@@ -17,6 +17,7 @@ __all__ = [
     "ProblemError",
     "Program",
     "Set",
+    "Spline",
     "Verdict",
     "__version__",
     "affine_subspace",
@@ -161,9 +162,23 @@ class Curve:
     def certificate(self, /, gap: float = 1e-3, *, cubes: int = 2_000_000) -> Certificate: ...
 
 @final
+class Spline:
+    def __new__(cls, values: NDArray[np.float64], interpolate: bool) -> Spline: ...
+    @property
+    def shape(self) -> list[int]: ...
+    @property
+    def coefficients(self) -> NDArray[np.float64]: ...
+    def value(self, /, u: Sequence[float], orders: Sequence[int]) -> float: ...
+    def range(self, /, orders: Sequence[int]) -> tuple[float, float]: ...
+
+@final
 class Program:
     def __new__(
-        cls, text: str, dimension: int, parameters: dict[str, float] | None = None
+        cls,
+        text: str,
+        dimension: int,
+        parameters: dict[str, float] | None = None,
+        tables: dict[str, Spline] | None = None,
     ) -> Program: ...
     @property
     def dimension(self) -> int: ...

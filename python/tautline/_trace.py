@@ -5,9 +5,12 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from ._table import Table
 
 Number = (int, float, np.integer, np.floating)
 
@@ -27,11 +30,28 @@ class Traced:
     compared, converted to a float, or decide an `if`.
     """
 
-    __slots__ = ("text", "arguments", "order")
+    __slots__ = ("text", "arguments", "order", "table")
 
-    def __init__(self, text: str, arguments: tuple[Traced, ...] = ()) -> None:
-        # The text has a {} for each argument.
+    def __init__(
+        self, text: str, arguments: tuple[Traced, ...] = (), table: Table | None = None
+    ) -> None:
+        # The text has a {} for each argument; that of a table begins with the arguments.
         self.text, self.arguments, self.order = text, arguments, next(ORDER)
+        self.table = table
+
+    @classmethod
+    def called(cls, table: Table, x: Sequence[Any]) -> Traced:
+        """A table at traced numbers."""
+        parts, arguments = [], []
+        for u in x:
+            if isinstance(u, Traced):
+                parts.append("{}")
+                arguments.append(u)
+            elif isinstance(u, Number) and math.isfinite(u):
+                parts.append(repr(float(u)))
+            else:
+                raise TraceError(f"{u!r} as an argument of a table")
+        return cls(f"({', '.join(parts)})", tuple(arguments), table)
 
     def __add__(self, other: Any) -> Any:
         return binary("{} + {}", self, other)
@@ -206,9 +226,9 @@ def coordinates(dimension: int) -> np.ndarray:
     return x
 
 
-def written(numbers: Sequence[Any]) -> tuple[list[str], list[str]]:
+def written(numbers: Sequence[Any]) -> tuple[list[str], list[str], dict[str, Table]]:
     """The steps that these numbers need, in the order in which they were computed, as definitions of a
-    text; and the names of the numbers."""
+    text; the names of the numbers, and the tables by their names."""
     for x in numbers:
         if not isinstance(x, (Traced, *Number)):
             raise TraceError(f"{x!r} in a metric, which is no number")
@@ -222,9 +242,17 @@ def written(numbers: Sequence[Any]) -> tuple[list[str], list[str]]:
                 left.append(argument)
     names: dict[int, str] = {}
     lines: list[str] = []
+    tables: list[Table] = []
     for x in sorted(needed.values(), key=lambda x: x.order):
         names[id(x)] = x.text.format(*(names[id(argument)] for argument in x.arguments))
+        if x.table is not None:
+            if not any(x.table is table for table in tables):
+                tables.append(x.table)
+            number_of = next(i for i, table in enumerate(tables) if table is x.table)
+            names[id(x)] = f"table{number_of + 1}{names[id(x)]}"
         if x.arguments:
             lines.append(f"t{len(lines) + 1} = {names[id(x)]};")
             names[id(x)] = f"t{len(lines)}"
-    return lines, [names[id(x)] if isinstance(x, Traced) else number(float(x)) for x in numbers]
+    named = {f"table{i + 1}": table for i, table in enumerate(tables)}
+    results = [names[id(x)] if isinstance(x, Traced) else number(float(x)) for x in numbers]
+    return lines, results, named

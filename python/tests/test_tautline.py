@@ -15,7 +15,7 @@ import tautline as tl
 
 def load_tests(loader, tests, pattern):
     """The examples of the documentation are tests."""
-    for module in (tl, tl._metric, tl._trace):
+    for module in (tl, tl._metric, tl._table, tl._trace):
         tests.addTests(doctest.DocTestSuite(module))
     return tests
 
@@ -265,6 +265,54 @@ class BlackBoxes(unittest.TestCase):
                     attempt()
         with self.assertRaisesRegex(tl.ProblemError, "step"):
             tl.Metric.black_box(self.values, 2, step=0)
+
+
+class Tables(unittest.TestCase):
+    rows = np.array([[1.0, 1.0, 1.0], [1.0, 4.0, 2.0], [2.0, 2.0, 2.0], [3.0, 1.0, 1.0]])
+
+    def test_a_table_is_near_its_array(self):
+        table = tl.Table(self.rows)
+        self.assertEqual(table.shape, (4, 3))
+        # The weights of a cubic B-spline: 1/6, 2/3, 1/6.
+        w = np.array([1, 4, 1]) / 6
+        self.assertAlmostEqual(table(1, 1), w @ self.rows[:3] @ w, places=14)
+        np.testing.assert_allclose(
+            tl.Table(self.rows, interpolate=True)(*np.indices((4, 3))), self.rows, atol=1e-13
+        )
+        self.assertEqual(table(-9, 99), 1.0)
+        with self.assertRaisesRegex(tl.ProblemError, "2 axes takes 2 arguments, not 1"):
+            table(1)
+        for wrong in ([[1.0, math.nan]], 3.0, np.zeros((2, 2, 2, 2)), np.zeros((0, 3))):
+            with self.assertRaises(tl.ProblemError):
+                tl.Table(wrong)
+
+    def test_texts_and_functions_call_tables(self):
+        table = tl.Table(self.rows)
+        text = tl.Metric("cost(2*h(x1, x2 - 1))", 2, tables={"h": table})
+        traced = tl.Metric.cost(lambda x: 2 * table(x[0], x[1] - 1), 2)
+        x = [1.25, 0.5]
+        np.testing.assert_array_equal(text(x), traced(x))
+        self.assertAlmostEqual(text(x)[0, 0], (2 * table(1.25, -0.5)) ** 2, places=13)
+        with self.assertRaisesRegex(tl.ProblemError, "takes 2 arguments, found 1"):
+            tl.Metric("cost(h(x1))", 1, tables={"h": table})
+
+    def test_an_image_has_proofs(self):
+        image = tl.Metric.image(self.rows, spacing=[0.5, 2], origin=[1, -1])
+        np.testing.assert_allclose(
+            image([1 + 0.5 * 2.25, -1 + 2 * 0.75]), np.eye(2) * tl.Table(self.rows)(2.25, 0.75) ** 2
+        )
+        constants = image.constants()
+        self.assertTrue(constants["c1"].proved and 0.998 <= constants["c1"].lower <= 1)
+        curve = tl.solve(image, [0.5, -1], [3, 4])
+        bounds, found = curve.bounds(), curve.certificate(2e-2)
+        exact = float(curve.extrapolated)
+        self.assertTrue(bounds.lower <= exact <= bounds.upper)
+        self.assertTrue(found.reached and found.lower <= exact <= found.upper)
+        self.assertEqual(tl.check(found.text).lower, found.lower)
+        with self.assertRaisesRegex(tl.ProblemError, "spacing"):
+            tl.Metric.image(self.rows, spacing=0)
+        with self.assertRaises(tl.MetricError):
+            tl.solve(tl.Metric.image(self.rows - 2), [0, 0], [3, 2])
 
 
 class Notebooks(unittest.TestCase):

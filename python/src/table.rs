@@ -1,0 +1,61 @@
+//! `Spline`: an array as a function.
+
+use std::sync::Arc;
+
+use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
+use pyo3::prelude::*;
+use tautline::Interval;
+
+use crate::error::ProblemError;
+
+/// A tensor product of cubic B-splines on one to three axes, in grid units.
+#[pyclass(frozen, from_py_object, module = "tautline")]
+#[derive(Clone, Debug)]
+pub(crate) struct Spline {
+    pub(crate) spline: Arc<tautline::Spline>,
+}
+
+#[pymethods]
+impl Spline {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        values: PyReadonlyArrayDyn<'_, f64>,
+        interpolate: bool,
+    ) -> PyResult<Self> {
+        let (shape, values) = (values.shape().to_vec(), values.to_vec()?);
+        let made = py.detach(|| match interpolate {
+            true => tautline::Spline::interpolating(&shape, values),
+            false => tautline::Spline::new(&shape, values),
+        });
+        let spline = made.map_err(|error| ProblemError::new_err(error.to_string()))?;
+        Ok(Self { spline: Arc::new(spline) })
+    }
+
+    /// The number of coefficients along each axis.
+    #[getter]
+    fn shape(&self) -> Vec<usize> {
+        self.spline.shape().to_vec()
+    }
+
+    /// The coefficients.
+    #[getter]
+    fn coefficients<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        self.spline.coefficients().to_pyarray(py).reshape(self.spline.shape().to_vec())
+    }
+
+    /// A partial derivative of these orders at a point, in grid units.
+    fn value(&self, u: Vec<f64>, orders: [u8; 3]) -> f64 {
+        self.spline.value(&u, orders)
+    }
+
+    /// Proved bounds on a partial derivative of these orders, over all of space.
+    fn range(&self, orders: [u8; 3]) -> (f64, f64) {
+        let range: Interval = self.spline.range(orders);
+        (range.lo(), range.hi())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<tautline.Spline of shape {:?}>", self.spline.shape())
+    }
+}
