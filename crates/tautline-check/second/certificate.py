@@ -1,6 +1,8 @@
 """Reads a certificate, as `../FORMAT.md` describes it; whatever it does not name is refused."""
 
+import hashlib
 import itertools
+import math
 import re
 import struct
 
@@ -9,6 +11,7 @@ import numpy as np
 from formula import Formula
 from level import Level
 from refused import require
+from table import Table
 
 # The greatest coordinate of a cube, in sides.
 FARTHEST = 1 << 28
@@ -56,10 +59,16 @@ class Certificate:
         lines.next("tautline-distance 1")
         self.dimension = integer(lines.next(r"dimension (\S+)")[0])
         require(1 <= self.dimension <= 3, f"dimension {self.dimension}: only 1 to 3 can be checked")
+        tables, self.statement = [], []
+        while lines.peek().startswith("table "):
+            tables.append(self.read_table(lines))
+            shape, numbers = tables[-1].coefficients.shape, tables[-1].coefficients
+            digest = hashlib.sha256(numbers.astype("<f8").tobytes()).hexdigest()
+            self.statement.append(f"table {' '.join(map(str, shape))} sha256 {digest}")
         start = lines.at
         count = integer(lines.word("metric"))
         require(1 <= count <= len(lines.lines), "the formula has no lines")
-        self.formula = Formula([lines.next("(.*)")[0] for _ in range(count)], self.dimension)
+        self.formula = Formula([lines.next("(.*)")[0] for _ in range(count)], self.dimension, tables)
         self.sets = [self.read_set(lines, name) for name in ("from", "to")]
         self.hi = doubles([lines.word("hi")])[0]
         (kind, *bits), numbers = (
@@ -68,7 +77,7 @@ class Certificate:
         )
         require(numbers.get(kind) == len(bits), "the region is none that the format names")
         self.region = (kind, *doubles(bits))
-        self.statement = lines.lines[start + 1 : start + 1 + count]
+        self.statement += lines.lines[start + 1 : start + 1 + count]
         self.curve = None
         if lines.peek().startswith("curve "):
             count = integer(lines.word("curve"))
@@ -86,6 +95,14 @@ class Certificate:
         lines.at += count
         require(all(len(row) == width for row in rows), f"a row does not have {width} numbers")
         return doubles([word for row in rows for word in row]).reshape(count, width)
+
+    def read_table(self, lines):
+        shape = [integer(word) for word in lines.words("table")]
+        valid = 1 <= len(shape) <= 3 and all(length > 0 for length in shape)
+        require(valid, "a table has one to three lengths")
+        numbers = self.rows(lines, math.prod(shape[:-1]), shape[-1])
+        require((np.abs(numbers) <= 2.0**1000).all(), "a number of a table is too large")
+        return Table(numbers.reshape(shape))
 
     def read_set(self, lines, name):
         pieces, n = [], self.dimension

@@ -5,6 +5,7 @@ import re
 import numpy as np
 
 from refused import require
+from table import tabulated
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
 NAME = r"[xs][1-9]\d*"
@@ -13,8 +14,9 @@ NAME = r"[xs][1-9]\d*"
 class Formula:
     """The steps of a formula, to be evaluated on numbers with + - * / and methods for functions."""
 
-    def __init__(self, lines, dimension):
-        self.dimension, self.steps = dimension, []
+    def __init__(self, lines, dimension, tables=()):
+        self.dimension, self.steps, self.tables = dimension, [], tables
+        called = []
         known = [f"x{i + 1}" for i in range(dimension)]
         for line in lines[:-1]:
             match = re.fullmatch(r"(s\d+)(?:, (s\d+))? = (.+);", line, re.ASCII)
@@ -24,8 +26,13 @@ class Formula:
                 require(name == f"s{len(known) - dimension + 1}", f"{name} is not the next step")
                 known.append(name)
             step = self.step(match[3], len(names), known[: -len(names)])
+            if not step and len(names) == 1:
+                step = self.call(match[3], known[:-1])
+                called.extend(step[1:2] if step and step[1] not in called else ())
             require(step, f"{match[3][:60]!r} is no operation on earlier steps")
             self.steps.append((names, step))
+        in_order = called == list(range(len(tables)))
+        require(in_order, "the tables are not those that the formula calls, in the order of calls")
         match = re.fullmatch(r"\[(.*)\]", lines[-1], re.ASCII)
         require(match, "the last line of the formula is no matrix")
         self.entries = [row.split(", ") for row in match[1].split("; ")]
@@ -58,6 +65,19 @@ class Formula:
         functions = "sqr|recip|sqrt|exp|ln|sin|cos|tan|atan|sinh|cosh|tanh"
         return parse(rf"({functions})\(({NAME})\)")
 
+    def call(self, text, known):
+        """A step such as table1(s1, x2) or table1_10(s1, x2): the number, the orders, the names."""
+        pattern = rf"table([1-9]\d*)(?:_([012]+))?\(({NAME}(?:, {NAME})*)\)"
+        match = re.fullmatch(pattern, text, re.ASCII)
+        if not match or int(match[1]) > len(self.tables):
+            return None
+        number, names = int(match[1]) - 1, match[3].split(", ")
+        axes = self.tables[number].coefficients.ndim
+        orders = tuple(map(int, match[2] or "0" * axes))
+        if len(names) != axes or len(orders) != axes or not all(name in known for name in names):
+            return None
+        return ("table", number, orders, names)
+
     def __call__(self, x, constant):
         """The entries on and above the diagonal, which define the others."""
         values = {f"x{i + 1}": xi for i, xi in enumerate(x)}
@@ -71,6 +91,10 @@ class Formula:
                 results = [values[rest[0]].powi(rest[1])]
             elif what == "negative":
                 results = [-values[rest[0]]]
+            elif what == "table":
+                number, orders, arguments = rest
+                u = [values[name] for name in arguments]
+                results = [tabulated(self.tables[number], orders, u)]
             else:
                 results = [getattr(values[rest[0]], name)() for name in what.split("_")]
             values.update(zip(names, results))

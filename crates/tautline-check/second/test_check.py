@@ -16,6 +16,7 @@ from jets import Jet
 from refused import Refused
 from region import required_cubes
 from sweep import Sweep
+from table import Table
 
 
 def bits(*numbers):
@@ -121,6 +122,82 @@ class Numbers(unittest.TestCase):
                 ends = [j.value.lo if order == 1 else j.first[0].lo for j in (low, high)]
                 found = middle.first[0] if order == 1 else middle.second[0, 0]
                 self.assertAlmostEqual((ends[1] - ends[0]) / (2 * step), found.lo, delta=1e-5)
+
+
+class Tables(unittest.TestCase):
+    @staticmethod
+    def value(c, u, orders):
+        """A derivative at a point by the formula of the cubic B-spline."""
+
+        def b(t, order):
+            t = abs(t) if order % 2 == 0 else t
+            sign, t = (-1.0, -t) if order % 2 and t < 0 else (1.0, t)
+            near = [(4 - 6 * t**2 + 3 * t**3) / 6, -2 * t + 1.5 * t**2, -2 + 3 * t]
+            far = [(2 - t) ** 3 / 6, -((2 - t) ** 2) / 2, 2 - t]
+            return 0.0 if t >= 2 else sign * (near if t < 1 else far)[order]
+
+        total = 0.0
+        spans = [range(math.floor(x) - 2, math.floor(x) + 4) for x in u]
+        for at in itertools.product(*spans):
+            weight = math.prod(b(x - i, order) for x, i, order in zip(u, at, orders))
+            total += weight * c[tuple(min(max(i, 0), n - 1) for i, n in zip(at, c.shape))]
+        return total
+
+    def test_bounds_contain_the_derivatives_and_are_close_on_small_boxes(self):
+        chance = random.Random(2)
+        for shape in [(6,), (4, 5), (2, 3, 4)]:
+            c = np.array([chance.uniform(1, 5) for _ in range(math.prod(shape))]).reshape(shape)
+            for width in (0.0, 1e-3, 0.3, 1.0, 3.0, 20.0):
+                orders = tuple(chance.choice([0, 1, 2]) for _ in shape)
+                if sum(orders) > 3:
+                    continue
+                low = [chance.uniform(-4, n + 3) for n in shape]
+                low[0] = float(round(low[0]))
+                box = [Interval(np.array([x]), np.array([x + width])) for x in low]
+                found = Table(c)(orders, box)
+                values = []
+                for _ in range(40):
+                    u = [x + width * chance.random() for x in low]
+                    values.append(self.value(c, u, orders))
+                    self.assertLessEqual(found.lo[0] - 1e-12, values[-1], (low, width, orders))
+                    self.assertLessEqual(values[-1], found.hi[0] + 1e-12, (low, width, orders))
+                # A derivative of the next order is at most 5 * 8.
+                slack = 40 * len(shape) * width + 1e-12
+                if width < 0.5:
+                    self.assertLessEqual(found.hi[0] - found.lo[0], 2 * slack)
+
+    def test_third_derivatives_have_both_values_and_fourth_ones_none_across_a_node(self):
+        table = Table(np.array([0.0, 0.0, 1.0, 5.0]))
+        node = [Interval(np.array([1.0]), np.array([1.0]))]
+        both = table((3,), node)
+        # Third differences from the cells at 0 and at 1.
+        self.assertEqual((both.lo[0], both.hi[0]), (1.0, 2.0))
+        across = [Interval(np.array([0.5]), np.array([1.5]))]
+        self.assertTrue(np.isnan(table((4,), across).lo[0]))
+        self.assertEqual(table((4,), [Interval(np.array([0.0]), np.array([1.0]))]).hi[0], 0.0)
+
+    def test_a_certificate_calls_its_tables_in_order(self):
+        metric = ["s1 = table1(x1);", "[s1]"]
+        ends = [("point", 0.0), ("point", 1.0)]
+        cubes = required(1.5, ends, -2)
+        run = f"level -2 {len(cubes)} {2 * len(cubes) + 1}"
+        nodes = [bits(k / 8, 1 - k / 8) for k in range(2 * cubes.min(), 2 * cubes.max() + 3)]
+        cubes_and_nodes = [run, *(f"{k[0]} 1" for k in cubes), *nodes]
+        whole = lines(metric, ends, 1.5, f"declared {bits(1.0)}", [cubes_and_nodes])
+        table = ["table 2", bits(1.0, 1.0)]
+        good = "\n".join([*whole[:2], *table, *whole[2:]]) + "\n"
+        lower, _ = check(Certificate(good))
+        self.assertAlmostEqual(lower, 1.0, places=2)
+        for wrong in (
+            good.replace("table1", "table2"),
+            good.replace("table1", "table1_3"),
+            good.replace("table1(x1)", "table1(x1, x1)"),
+            good.replace("table 2", "table 3"),
+            good.replace("metric", "\n".join([*table, "metric"])),
+            good.replace("table 2\n" + bits(1.0), "table 2\n" + bits(math.inf)),
+        ):
+            with self.assertRaises(Refused):
+                Certificate(wrong)
 
 
 class Bounds(unittest.TestCase):
