@@ -54,8 +54,8 @@ class Metric:
             what, found = _traced(what, dimension)
             named.update(found)
         elif isinstance(what, _Written):
-            what, found = what.text, what.tables
-            named.update(found)
+            named.update(what.tables)
+            what = what.text
         if not isinstance(what, str):
             raise ProblemError(f"a metric is a text or a function, not {what!r}")
         splines = {name: table.spline for name, table in named.items()}
@@ -72,12 +72,17 @@ class Metric:
     ) -> Metric:
         """The metric of a cost image: `cost[i, j]` is the cost of a unit of length at the point
         `origin + spacing * (i, j)`, smoothed as by `Table`. Arrays may have one to three axes.
+        An obstacle is a high cost: a way round it is taken where it is cheaper.
 
         >>> import numpy as np
         >>> metric = Metric.image(np.array([[1.0, 1.0], [3.0, 3.0]]), spacing=0.5)
         >>> round(float(np.sqrt(metric([0.25, 0.1])[0, 0])), 6), metric.constants()["c1"].lower > 0.99
         (2.0, True)
         """
+        cost = np.asarray(cost, float)
+        if not np.all(cost > 0):
+            index = tuple(int(i) for i in np.argwhere(~(cost > 0))[0])
+            raise ProblemError(f"the cost at {index} is {cost[index]}; it must be positive")
         table = Table(cost, interpolate=interpolate)
         axes = len(table.shape)
         step, start = (np.broadcast_to(np.asarray(x, float), axes) for x in (spacing, origin))

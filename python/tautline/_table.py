@@ -29,7 +29,10 @@ class Table:
     __slots__ = ("spline",)
 
     def __init__(self, values: Any, *, interpolate: bool = False) -> None:
-        self.spline = Spline(np.ascontiguousarray(values, float), interpolate)
+        array = np.asarray(values, float)
+        if array.ndim == 0:
+            raise ProblemError("a table is an array of one to three axes, not a number")
+        self.spline = Spline(np.ascontiguousarray(array), interpolate)
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -311,8 +311,10 @@ class Tables(unittest.TestCase):
         self.assertEqual(tl.check(found.text).lower, found.lower)
         with self.assertRaisesRegex(tl.ProblemError, "spacing"):
             tl.Metric.image(self.rows, spacing=0)
-        with self.assertRaises(tl.MetricError):
-            tl.solve(tl.Metric.image(self.rows - 2), [0, 0], [3, 2])
+        with self.assertRaisesRegex(tl.ProblemError, r"\(0, 1\) is nan"):
+            tl.Metric.image([[1, math.nan]])
+        with self.assertRaisesRegex(tl.ProblemError, r"\(0, 0\) is -1.0"):
+            tl.Metric.image(self.rows - 2)
 
 
 class Notebooks(unittest.TestCase):
