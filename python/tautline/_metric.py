@@ -231,7 +231,7 @@ def _form(form: str, f: Any, dimension: int) -> str | _Written:
 
 
 def _from_sympy(matrix: Any, variables: Sequence[Any]) -> Callable[[np.ndarray], Any]:
-    import sympy  # type: ignore[import-untyped, unused-ignore]
+    import sympy  # type: ignore[import-untyped, import-not-found, unused-ignore]
 
     function = sympy.lambdify(list(variables), sympy.Matrix(matrix).tolist(), "numpy", cse=True)
     return lambda x: function(*x)

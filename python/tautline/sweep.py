@@ -64,7 +64,7 @@ _TEXTS = ("stop", "hessian", "status", "reason")
 def read(path: str | os.PathLike[str]) -> Plan:
     """The plan of a sweep file, of a table that `tautline plan` wrote, or of one by `to_parquet`."""
     if Path(path).suffix == ".parquet":
-        import pyarrow.parquet  # type: ignore[import-untyped, unused-ignore]
+        import pyarrow.parquet  # type: ignore[import-untyped, import-not-found, unused-ignore]
 
         table = pyarrow.parquet.read_table(path)
         metadata = table.schema.metadata or {}
