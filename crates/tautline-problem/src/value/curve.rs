@@ -61,8 +61,8 @@ pub trait Curve: Debug + Send + Sync {
     fn other_minima(&self) -> Vec<Arc<dyn Curve>>;
 
     /// Proves bounds on the distance, as [`TautLine::prove`](tautline::TautLine::prove) does, or
-    /// takes them from constants that are claimed. `watch` and `observe` are told of the progress,
-    /// and may end it.
+    /// takes them from constants that you claim. The search calls `watch` and `observe` as it goes
+    /// on; either of them may end it.
     ///
     /// # Errors
     ///

@@ -33,8 +33,8 @@ fn bits<const D: usize>(found: &tautline::distance::Found<D>) -> [u64; 2] {
 fn the_distance_over_a_table_is_the_integral_of_the_spline() {
     let ends = Ends::points([0.0, 0.5], [7.0, 0.5]).expect("finite");
     let line = Problem::new(formula::<2>(), ends).solve(Trapezoidal, 448).expect("solved");
-    // The nodes of the rule meet those of the spline: in a cell the error is of order 64⁻², times the
-    // largest second derivative 2 (4 − 1 − …)/24.
+    // The midpoint rule with 64 chords a cell is off by |f″|/24 · 64⁻² in each of 7 cells, where
+    // |f″| ≤ |1 − 2·4 + 2| = 5. Twice that, since the chords are not equally long.
     let (found, error) = (line.length().value, 10.0 / 24.0 / 64_f64.powi(2) * 7.0);
     assert!((found - exact()).abs() < 1e-12 * exact(), "{found} {}", exact());
     let discrete = line.discrete_energy().sqrt();
@@ -69,7 +69,7 @@ fn constants_of_a_table_hold_on_all_of_space() {
     assert!(c1 <= least * (1.0 + 1e-14) && least <= c1 * 1.002, "{c1} {least}");
 }
 
-/// From a ball round the wall to a point, and once more from the text.
+/// From point to point, and once more from the text.
 #[test]
 fn a_certificate_over_a_table_is_checked_from_its_text() {
     let ends = Ends::points([0.0, 0.5], [7.0, 0.5]).expect("finite");
@@ -109,6 +109,27 @@ fn a_certificate_over_a_table_is_checked_from_its_text() {
     ] {
         let error = AnyCertificate::read(&wrong).map(|_| ()).expect_err("refused").to_string();
         assert!(error.contains(place), "{place}: {error}");
+    }
+}
+
+/// Taylor's formula along an oblique chord needs the mixed derivatives along all axes.
+#[test]
+fn proved_lengths_over_tables_are_those_of_the_quadrature() {
+    let numbers = |count: i32| (0..count).map(|n| f64::from(2 + n * n % 5)).collect();
+    let plane: Arc<dyn Table> = Arc::new(Spline::new(&[4, 5], numbers(20)).expect("a shape"));
+    let space: Arc<dyn Table> = Arc::new(Spline::new(&[3, 4, 3], numbers(36)).expect("a shape"));
+    let tables = [("p", plane), ("s", space)];
+    for text in ["cost(p(x1, x2))", "cost(s(x1, x2, x1 + 0.5*x2))"] {
+        let formula = Formula::<2>::parse_with(text, &[], &tables).expect("a formula");
+        let ends = Ends::points([-0.5, 0.25], [2.5, 3.0]).expect("finite");
+        let line = Problem::new(formula, ends).solve(Trapezoidal, 16).expect("solved");
+        let proved = line.admissible_curve().expect("a curve").length();
+        let found = line.length();
+        let slack = found.error + 1e-10 * found.value;
+        assert!(
+            proved.lo() <= found.value + found.error && found.value <= proved.hi() + found.error
+        );
+        assert!(proved.hi() - proved.lo() <= slack, "{text}: {proved:?} {found:?}");
     }
 }
 
