@@ -24,6 +24,7 @@ ONE_THREAD = {
 # Tautline goes first, since the others are divided by it.
 RUST = {"tautline": "Tautline", "argmin": "argmin, trust region"}
 PYTHON = {
+    "tautline_python": "Tautline, from Python",
     "jax_newton": "JAX + banded solver",
     "casadi_ipopt": "CasADi + IPOPT",
     "casadi_fatrop": "CasADi + FATROP",

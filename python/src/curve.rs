@@ -145,6 +145,12 @@ impl Curve {
         self.curve.search().hessian
     }
 
+    /// The number of Newton steps of all searches together.
+    #[getter]
+    fn newton_steps(&self) -> usize {
+        self.curve.search().newton_steps
+    }
+
     /// The residual of the discrete geodesic equation, relative to the momentum.
     #[getter]
     fn residual(&self) -> f64 {

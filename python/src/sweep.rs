@@ -1,6 +1,6 @@
 //! `Plan`: the problems of a sweep, solved block by block. Files are written in Python.
 
-use std::ops::Range;
+use std::{fs, ops::Range, path::PathBuf};
 
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
@@ -13,6 +13,7 @@ use crate::error::ProblemError;
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     plan: sweep::Plan,
+    folder: PathBuf,
 }
 
 fn raised(error: impl std::fmt::Display) -> PyErr {
@@ -31,10 +32,13 @@ fn explained(error: PlanError) -> PyErr {
 
 #[pymethods]
 impl Plan {
+    /// Files with tables of numbers are found from the folder.
     #[new]
-    fn new(text: &str) -> PyResult<Self> {
-        let plan = sweep::Plan::of_text(text).map_err(explained)?;
-        Ok(Self { plan })
+    #[pyo3(signature = (text, folder = PathBuf::new()))]
+    fn new(text: &str, folder: PathBuf) -> PyResult<Self> {
+        let mut open = |file: &str| fs::read(folder.join(file)).map_err(|error| error.to_string());
+        let plan = sweep::Plan::of_text_with(text, &mut open).map_err(explained)?;
+        Ok(Self { plan, folder })
     }
 
     /// The text of the sweep file.
@@ -67,9 +71,9 @@ impl Plan {
         self.plan.count() as usize
     }
 
-    /// A plan is sent to another process as its sweep file.
-    fn __getnewargs__(&self) -> (String,) {
-        (self.plan.file().to_owned(),)
+    /// A plan is sent to another process as its sweep file, with the folder of its tables.
+    fn __getnewargs__(&self) -> (String, PathBuf) {
+        (self.plan.file().to_owned(), self.folder.clone())
     }
 
     /// The parameters of the problems from start to below end, an array of shape (end - start, m).

@@ -62,7 +62,10 @@ _TEXTS = ("stop", "hessian", "status", "reason")
 
 
 def read(path: str | os.PathLike[str]) -> Plan:
-    """The plan of a sweep file, of a table that `tautline plan` wrote, or of one by `to_parquet`."""
+    """The plan of a sweep file, of a table that `tautline plan` wrote, or of one by `to_parquet`.
+
+    Files with tables of numbers, which the sweep file names, are found from the folder of this path."""
+    folder = Path(path).absolute().parent
     if Path(path).suffix == ".parquet":
         import pyarrow.parquet  # type: ignore[import-untyped, import-not-found, unused-ignore]
 
@@ -70,14 +73,14 @@ def read(path: str | os.PathLike[str]) -> Plan:
         metadata = table.schema.metadata or {}
         if b"tautline_sweep" not in metadata:
             raise ProblemError(f"{os.fspath(path)} is no plan")
-        plan = Plan(metadata[b"tautline_sweep"].decode())
+        plan = Plan(metadata[b"tautline_sweep"].decode(), folder)
         ids, *parameters = (table[name].to_numpy() for name in ("id", *plan.names))
         if not np.array_equal(ids, np.arange(len(plan))) or not np.array_equal(
             np.column_stack(parameters), plan.rows(0, len(plan))
         ):
             raise ProblemError(f"{os.fspath(path)} was changed: its rows are not those of its sweep")
         return plan
-    return Plan(Path(path).read_bytes().decode())
+    return Plan(Path(path).read_bytes().decode(), folder)
 
 
 def to_parquet(plan: Plan, path: str | os.PathLike[str]) -> None:

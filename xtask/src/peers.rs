@@ -5,7 +5,10 @@
 
 use std::{env, fs, path::Path, process::Command};
 
-use crate::run::{self, cargo};
+use crate::{
+    python,
+    run::{self, cargo},
+};
 
 /// The virtual environments: their folders below `target/peers`, and their requirements.
 const ENVIRONMENTS: [(&str, &str); 2] =
@@ -24,6 +27,13 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
         }
         environment.join("bin/python")
     });
+
+    // The wheel is made elsewhere, since what makes it needs other versions of what the peers need.
+    let wheel = python::made(root, &target, &target.join("python-environment"))
+        .and_then(|wheels| python::installed(&folder.join("main"), &wheels));
+    if let Err(message) = wheel {
+        eprintln!("{message}; Tautline from Python gets a row that says so");
+    }
 
     let example = ["build", "--release", "--package", "tautline", "--example", "peers"];
     cargo(&example, &[])?;

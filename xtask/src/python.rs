@@ -1,18 +1,31 @@
 //! `cargo xtask python`: makes the wheel, and tests it in an environment of its own.
 
-use std::{env, fs, path::Path, process::Command};
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
 
-use crate::{peers::install, run::run};
+use crate::{
+    peers::install,
+    run::{cargo, run},
+};
 
 /// Makes the wheel of the Python module, installs it into `target/python-environment`, and runs its
-/// tests, its notebooks, `stubtest`, and its examples beside those in Rust.
+/// tests, its notebooks, `stubtest`, and its examples beside those in Rust. With `speed` it measures
+/// instead what calls from Python cost, and paths through images beside scikit-image.
 pub(crate) fn python(root: &Path, rest: &[&str]) -> Result<(), String> {
-    if !rest.is_empty() {
-        return Err("python takes no arguments".to_owned());
-    }
     let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into()));
     let environment = target.join("python-environment");
+    let is_speed = match rest {
+        [] => false,
+        ["speed"] => true,
+        _ => return Err("the only argument of python is speed".to_owned()),
+    };
     wheel(root, &target, &environment)?;
+    if is_speed {
+        return speed(root, &target, &environment);
+    }
     let python = environment.join("bin/python");
     let call = |arguments: &[&str]| {
         let line = format!("{} {}", python.display(), arguments.join(" "));
@@ -23,8 +36,24 @@ pub(crate) fn python(root: &Path, rest: &[&str]) -> Result<(), String> {
     twins(root, &python, &shown(&target.join("python")))
 }
 
+/// Measures what calls from Python cost, beside the same calls in Rust.
+fn speed(root: &Path, target: &Path, environment: &Path) -> Result<(), String> {
+    install(environment, &root.join("python/checks/requirements-speed.txt"))?;
+    let example = ["build", "--release", "--package", "tautline", "--example", "beside_python"];
+    cargo(&example, &[])?;
+    let script = shown(&root.join("python/checks/speed.py"));
+    let mut command = Command::new(environment.join("bin/python"));
+    run(command.arg(&script).arg(target.join("release/examples/beside_python")), &script)
+}
+
 /// Makes the wheel, and installs it into an environment with what makes and tests it.
 pub(crate) fn wheel(root: &Path, target: &Path, environment: &Path) -> Result<(), String> {
+    let wheels = made(root, target, environment)?;
+    installed(environment, &wheels)
+}
+
+/// Makes the wheel in an environment with what makes it, and returns its folder.
+pub(crate) fn made(root: &Path, target: &Path, environment: &Path) -> Result<PathBuf, String> {
     install(environment, &root.join("python/requirements.txt"))?;
     let python = environment.join("bin/python");
     let wheels = target.join("wheels");
@@ -34,7 +63,7 @@ pub(crate) fn wheel(root: &Path, target: &Path, environment: &Path) -> Result<()
         let line = format!("{} {}", python.display(), arguments.join(" "));
         run(Command::new(&python).args(arguments), &line)
     };
-    let (wheels, python_target) = (shown(&wheels), shown(&target.join("python")));
+    let (out, python_target) = (shown(&wheels), shown(&target.join("python")));
     let manifest = "python/Cargo.toml";
     call(&[
         "-m",
@@ -46,20 +75,17 @@ pub(crate) fn wheel(root: &Path, target: &Path, environment: &Path) -> Result<()
         "--target-dir",
         &python_target,
         "--out",
-        &wheels,
+        &out,
     ])?;
-    call(&[
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--force-reinstall",
-        "--no-deps",
-        "--no-index",
-        "--find-links",
-        &wheels,
-        "tautline",
-    ])
+    Ok(wheels)
+}
+
+/// Installs the wheel in this folder into an environment, in place of an older one.
+pub(crate) fn installed(environment: &Path, wheels: &Path) -> Result<(), String> {
+    let pip = ["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", "--no-index"];
+    let mut command = Command::new(environment.join("bin/python"));
+    let command = command.args(pip).arg("--find-links").arg(wheels).arg("tautline");
+    run(command, "pip install tautline")
 }
 
 /// Runs the examples in Python and those in Rust of the same name. Every line that the former print is

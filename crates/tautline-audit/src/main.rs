@@ -93,7 +93,11 @@ fn run(arguments: &Arguments) -> Result<ExitCode, ProgramError> {
         let coloured = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
         ProgramError::BadFile(diagnostic.render(&name, &file, coloured))
     };
-    let question = Question::read(&file).map_err(|diagnostic| explain(&diagnostic))?;
+    // The files of a problem on standard input are found from the folder in which the command runs.
+    let folder = path.parent().filter(|_| path != Path::new("-")).unwrap_or(Path::new(""));
+    let mut open = |file: &str| fs::read(folder.join(file)).map_err(|error| error.to_string());
+    let question =
+        Question::read_with(&file, &mut open).map_err(|diagnostic| explain(&diagnostic))?;
     let Arguments { cases, seed, time_limit, .. } = *arguments;
     let audit =
         audit(&question, Effort { cases, seed, time_limit }).map_err(|error| match error {

@@ -9,7 +9,10 @@ use std::{
 
 use tautline_sweep::{Plan, PlanError, TableHead};
 
-use crate::{error::CommandError, problem::bad_file};
+use crate::{
+    error::CommandError,
+    problem::{bad_file, open},
+};
 
 /// A plan, and the rows of its table, if it is a table.
 pub(crate) struct PlanFile {
@@ -27,16 +30,18 @@ impl PlanFile {
         let failed = |error| CommandError::File { path: path.to_owned(), error };
         let explain = |error| explained(&name, error);
         let mut lines = BufReader::new(File::open(path).map_err(failed)?).lines();
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let mut open = |file: &str| open(folder, file);
         let (mut head, mut begin) = (TableHead::default(), String::new());
         loop {
             let line = lines.next().transpose().map_err(failed)?;
             if begin.is_empty() && !line.as_deref().is_some_and(TableHead::begins) {
                 let file = io::read_to_string(File::open(path).map_err(failed)?).map_err(failed)?;
-                let plan = Plan::read(&file).map_err(explain)?;
+                let plan = Plan::read_with(&file, &mut open).map_err(explain)?;
                 return Ok(Self { name, plan, rows: None, next: 0 });
             }
             let line = line.unwrap_or_default();
-            if let Some(plan) = head.line(&line).map_err(explain)? {
+            if let Some(plan) = head.line(&line, &mut open).map_err(explain)? {
                 return Ok(Self { name, plan, rows: Some(lines), next: 0 });
             }
             begin = line;

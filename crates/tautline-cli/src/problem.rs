@@ -30,7 +30,9 @@ impl ProblemText {
             fs::read_to_string(path).map(|read| text = read)
         };
         read.map_err(|error| CommandError::File { path: PathBuf::from(&name), error })?;
-        match Question::read(&text) {
+        // The files of a problem on standard input are found from the folder in which the command runs.
+        let folder = path.parent().filter(|_| !is_input).unwrap_or(Path::new(""));
+        match Question::read_with(&text, &mut |file| open(folder, file)) {
             Ok(question) => Ok(Self { name, text, question }),
             Err(error) => Err(bad_file(&name, &text, &error)),
         }
@@ -43,6 +45,11 @@ impl ProblemText {
             Failure::NotComputed(reason) => CommandError::NotDone(reason),
         }
     }
+}
+
+/// Returns the bytes of a file that a problem file names, or why it cannot be read.
+pub(crate) fn open(folder: &Path, file: &str) -> Result<Vec<u8>, String> {
+    fs::read(folder.join(file)).map_err(|error| error.to_string())
 }
 
 /// Returns the error of a file, with its lines.

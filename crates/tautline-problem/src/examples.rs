@@ -37,6 +37,7 @@ pub const EXAMPLES: &[Example] = examples! {
     "normal_distributions"
     "decoder"
     "obstacles"
+    "measured"
     "sets"
     "two_channels"
     "tie"

@@ -1,6 +1,6 @@
 //! The formula of the metric of a file.
 
-use std::ops::Range;
+use std::{ops::Range, sync::Arc};
 
 use tautline::{
     Formula,
@@ -16,7 +16,10 @@ use crate::{
         placed::Placed,
     },
     gallery,
-    reading::numbers::{Numbers, counted},
+    reading::{
+        numbers::{Numbers, counted},
+        tables::Tables,
+    },
 };
 
 /// The texts of a metric, numbered by their order.
@@ -30,8 +33,9 @@ struct Texts<'f> {
 pub(crate) fn formula<const D: usize>(
     problem: &ProblemFile,
     numbers: &Numbers<'_>,
+    tables: &Tables,
 ) -> Result<Formula<D>, Diagnostic> {
-    formula_of(problem.metric.get_ref(), problem, numbers)
+    formula_of(problem.metric.get_ref(), problem, numbers, tables)
 }
 
 /// Returns the formula of another metric with the definitions of a file.
@@ -39,6 +43,7 @@ pub(crate) fn formula_of<const D: usize>(
     metric: &MetricFile,
     problem: &ProblemFile,
     numbers: &Numbers<'_>,
+    tables: &Tables,
 ) -> Result<Formula<D>, Diagnostic> {
     let mut texts = Texts { numbers, places: Vec::new() };
     let mut definitions: Vec<_> = problem.definitions.iter().collect();
@@ -54,7 +59,11 @@ pub(crate) fn formula_of<const D: usize>(
     let whole = problem.metric.span();
     let coordinates: Vec<usize> = (1..=D).collect();
     let metric = texts.written(metric, &coordinates)?;
-    let formula = Formula::compose(&numbers.by_name(), &[], &definitions, &metric);
+    let tables: Vec<_> =
+        tables.iter().map(|(name, table)| (name.as_str(), Arc::clone(table))).collect();
+    let defined: Vec<&str> =
+        defined.into_iter().chain(tables.iter().map(|(name, _)| *name)).collect();
+    let formula = Formula::compose(&numbers.by_name(), &tables, &definitions, &metric);
     formula.map_err(|WrittenError { id, error }| {
         let span = texts.places.get(id).cloned().unwrap_or(whole);
         numbers.explain(&error, span, &defined)

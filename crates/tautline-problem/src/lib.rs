@@ -39,10 +39,8 @@ mod picture;
 mod question;
 mod reading;
 mod schema;
-mod sign;
 mod solve;
 mod sweep;
-mod tolerance;
 pub mod value;
 
 pub use answer::{
@@ -57,6 +55,7 @@ pub use examples::{EXAMPLES, Example};
 pub use failure::Failure;
 pub use float::Float;
 pub use question::{Grid, LEAST_TOLERANCE, Question};
+pub use reading::tables::Open;
 pub use schema::{answer_schema, certified_schema, constants_schema, problem_schema};
 pub use schemars::Schema;
 pub use solve::Programs;

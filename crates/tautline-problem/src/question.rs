@@ -4,16 +4,15 @@
 use core::time::Duration;
 use std::sync::Arc;
 
-use tautline::{Constants, Formula, LARGEST_N};
+use tautline::{Constants, Formula};
 
 use crate::{
     Diagnostic, LARGEST_DIMENSION,
     file::{
         ProblemFile,
-        expression::Text,
         placed::Placed,
-        request::{ConstantsFile, RuleName, SolveFile},
-        set::{SetFile, Vector},
+        request::{ConstantsFile, RuleName},
+        set::SetFile,
     },
     formula::formula,
     reading::{
@@ -21,6 +20,8 @@ use crate::{
         parse::parse,
         pieces::{pieces, region, sampled},
         shape::Piece,
+        solve::Solve,
+        tables::{Open, Tables, tables},
         view::{View, view},
     },
 };
@@ -42,6 +43,7 @@ pub struct Question {
     pub(crate) problem: Arc<ProblemFile>,
     pub(crate) dimension: usize,
     pub(crate) parameters: Vec<(String, f64)>,
+    pub(crate) tables: Tables,
     /// The pieces of the two sets, if the file has them.
     pub(crate) ends: Option<[Vec<Piece>; 2]>,
     pub(crate) rule: RuleName,
@@ -83,13 +85,28 @@ pub(crate) fn default_boxes(dimension: usize) -> usize {
 }
 
 impl Question {
-    /// Reads a problem file.
+    /// Reads a problem file whose tables stand in it.
     ///
     /// # Errors
     ///
     /// [`Diagnostic`] with the place in the file.
     pub fn read(file: &str) -> Result<Self, Diagnostic> {
-        let question = Self::evaluated(file.into(), Arc::new(parse(file)?), &[])?;
+        Self::read_with(
+            file,
+            &mut |_| Err("a table in another file, which is not read here".into()),
+        )
+    }
+
+    /// Reads a problem file. `open` returns the bytes of a file with numbers, or why it cannot be read;
+    /// it is called once for each such table, in their order.
+    ///
+    /// # Errors
+    ///
+    /// [`Diagnostic`] with the place in the file.
+    pub fn read_with(file: &str, open: &mut Open<'_>) -> Result<Self, Diagnostic> {
+        let problem = Arc::new(parse(file)?);
+        let tables = tables(&problem, &Numbers::new(file, &problem, &[])?, open)?;
+        let question = Self::evaluated(file.into(), problem, tables, &[])?;
         // A wrong section is an error even where it has no effect.
         question.sweep()?;
         Ok(question)
@@ -99,6 +116,7 @@ impl Question {
     pub(crate) fn evaluated(
         file: Arc<str>,
         problem: Arc<ProblemFile>,
+        tables: Tables,
         replaced: &[(&str, f64)],
     ) -> Result<Self, Diagnostic> {
         let numbers = Numbers::new(&file, &problem, replaced)?;
@@ -143,6 +161,7 @@ impl Question {
             problem,
             dimension,
             parameters,
+            tables,
             ends,
             rule,
             grid,
@@ -180,7 +199,7 @@ impl Question {
                 format!("the metric has {}, not {D}", counted(self.dimension, "coordinate"));
             return Err(Diagnostic::new(message, self.problem.metric.span()));
         }
-        formula(&self.problem, &self.numbers())
+        formula(&self.problem, &self.numbers(), &self.tables)
     }
 
     /// Returns the corners of the box in which an audit draws samples, if the file has one.
@@ -258,53 +277,6 @@ fn dimension(problem: &ProblemFile) -> Result<usize, Diagnostic> {
 fn lonely(set: &Placed<SetFile>, other: &str) -> Diagnostic {
     Diagnostic::new(format!("[{other}] is missing"), set.span())
         .label("a curve runs between two sets")
-}
-
-/// The numbers of the section `[solve]`.
-struct Solve {
-    grid: Grid,
-    starts: Vec<Vec<Vec<f64>>>,
-    steps: Option<usize>,
-    time_limit: Option<Duration>,
-}
-
-impl Solve {
-    fn new(solve: &SolveFile, numbers: &Numbers<'_>, dimension: usize) -> Result<Self, Diagnostic> {
-        let grid = match (&solve.n, &solve.tolerance) {
-            (Some(_), Some(tolerance)) => {
-                return Err(Diagnostic::new("a tolerance besides n", tolerance.span())
-                    .label("expected n or tolerance, not both"));
-            }
-            (Some(n), None) => Grid::Chords(chords(n)?),
-            (None, Some(text)) => Grid::Tolerance(numbers.between(text, LEAST_TOLERANCE, 1.0)?),
-            (None, None) => Grid::Chords(CHORDS),
-        };
-        let start = |start: &Placed<Vec<Vector>>| {
-            if start.get_ref().len() < 2 {
-                let found = counted(start.get_ref().len(), "point");
-                return Err(Diagnostic::new(format!("a start of {found}"), start.span())
-                    .label("expected 2 points or more"));
-            }
-            start.get_ref().iter().map(|x| numbers.vector(x, dimension)).collect()
-        };
-        let starts = solve.starts.iter().map(start).collect::<Result<Vec<_>, _>>()?;
-        // Beyond that, `Duration` overflows.
-        let limit = |text: &Text| numbers.between(text, 0.0, 1e15).map(Duration::from_secs_f64);
-        let time_limit = solve.time_limit.as_ref().map(limit).transpose()?;
-        let steps = solve.steps.as_ref().map(|steps| *steps.get_ref());
-        Ok(Self { grid, starts, steps, time_limit })
-    }
-}
-
-fn chords(n: &Placed<usize>) -> Result<usize, Diagnostic> {
-    match *n.get_ref() {
-        0 => Err(Diagnostic::new("no chord", n.span()).label("expected n of at least 1")),
-        n_chords if n_chords > LARGEST_N => {
-            let label = format!("expected n of at most {LARGEST_N}");
-            Err(Diagnostic::new(format!("{n_chords} chords"), n.span()).label(label))
-        }
-        n => Ok(n),
-    }
 }
 
 fn constants(claimed: &ConstantsFile, numbers: &Numbers<'_>) -> Result<Constants, Diagnostic> {

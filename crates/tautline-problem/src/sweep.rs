@@ -70,7 +70,8 @@ impl Question {
     /// are ignored.
     pub fn with_parameters(&self, values: &[(&str, f64)]) -> Result<Self, Diagnostic> {
         let (grid, bound) = (self.grid, self.bound);
-        let question = Self::evaluated(self.file.clone(), self.problem.clone(), values)?;
+        let question =
+            Self::evaluated(self.file.clone(), self.problem.clone(), self.tables.clone(), values)?;
         Ok(Self { grid, bound, ..question })
     }
 

@@ -14,6 +14,10 @@ impl Hash {
         self.0.update(text.as_bytes());
     }
 
+    pub(crate) fn add_bytes(&mut self, bytes: &[u8]) {
+        self.0.update(bytes);
+    }
+
     /// Returns the hash of all texts so far, in hexadecimal.
     pub(crate) fn digits(&self) -> String {
         let bytes = self.0.clone().finalize();

@@ -2,12 +2,17 @@
 
 use std::ops::Range;
 
-use tautline_problem::{Axis, Diagnostic, Question, Sweep, Values};
+use tautline_problem::{Axis, Diagnostic, Open, Question, Sweep, Values};
 
 use crate::{PlanError, draw::unit, hash::Hash, result_row::COLUMNS};
 
 /// The largest number of problems: ids beyond it are not exact as floating-point numbers.
 pub(crate) const MOST: u64 = 1 << 53;
+
+/// What is said of tables in other files where none are read.
+pub(crate) fn elsewhere(_: &str) -> Result<Vec<u8>, String> {
+    Err("a table in another file, which is not read here".to_owned())
+}
 
 /// What the hash of a plan begins with. Another rule for the rows needs another number.
 const RULE: &str = "tautline plan 1\n";
@@ -25,14 +30,34 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Reads a sweep file: a problem file with a section `[sweep]`.
+    /// Reads a sweep file: a problem file with a section `[sweep]`, whose tables stand in it.
     ///
     /// # Errors
     ///
     /// [`PlanError`], with the place in the file if the file is wrong.
     pub fn read(file: &str) -> Result<Self, PlanError> {
+        Self::read_with(file, &mut elsewhere)
+    }
+
+    /// Reads a sweep file: a problem file with a section `[sweep]`. `open` returns the bytes of a file
+    /// with numbers, or why it cannot be read. They are part of the hash.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError`], with the place in the file if the file is wrong.
+    pub fn read_with(file: &str, open: &mut Open<'_>) -> Result<Self, PlanError> {
         let wrong = |diagnostic: Diagnostic| PlanError::File { diagnostic, file: file.to_owned() };
-        let mut question = Question::read(file).map_err(wrong)?;
+        let mut hash = Hash::default();
+        hash.add(RULE);
+        hash.add(file);
+        let mut question = Question::read_with(file, &mut |name| {
+            let bytes = open(name)?;
+            // With its length, the end of one file is not taken for the beginning of the next.
+            hash.add(&format!("\n{}\n", bytes.len()));
+            hash.add_bytes(&bytes);
+            Ok(bytes)
+        })
+        .map_err(wrong)?;
         question.without_bounds();
         let missing = || Diagnostic {
             message: "the file has no section [sweep]".to_owned(),
@@ -59,9 +84,6 @@ impl Plan {
             .ok()
             .filter(|&it| it <= MOST)
             .ok_or(PlanError::TooMany { count })?;
-        let mut hash = Hash::default();
-        hash.add(RULE);
-        hash.add(file);
         Ok(Self { file: file.to_owned(), question, sweep, names, count, hash: hash.digits() })
     }
 
@@ -71,7 +93,8 @@ impl Plan {
         self.count
     }
 
-    /// Returns the hash: SHA-256 of the rule by which problems follow from a file, and of the file.
+    /// Returns the hash: SHA-256 of the rule by which problems follow from a file, of the file, and of the
+    /// files with its tables.
     #[must_use]
     pub fn hash(&self) -> &str {
         &self.hash

@@ -35,7 +35,10 @@ pub enum PlanError {
         expected: String,
     },
     /// The hash in the head of a table is not that of the sweep file there.
-    #[error("the plan was changed: its hash is {written}, but its sweep has {computed}")]
+    #[error(
+        "the plan or a file with its tables was changed: its hash is {written}, but its sweep has \
+         {computed}"
+    )]
     Hash {
         /// The hash that is written.
         written: String,

@@ -2,7 +2,9 @@
 
 use std::{fmt::Write, ops::Range};
 
-use crate::{Plan, PlanError, hash::DIGITS};
+use tautline_problem::Open;
+
+use crate::{Plan, PlanError, hash::DIGITS, plan::elsewhere};
 
 /// How the table begins.
 const TITLE: &str = "# tautline plan 1";
@@ -12,18 +14,29 @@ const COUNT: &str = "# problems ";
 const FILE: &str = "#|";
 
 impl Plan {
-    /// Reads a sweep file, or the table of a plan with all its rows.
+    /// Reads a sweep file, or the table of a plan with all its rows. No tables of numbers are read from
+    /// other files.
     ///
     /// # Errors
     ///
     /// [`PlanError`].
     pub fn of_text(text: &str) -> Result<Self, PlanError> {
+        Self::of_text_with(text, &mut elsewhere)
+    }
+
+    /// Reads a sweep file, or the table of a plan with all its rows. `open` returns the bytes of a file
+    /// with numbers, or why it cannot be read.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError`].
+    pub fn of_text_with(text: &str, open: &mut Open<'_>) -> Result<Self, PlanError> {
         if !TableHead::begins(text) {
-            return Self::read(text);
+            return Self::read_with(text, open);
         }
         let (mut head, mut lines) = (TableHead::default(), text.lines());
         let plan = loop {
-            if let Some(plan) = head.line(lines.next().unwrap_or_default())? {
+            if let Some(plan) = head.line(lines.next().unwrap_or_default(), open)? {
                 break plan;
             }
         };
@@ -110,12 +123,13 @@ impl TableHead {
     }
 
     /// Takes the next line, without its line break. Returns the plan once the head is complete; the
-    /// lines that follow are the rows.
+    /// lines that follow are the rows. `open` returns the bytes of a file with numbers, or why it cannot
+    /// be read.
     ///
     /// # Errors
     ///
     /// [`PlanError`] if this is no plan, or the head was changed.
-    pub fn line(&mut self, line: &str) -> Result<Option<Plan>, PlanError> {
+    pub fn line(&mut self, line: &str, open: &mut Open<'_>) -> Result<Option<Plan>, PlanError> {
         self.lines += 1;
         let number = self.lines;
         let expected =
@@ -130,18 +144,18 @@ impl TableHead {
                 let rest = after(FILE)?;
                 self.file.push(rest.strip_prefix(' ').unwrap_or(rest).to_owned());
             }
-            _ => return self.plan(line).map(Some),
+            _ => return self.plan(line, open).map(Some),
         }
         Ok(None)
     }
 
     /// Returns the plan, if the head is as the plan would write it.
-    fn plan(&self, columns: &str) -> Result<Plan, PlanError> {
+    fn plan(&self, columns: &str, open: &mut Open<'_>) -> Result<Plan, PlanError> {
         if self.hash.len() != DIGITS {
             let expected = format!("{HASH}and {DIGITS} digits");
             return Err(PlanError::NoPlan { line: 2, expected });
         }
-        let plan = Plan::read(&self.file.join("\n"))?;
+        let plan = Plan::read_with(&self.file.join("\n"), open)?;
         if self.hash != plan.hash() {
             let (written, computed) = (self.hash.clone(), plan.hash().to_owned());
             return Err(PlanError::Hash { written, computed });

@@ -83,7 +83,9 @@ fn libraries_do_no_input_or_output() {
         sources.into_iter().partition(|path| programs.iter().any(|it| path.starts_with(it)));
     assert!(programs.iter().all(|program| apart.iter().any(|path| path.starts_with(program))));
     assert_absent(&sources, "libraries read and write nothing", |line| {
-        forbidden.iter().any(|pattern| has_word(line, pattern))
+        // A cursor reads bytes that are in memory.
+        let line = line.replace("std::io::Cursor", "Cursor");
+        forbidden.iter().any(|pattern| has_word(&line, pattern))
     });
 }
 

@@ -4,9 +4,10 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 24] = [
+const BELOW: [(&str, &str); 25] = [
     ("drawing", ""),
     ("chance", ""),
+    ("array", ""),
     ("scalar", "chance"),
     ("spline", "chance scalar"),
     ("metrics", "chance scalar"),
@@ -24,7 +25,7 @@ const BELOW: [(&str, &str); 24] = [
     ),
     ("portrait", "chance drawing tautline"),
     ("page", "drawing tautline"),
-    ("problem", "chance portrait tautline"),
+    ("problem", "array chance portrait tautline"),
     ("sweep", "chance problem"),
     ("cli", "chance problem sweep"),
     ("statements", "tautline"),

@@ -51,6 +51,13 @@ fn claims_that_are_attained_are_right_to_a_percentage() {
     }
 }
 
+/// The corners of the region are nodes of the grid, where the third derivatives jump.
+#[test]
+fn a_table_is_audited_and_its_constants_are_proved_on_all_of_space() {
+    let constants = &holds("right_table")["constants"];
+    assert!(constants["proved"] == true && constants["within"].is_null());
+}
+
 #[test]
 fn three_coordinates_are_audited() {
     assert_eq!(holds("right_three_coordinates")["dimension"], 3);

@@ -3,6 +3,7 @@
 mod certificates;
 mod malformed;
 mod sweeps;
+mod tables;
 mod verbs;
 
 use std::{

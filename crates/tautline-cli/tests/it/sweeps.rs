@@ -174,7 +174,7 @@ fn a_plan_that_was_changed_is_refused() {
     let rows: Vec<&str> = plan.lines().collect();
     let last = rows[rows.len() - 1];
     for (from, to, message) in [
-        ("#| n = 16", "#| n = 17", "the plan was changed: its hash is"),
+        ("#| n = 16", "#| n = 17", "was changed: its hash is"),
         ("# problems 10", "# problems 11", "the number of problems"),
         ("\n7,", "\n7,1", "the row of problem 7"),
         ("\nid,y,height", "\nid,height,y", "the line of the columns"),

@@ -86,7 +86,7 @@ pub(super) fn jets<const D: usize>(case: &Case<'_, D>) -> LawResult {
         let law = "|uᵀ DH(x)[w] u − its central difference| = O(h²)";
         difference_test(claimed, form, length, size).map_err(|off| off.of(law, point))?;
         let size = terms + claimed.abs().max(norm(&first(metric, x, w))) + curvature * length;
-        let law = "|uᵀ D²H(x)[w, w] u − its central difference| = O(h²)";
+        let law = "|uᵀ D²H(x)[w, w] u − its central difference| = O(h)";
         difference_test(u.dot(&(bent * u)), slope, length, size)
             .map_err(|off| off.of(law, point))?;
         // The gradient is computed with another number type than the derivative along a line.

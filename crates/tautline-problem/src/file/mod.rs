@@ -7,6 +7,7 @@ pub(crate) mod placed;
 pub(crate) mod request;
 pub(crate) mod set;
 pub(crate) mod sweep;
+pub(crate) mod table;
 
 use std::collections::BTreeMap;
 
@@ -19,6 +20,7 @@ use placed::Placed;
 use request::{AuditFile, CertifyFile, OutputFile, SolveFile};
 use set::SetFile;
 use sweep::SweepFile;
+use table::TableFile;
 
 /// A problem: a metric, the two sets that a curve joins, and the options of each command.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -33,6 +35,9 @@ pub(crate) struct ProblemFile {
     /// Named expressions of the coordinates `x1`, `x2`, …. One may use those before it.
     #[serde(default, rename = "let")]
     pub(crate) definitions: BTreeMap<Placed<String>, Text>,
+    /// Arrays of numbers as smooth functions, by the names under which expressions call them.
+    #[serde(default)]
+    pub(crate) tables: BTreeMap<Placed<String>, Placed<TableFile>>,
     /// The metric.
     pub(crate) metric: Placed<MetricFile>,
     /// The set in which curves start.

@@ -6,4 +6,6 @@ pub(crate) mod numbers;
 pub(crate) mod parse;
 pub(crate) mod pieces;
 pub(crate) mod shape;
+pub(crate) mod solve;
+pub(crate) mod tables;
 pub(crate) mod view;

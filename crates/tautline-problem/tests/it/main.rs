@@ -5,6 +5,7 @@ mod gallery;
 mod other_minima;
 mod random_certificates;
 mod schema;
+mod tables;
 mod tolerance;
 mod twins;
 mod value;

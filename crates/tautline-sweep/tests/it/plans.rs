@@ -121,3 +121,25 @@ fn files_that_are_no_sweeps_are_refused() {
         assert!(error.contains(message), "{error}");
     }
 }
+
+/// A shard on another machine must not solve other problems because a file there is another one.
+#[test]
+fn the_hash_of_a_plan_is_of_its_tables_too() {
+    let file =
+        file("vary = { y = [0, 1] }").replace("[metric]", "[tables.h]\nfile = \"h.npy\"\n[metric]");
+    let npy = |data: &[u8]| {
+        let header = "{'descr': '|u1', 'fortran_order': False, 'shape': (2,), }\n";
+        let length = (header.len() as u16).to_le_bytes();
+        [b"\x93NUMPY\x01\x00", &length[..], header.as_bytes(), data].concat()
+    };
+    let plan = |data: &[u8]| Plan::read_with(&file, &mut |_| Ok(npy(data))).expect("a plan");
+    let [first, same, other] = [plan(&[1, 2]), plan(&[1, 2]), plan(&[1, 3])];
+    assert_eq!(first.hash(), same.hash());
+    assert_ne!(first.hash(), other.hash());
+    let table = first.head() + &first.lines(0..first.count()).expect("rows");
+    assert!(Plan::of_text_with(&table, &mut |_| Ok(npy(&[1, 2]))).is_ok());
+    let changed = Plan::of_text_with(&table, &mut |_| Ok(npy(&[1, 3]))).expect_err("a change");
+    assert!(changed.to_string().starts_with("the plan or a file with its tables was changed"));
+    let nowhere = Plan::of_text(&table).expect_err("no files");
+    assert!(nowhere.to_string().contains("which is not read here"), "{nowhere}");
+}

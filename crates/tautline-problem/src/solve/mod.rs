@@ -1,11 +1,16 @@
 //! Solves the problem of a file.
 
-use core::{any::Any, ops::ControlFlow};
+mod described;
+mod programs;
+mod sign;
+mod tolerance;
+
+use core::ops::ControlFlow;
 use std::sync::Arc;
 
 use tautline::{
-    Curvature, Ends, Formula, Integral, LeftEndpoint, Metric, Minimum, Options, PointSequence,
-    Prepared, Problem, Rule, SolveError, Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
+    Ends, Formula, LeftEndpoint, Options, PointSequence, Prepared, Problem, Rule, SolveError,
+    Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
     certify::{Progress, Watch},
     distance,
 };
@@ -13,14 +18,19 @@ use tautline::{
 use tautline_portrait::Shape;
 
 use crate::{
-    Answer, Bounds, Diagnostic, Estimated, Failure, Grid, OtherMinimum, Question, Search,
+    Answer, Bounds, Diagnostic, Failure, Grid, OtherMinimum, Question,
     answer::is_shorter,
     bounds::{NO_THEOREM, bounds},
     dimension::{InDimension, in_dimension},
     file::request::RuleName,
     reading::shape::{Piece, union, vector},
-    tolerance::{FINEST_GRID, FIRST_GRID, PATIENCE, finer_grid},
 };
+
+use self::tolerance::{FINEST_GRID, FIRST_GRID, PATIENCE, finer_grid};
+
+pub use self::programs::Programs;
+
+pub(crate) use self::described::{estimated, extrapolated, points, search};
 
 impl Question {
     /// Solves the problem, and calls `solved` with the answer as soon as the curve and the other minima
@@ -67,48 +77,6 @@ impl Question {
             observe: &mut |_| ControlFlow::Continue(()),
         };
         in_dimension(self.dimension, solve).unwrap_or(Err(Failure::NotComputed(String::new())))
-    }
-
-    /// Returns the programs of the metric: those of `last` if the formula is the same, otherwise new
-    /// ones, which are derived on first use.
-    ///
-    /// # Errors
-    ///
-    /// [`Diagnostic`] with the place in the file, if an expression is wrong.
-    pub fn programs(&self, last: Option<&Programs>) -> Result<Programs, Diagnostic> {
-        let found = in_dimension(self.dimension, Derive { question: self, last });
-        found.unwrap_or_else(|| Err(Diagnostic::new("no such dimension", 0..0)))
-    }
-}
-
-/// The programs of a metric, which are derived once, and which problems with the same formula share.
-#[derive(Clone, Debug)]
-pub struct Programs(Arc<dyn Any + Send + Sync>);
-
-impl Programs {
-    /// Returns the metric with its programs, if it has `D` coordinates.
-    fn prepared<const D: usize>(&self) -> Option<Arc<Prepared<Formula<D>, D>>> {
-        Arc::clone(&self.0).downcast().ok()
-    }
-}
-
-struct Derive<'q> {
-    question: &'q Question,
-    last: Option<&'q Programs>,
-}
-
-impl InDimension for Derive<'_> {
-    type Output = Result<Programs, Diagnostic>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let formula = self.question.formula::<D>()?;
-        let is_same = |last: &&Programs| {
-            last.prepared::<D>().is_some_and(|prepared| *prepared.metric() == formula)
-        };
-        Ok(match self.last.filter(is_same) {
-            Some(last) => last.clone(),
-            None => Programs(Arc::new(Prepared::new(formula))),
-        })
     }
 }
 
@@ -318,65 +286,4 @@ fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Star
     };
     given.extend(found);
     if only { Starts::Only(given) } else { Starts::Also(given) }
-}
-
-pub(crate) fn estimated(Integral { value, error, .. }: Integral) -> Estimated {
-    Estimated { value, error }
-}
-
-/// Returns an estimate of the distance.
-pub(crate) fn extrapolated<M: Metric<D>, R: Rule, const D: usize>(
-    line: &TautLine<M, R, D>,
-) -> Option<Estimated> {
-    let square = line.distance_squared_estimate()?;
-    let value = square.value.max(0.0).sqrt();
-    // An estimate that may be 0 is none.
-    let is_known = square.error < square.value;
-    is_known.then(|| Estimated { value, error: 0.5 * square.error / value })
-}
-
-/// Returns how the search for a minimum ended.
-pub(crate) fn search<const D: usize>(minimum: &Minimum<D>) -> Search {
-    Search {
-        converged: minimum.is_local_minimum(),
-        stop: stop(minimum.stop),
-        hessian: hessian(minimum.curvature),
-        residual: minimum.residual,
-        residual_floor: minimum.residual_floor,
-        newton_steps: minimum.iterations,
-    }
-}
-
-pub(crate) fn points<const D: usize>(sequence: &PointSequence<D>) -> Vec<Vec<f64>> {
-    sequence.points().iter().map(|x| x.as_slice().to_vec()).collect()
-}
-
-fn stop(stop: Stop) -> &'static str {
-    match stop {
-        Stop::Converged => "converged",
-        Stop::EndsTouch => "the sets touch",
-        Stop::Stalled => "stalled",
-        Stop::IterationLimit => "the number of steps ran out",
-        _ => "stopped",
-    }
-}
-
-fn hessian(curvature: Curvature) -> String {
-    match curvature {
-        Curvature::PositiveDefinite => "positive definite".to_owned(),
-        Curvature::Degenerate => "degenerate".to_owned(),
-        Curvature::Indefinite { negative } => format!("{negative} negative eigenvalues"),
-        _ => "unknown".to_owned(),
-    }
-}
-
-impl RuleName {
-    /// Returns the rule's name in a file.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            RuleName::Trapezoidal => "trapezoidal",
-            RuleName::LeftEndpoint => "left_endpoint",
-            RuleName::TrueTrapezoid => "true_trapezoid",
-        }
-    }
 }

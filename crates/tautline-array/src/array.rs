@@ -1,0 +1,84 @@
+//! `Array`: numbers along axes.
+
+use crate::{ArrayError, npy, picture};
+
+/// Numbers along axes, in memory row by row: the last axis varies fastest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Array {
+    shape: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Array {
+    /// Returns the array of these numbers.
+    ///
+    /// # Errors
+    ///
+    /// [`ArrayError::Count`] if there are not as many numbers as the shape says.
+    pub fn new(shape: Vec<usize>, values: Vec<f64>) -> Result<Self, ArrayError> {
+        match count(&shape) {
+            Some(expected) if expected == values.len() => Ok(Self { shape, values }),
+            _ => Err(ArrayError::Count { shape, found: values.len() }),
+        }
+    }
+
+    /// Reads the bytes of a NPY or PNG file; what it is shows in its first bytes.
+    ///
+    /// An integer beyond `2⁵³` is rounded to the nearest float.
+    ///
+    /// # Errors
+    ///
+    /// [`ArrayError`].
+    pub fn read(file: &[u8]) -> Result<Self, ArrayError> {
+        if file.starts_with(npy::MAGIC) {
+            npy::read(file)
+        } else if file.starts_with(picture::MAGIC) {
+            picture::read(file)
+        } else {
+            Err(ArrayError::Unknown)
+        }
+    }
+
+    /// Returns the lengths of the axes.
+    #[must_use]
+    pub fn shape(&self) -> &[usize] {
+        &self.shape
+    }
+
+    /// Returns the numbers.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Returns the shape and the numbers.
+    #[must_use]
+    pub fn into_parts(self) -> (Vec<usize>, Vec<f64>) {
+        (self.shape, self.values)
+    }
+
+    /// Returns the array of the first axes that has these indices, from 0, on the last ones: one channel
+    /// of a picture, or one entry of a matrix at each point.
+    ///
+    /// # Errors
+    ///
+    /// [`ArrayError::Component`] if there is no such entry.
+    pub fn component(&self, index: &[usize]) -> Result<Self, ArrayError> {
+        let wrong = || ArrayError::Component { index: index.to_vec(), shape: self.shape.clone() };
+        let first = self.shape.len().checked_sub(index.len()).ok_or_else(wrong)?;
+        let (shape, last) = self.shape.split_at(first);
+        if index.iter().zip(last).any(|(index, length)| index >= length) {
+            return Err(wrong());
+        }
+        let at = index.iter().zip(last).fold(0, |at, (index, length)| at * length + index);
+        // The axes are not empty here, so that a step is at least 1.
+        let step = last.iter().product();
+        let values = self.values.iter().skip(at).step_by(step).copied().collect();
+        Ok(Self { shape: shape.to_vec(), values })
+    }
+}
+
+/// Returns how many numbers an array of this shape has, if memory could hold them.
+pub(crate) fn count(shape: &[usize]) -> Option<usize> {
+    shape.iter().try_fold(1_usize, |count, &length| count.checked_mul(length))
+}

@@ -1,0 +1,66 @@
+//! What the library found, as the numbers and the words of an answer.
+
+use tautline::{Curvature, Integral, Metric, Minimum, PointSequence, Rule, Stop, TautLine};
+
+use crate::{Estimated, Search, file::request::RuleName};
+
+pub(crate) fn estimated(Integral { value, error, .. }: Integral) -> Estimated {
+    Estimated { value, error }
+}
+
+/// Returns an estimate of the distance.
+pub(crate) fn extrapolated<M: Metric<D>, R: Rule, const D: usize>(
+    line: &TautLine<M, R, D>,
+) -> Option<Estimated> {
+    let square = line.distance_squared_estimate()?;
+    let value = square.value.max(0.0).sqrt();
+    // An estimate that may be 0 is none.
+    let is_known = square.error < square.value;
+    is_known.then(|| Estimated { value, error: 0.5 * square.error / value })
+}
+
+/// Returns how the search for a minimum ended.
+pub(crate) fn search<const D: usize>(minimum: &Minimum<D>) -> Search {
+    Search {
+        converged: minimum.is_local_minimum(),
+        stop: stop(minimum.stop),
+        hessian: hessian(minimum.curvature),
+        residual: minimum.residual,
+        residual_floor: minimum.residual_floor,
+        newton_steps: minimum.iterations,
+    }
+}
+
+pub(crate) fn points<const D: usize>(sequence: &PointSequence<D>) -> Vec<Vec<f64>> {
+    sequence.points().iter().map(|x| x.as_slice().to_vec()).collect()
+}
+
+fn stop(stop: Stop) -> &'static str {
+    match stop {
+        Stop::Converged => "converged",
+        Stop::EndsTouch => "the sets touch",
+        Stop::Stalled => "stalled",
+        Stop::IterationLimit => "the number of steps ran out",
+        _ => "stopped",
+    }
+}
+
+fn hessian(curvature: Curvature) -> String {
+    match curvature {
+        Curvature::PositiveDefinite => "positive definite".to_owned(),
+        Curvature::Degenerate => "degenerate".to_owned(),
+        Curvature::Indefinite { negative } => format!("{negative} negative eigenvalues"),
+        _ => "unknown".to_owned(),
+    }
+}
+
+impl RuleName {
+    /// Returns the rule's name in a file.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            RuleName::Trapezoidal => "trapezoidal",
+            RuleName::LeftEndpoint => "left_endpoint",
+            RuleName::TrueTrapezoid => "true_trapezoid",
+        }
+    }
+}
