@@ -51,6 +51,7 @@ pub use newton::{
 };
 pub use search::{
     candidate::are_apart,
+    graph_path::{GraphPathError, Lattice, graph_path},
     minimum::{Curvature, Level, Minimum, Other, Stop},
     solve_error::SolveError,
     starts::Starts,

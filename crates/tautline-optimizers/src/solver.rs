@@ -107,8 +107,11 @@ impl<'a, const D: usize> Search<'a, D> {
     /// Returns the grids on the way to `n` chords. A small grid with given starts needs no other
     /// grid.
     fn grids(&self) -> Vec<usize> {
-        let given = matches!(self.options.starts, Starts::Only(_));
-        if given && self.n <= SMALL { vec![self.n] } else { grids(self.n) }
+        match self.options.starts {
+            Starts::OnTheGrid(_) => vec![self.n],
+            Starts::Only(_) if self.n <= SMALL => vec![self.n],
+            _ => grids(self.n),
+        }
     }
 
     /// Keeps the candidates that are followed to `grid`. If only one is followed, it is the lowest
@@ -218,7 +221,8 @@ impl<'a, const D: usize> Search<'a, D> {
         'a: 'e,
     {
         let (finest, lowest) = (grid == self.n, candidates.first());
-        let all = grid <= SETTLED && lowest.is_none_or(Candidate::leapt);
+        let is_coarse = grid <= SETTLED || matches!(self.options.starts, Starts::OnTheGrid(_));
+        let all = is_coarse && lowest.is_none_or(Candidate::leapt);
         let in_detail = finest && grid <= SMALL;
         if !all && !in_detail {
             return;
@@ -230,6 +234,12 @@ impl<'a, const D: usize> Search<'a, D> {
             (false, _) if unsettled => &LINES[..1],
             (false, _) => &[],
         };
+        if grid > SETTLED
+            && let Err(error) = Workspace::<D>::check_damped(grid)
+        {
+            self.refused = Some(error);
+            return;
+        }
         for &ends in pieces {
             let search = self.between(ends);
             for start in self.options.starts.between(self.energy, ends, grid, all, lines) {

@@ -24,6 +24,7 @@ use crate::{
         tables::{Open, Tables, tables},
         view::{View, view},
     },
+    value::Nodes,
 };
 
 /// How fine the grid is.
@@ -50,6 +51,7 @@ pub struct Question {
     pub(crate) grid: Grid,
     pub(crate) starts: Vec<Vec<Vec<f64>>>,
     pub(crate) only_these_starts: bool,
+    pub(crate) lattice: Option<Placed<Nodes>>,
     pub(crate) steps: Option<usize>,
     pub(crate) time_limit: Option<Duration>,
     pub(crate) bound: bool,
@@ -154,7 +156,7 @@ impl Question {
         let seed = audit.seed;
         let view = view(&problem, &numbers, dimension)?;
         let parameters = numbers.parameters;
-        let Solve { grid, starts, steps, time_limit } = solve;
+        let Solve { grid, starts, lattice, steps, time_limit } = solve;
         let (rule, only_these_starts) = (problem.solve.rule, problem.solve.only_these_starts);
         Ok(Self {
             file,
@@ -167,6 +169,7 @@ impl Question {
             grid,
             starts,
             only_these_starts,
+            lattice,
             steps,
             time_limit,
             bound,

@@ -62,6 +62,7 @@ mod certificate;
 mod certified_distance;
 mod competitors;
 mod conventions;
+mod lattice_search;
 mod other_minima;
 mod problem;
 mod proof;
@@ -96,9 +97,9 @@ pub use tautline_metrics::{
     MetricError, check_gram, christoffel, composition, gallery, is_gram, norm_squared, quadrature,
 };
 pub use tautline_optimizers::{
-    AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, NewtonStep, Options,
-    Other, SolveError, Starts, Stop, Workspace, extrapolate, leading_constants, minimise,
-    minimise_by_batches, minimise_in, newton_step,
+    AsymptoticsError, Curvature, Estimate, GraphPathError, Lattice, LeadingConstants, Level,
+    Minimum, NewtonStep, Options, Other, SolveError, Starts, Stop, Workspace, extrapolate,
+    graph_path, leading_constants, minimise, minimise_by_batches, minimise_in, newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table};
 pub use tautline_sets::{

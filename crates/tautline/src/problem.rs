@@ -43,6 +43,11 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         self.metric.metric()
     }
 
+    /// Returns the metric with its programs.
+    pub(crate) fn prepared(&self) -> &Arc<Prepared<M, D>> {
+        &self.metric
+    }
+
     /// Returns the sets.
     pub fn ends(&self) -> &Ends<D> {
         &self.ends

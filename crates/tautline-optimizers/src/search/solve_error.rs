@@ -3,6 +3,8 @@
 use tautline_discretizations::{LARGEST_N, SequenceError};
 use tautline_metrics::MetricError;
 
+use crate::search::graph_path::GraphPathError;
+
 /// The reason why there is no minimiser.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -39,6 +41,9 @@ pub enum SolveError {
         /// The energy, in `m²`: infinite, or NaN for a difference of infinities.
         energy: f64,
     },
+    /// There is no path along a lattice to start from.
+    #[error(transparent)]
+    GraphPath(#[from] GraphPathError),
     /// No sequence was given to start from, or none has finite points.
     #[error("no sequence of finite points to start from")]
     NoStart,

@@ -21,6 +21,10 @@ pub enum Starts<const D: usize> {
     /// Starts from these sequences only, on any grid. Their ends are projected to the sets. Up to
     /// `N = 64` the search begins on the grid of `N` chords itself, beyond that on a coarser one.
     Only(Vec<PointSequence<D>>),
+    /// Starts from these sequences only, on the grid of `N` chords itself. Coarser grids cannot carry a
+    /// start whose turns are closer together than their chords. Sequences of another number of chords
+    /// are divided linearly.
+    OnTheGrid(Vec<PointSequence<D>>),
     /// Starts from these sequences in addition to the automatic ones.
     Also(Vec<PointSequence<D>>),
 }
@@ -46,7 +50,7 @@ impl<const D: usize> Starts<D> {
         lines: &[usize],
     ) -> Vec<PointSequence<D>> {
         let mut starts = self.given([first, second], n);
-        if !matches!(self, Starts::Only(_)) && (bent || !lines.is_empty()) {
+        if !matches!(self, Starts::Only(_) | Starts::OnTheGrid(_)) && (bent || !lines.is_empty()) {
             for (a, b) in end_points(first, second) {
                 if bent {
                     starts.extend(bent_lines(&a, &b, n));
@@ -65,15 +69,33 @@ impl<const D: usize> Starts<D> {
         [first, second]: [&dyn ClosedSet<D>; 2],
         n: usize,
     ) -> Vec<Vec<SVector<f64, D>>> {
-        let (Starts::Only(given) | Starts::Also(given)) = self else { return Vec::new() };
-        let on_the_grid = |sequence| {
-            let mut points = prolong(sequence, n);
+        let (Starts::Only(given) | Starts::Also(given) | Starts::OnTheGrid(given)) = self else {
+            return Vec::new();
+        };
+        let on_the_grid = |sequence: &PointSequence<D>| {
+            let mut points = match self {
+                Starts::OnTheGrid(_) => divided(sequence, n),
+                _ => prolong(sequence, n),
+            };
             points[0] = first.project(&points[0]);
             points[n] = second.project(&points[n]);
             points
         };
         given.iter().map(on_the_grid).collect()
     }
+}
+
+/// Returns `n + 1` points on the polygon of a sequence, at equal distances in its parameter.
+fn divided<const D: usize>(sequence: &PointSequence<D>, n: usize) -> Vec<SVector<f64, D>> {
+    let (points, coarse) = (sequence.points(), sequence.n().get());
+    let at = |k: usize| {
+        // In integers, so that a point of the sequence remains as it is.
+        let (whole, rest) =
+            (k as u128 * coarse as u128 / n as u128, k as u128 * coarse as u128 % n as u128);
+        let (whole, t) = (whole as usize, rest as f64 / n as f64);
+        if rest == 0 { points[whole] } else { points[whole] * (1.0 - t) + points[whole + 1] * t }
+    };
+    (0..=n).map(at).collect()
 }
 
 /// Returns pairs of end points: nearest points of the sets, and each seed with the point nearest to
@@ -191,6 +213,30 @@ mod tests {
             (tried(&Starts::Automatic, &[]).len(), tried(&Starts::Automatic, &[48]).len()),
             (0, 1)
         );
+    }
+
+    /// A polygon with sharp turns: prolonged by polynomials it would swing beside its corners.
+    #[test]
+    fn starts_on_the_grid_are_divided_linearly() {
+        let a = Point::new([0.0, 0.0]).expect("finite");
+        let b = Point::new([3.0, 0.0]).expect("finite");
+        let corners = [[0.0, 0.0], [1.0, 1.0], [2.0, -1.0], [3.0, 0.0]];
+        let polygon = PointSequence::new(corners.map(Into::into).to_vec()).expect("finite");
+        let starts = Starts::OnTheGrid(vec![polygon.clone()]);
+        let on = |n| {
+            let [start] = starts
+                .between(&valleys(), [&a, &b], n, true, &[48, 64])
+                .try_into()
+                .expect("the given one");
+            start
+        };
+        assert_eq!(on(3), polygon);
+        let fine = on(6);
+        let expected = [[0.5, 0.5], [1.5, 0.0], [2.5, -0.5]];
+        for (k, x) in expected.into_iter().enumerate() {
+            assert_eq!(fine.points()[2 * k], polygon.points()[k]);
+            assert_eq!(fine.points()[2 * k + 1], x.into());
+        }
     }
 
     #[test]

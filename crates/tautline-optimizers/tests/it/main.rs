@@ -6,6 +6,7 @@ mod benchmark_problems;
 mod between_nodes;
 mod damped_steps;
 mod degenerate;
+mod graph_paths;
 mod large_grids;
 mod little_memory;
 mod nasty_metrics;

@@ -26,10 +26,25 @@ pub(crate) struct SolveFile {
     /// Whether the given starts replace the automatic ones.
     #[serde(default)]
     pub(crate) only_these_starts: bool,
+    /// A lattice; a search also starts, with `n` chords, from a shortest path along its nodes. It finds
+    /// the way through a landscape with many hills, in at most four dimensions.
+    pub(crate) lattice: Option<Placed<LatticeFile>>,
     /// The largest number of Newton steps of a local search on one grid.
     pub(crate) steps: Option<Placed<usize>>,
     /// The time after which everything stops, in seconds. What is known by then is the answer.
     pub(crate) time_limit: Option<Text>,
+}
+
+/// Nodes in a box.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LatticeFile {
+    /// The first node.
+    pub(crate) lower: Vector,
+    /// The corner at which the nodes end.
+    pub(crate) upper: Vector,
+    /// The distance of neighbouring nodes.
+    pub(crate) spacing: Text,
 }
 
 /// A rule of numerical integration.

@@ -7,15 +7,23 @@ use tautline::LARGEST_N;
 
 use crate::{
     Diagnostic, Grid, LEAST_TOLERANCE,
-    file::{expression::Text, placed::Placed, request::SolveFile, set::Vector},
+    file::{
+        expression::Text,
+        placed::Placed,
+        request::{LatticeFile, SolveFile},
+        set::Vector,
+    },
     question::CHORDS,
     reading::numbers::{Numbers, counted},
+    value::Nodes,
 };
 
 /// The numbers of the section `[solve]`.
+#[derive(Clone, Debug)]
 pub(crate) struct Solve {
     pub(crate) grid: Grid,
     pub(crate) starts: Vec<Vec<Vec<f64>>>,
+    pub(crate) lattice: Option<Placed<Nodes>>,
     pub(crate) steps: Option<usize>,
     pub(crate) time_limit: Option<Duration>,
 }
@@ -47,8 +55,21 @@ impl Solve {
         // Beyond that, `Duration` overflows.
         let limit = |text: &Text| numbers.between(text, 0.0, 1e15).map(Duration::from_secs_f64);
         let time_limit = solve.time_limit.as_ref().map(limit).transpose()?;
+        let lattice = solve.lattice.as_ref().map(|lattice| {
+            if let Grid::Tolerance(_) = grid {
+                return Err(Diagnostic::new("a lattice besides a tolerance", lattice.span())
+                    .label("a search along a lattice has one grid")
+                    .help("write n in place of the tolerance"));
+            }
+            let LatticeFile { lower, upper, spacing } = lattice.get_ref();
+            let [lower, upper] =
+                [numbers.vector(lower, dimension)?, numbers.vector(upper, dimension)?];
+            let nodes = Nodes { lower, upper, spacing: numbers.number(spacing)? };
+            Ok(Placed::at(lattice.span(), nodes))
+        });
+        let lattice = lattice.transpose()?;
         let steps = solve.steps.as_ref().map(|steps| *steps.get_ref());
-        Ok(Self { grid, starts, steps, time_limit })
+        Ok(Self { grid, starts, lattice, steps, time_limit })
     }
 }
 

@@ -177,6 +177,16 @@ impl Question {
             _ => Failure::NotComputed(error.to_string()),
         };
         let first = if let Grid::Chords(n) = self.grid { n } else { FIRST_GRID };
+        if let Some(nodes) = &self.lattice {
+            let wrong = |error: String| Failure::BadInput(Diagnostic::new(error, nodes.span()));
+            let lattice =
+                nodes.get_ref().lattice::<D>().map_err(|error| wrong(error.to_string()))?;
+            let line = problem.solve_on_lattice(rule, first, &lattice, options);
+            return line.map_err(|error| match error {
+                SolveError::GraphPath(error) => wrong(error.to_string()),
+                error => failure(error),
+            });
+        }
         let mut line = problem.solve_with(rule, first, options).map_err(failure)?;
         let Grid::Tolerance(tolerance) = self.grid else { return Ok(line) };
         let converged = |line: &TautLine<_, _, D>| line.minimum().stop == Stop::Converged;

@@ -3,13 +3,13 @@
 use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
-    BlackBox, ClosedSet, Ends, Formula, LeftEndpoint, Options, Prepared, Problem, SVector,
+    BlackBox, ClosedSet, Ends, Formula, Lattice, LeftEndpoint, Options, Prepared, Problem, SVector,
     SolveError, Table, TautLine, Trapezoidal, TrueTrapezoid, Union, Values, certify::Watch,
     solve_all,
 };
 use tautline_portrait::Shape;
 
-use super::{Curve, GivenError, Proofs, Request, curve::NamedRule, known::Known};
+use super::{Curve, GivenError, Nodes, Proofs, Request, curve::NamedRule, known::Known};
 use crate::{
     ConstantsAnswer,
     dimension::{InDimension, in_dimension},
@@ -179,8 +179,17 @@ impl<M: Known<D>, const D: usize> Held<M, D> {
         Ok(Problem::with_prepared(Arc::clone(&self.0), ends))
     }
 
-    fn by<R: NamedRule>(problem: &Problem<M, D>, rule: R, n: usize, options: &Options<D>) -> Found {
-        held(problem.solve_with(rule, n, options))
+    fn by<R: NamedRule>(
+        problem: &Problem<M, D>,
+        rule: R,
+        n: usize,
+        options: &Options<D>,
+        lattice: Option<&Lattice<D>>,
+    ) -> Found {
+        held(match lattice {
+            Some(lattice) => problem.solve_on_lattice(rule, n, lattice, options),
+            None => problem.solve_with(rule, n, options),
+        })
     }
 
     fn all_by<R: NamedRule>(
@@ -232,14 +241,19 @@ impl<M: Known<D>, const D: usize> AnyDimension for Held<M, D> {
 
     fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found {
         let (problem, options, n) = (self.problem(ends)?, request.options::<D>()?, request.n);
+        let lattice = request.lattice.as_ref().map(Nodes::lattice::<D>).transpose()?;
+        let lattice = lattice.as_ref();
         match request.rule {
-            RuleName::Trapezoidal => Self::by(&problem, Trapezoidal, n, &options),
-            RuleName::LeftEndpoint => Self::by(&problem, LeftEndpoint, n, &options),
-            RuleName::TrueTrapezoid => Self::by(&problem, TrueTrapezoid, n, &options),
+            RuleName::Trapezoidal => Self::by(&problem, Trapezoidal, n, &options, lattice),
+            RuleName::LeftEndpoint => Self::by(&problem, LeftEndpoint, n, &options, lattice),
+            RuleName::TrueTrapezoid => Self::by(&problem, TrueTrapezoid, n, &options, lattice),
         }
     }
 
     fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
+        if request.lattice.is_some() {
+            return ends.iter().map(|&ends| self.solve(ends, request)).collect();
+        }
         let n = request.n;
         let options = match request.options::<D>() {
             Ok(options) => options,

@@ -23,7 +23,7 @@ pub use curve::Curve;
 pub use given::{Found, Given};
 pub use given_error::GivenError;
 pub use known::Observe;
-pub use request::{Proofs, Request};
+pub use request::{Nodes, Proofs, Request};
 
 pub use crate::file::request::RuleName;
 pub use tautline::Values;

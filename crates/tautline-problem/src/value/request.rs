@@ -1,6 +1,6 @@
 //! `Request`: how a problem is to be solved.
 
-use tautline::{Constants, Options, PointSequence, Starts, certify::Accuracy};
+use tautline::{Constants, Lattice, Options, PointSequence, SolveError, Starts, certify::Accuracy};
 
 use super::GivenError;
 use crate::{
@@ -21,6 +21,9 @@ pub struct Request {
     pub starts: Vec<Vec<Vec<f64>>>,
     /// Whether they replace the automatic starts.
     pub only_these_starts: bool,
+    /// Nodes; a search also starts, with `n` chords, from a shortest path along them. See
+    /// [`solve_on_lattice`](tautline::Problem::solve_on_lattice).
+    pub lattice: Option<Nodes>,
     /// The largest number of Newton steps of a local search on one grid.
     pub steps: usize,
     /// The number of threads for one problem, 1 or 2.
@@ -36,9 +39,35 @@ impl Default for Request {
             n: CHORDS,
             starts: Vec::new(),
             only_these_starts: false,
+            lattice: None,
             steps: iterations,
             threads,
         }
+    }
+}
+
+/// The nodes of a [lattice](Lattice) in a box.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nodes {
+    /// The first node, in `ℓ`.
+    pub lower: Vec<f64>,
+    /// The corner at which the nodes end, in `ℓ`.
+    pub upper: Vec<f64>,
+    /// The distance of neighbouring nodes, in `ℓ`.
+    pub spacing: f64,
+}
+
+impl Nodes {
+    /// Returns the lattice in `D` dimensions.
+    pub(crate) fn lattice<const D: usize>(&self) -> Result<Lattice<D>, GivenError> {
+        for corner in [&self.lower, &self.upper] {
+            if corner.len() != D {
+                let (what, found) = ("a corner of a lattice", corner.len());
+                return Err(GivenError::Coordinates { what, found, dimension: D });
+            }
+        }
+        let [lower, upper] = [&self.lower, &self.upper].map(|corner| vector::<D>(corner));
+        Ok(Lattice::new(lower, upper, self.spacing).map_err(SolveError::from)?)
     }
 }
 

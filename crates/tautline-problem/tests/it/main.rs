@@ -2,6 +2,7 @@
 
 mod corridor;
 mod gallery;
+mod lattice;
 mod other_minima;
 mod random_certificates;
 mod schema;

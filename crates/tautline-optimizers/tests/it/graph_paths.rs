@@ -1,0 +1,154 @@
+//! Shortest paths along a lattice, and searches that start on the grid itself.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_discretizations::{PointSequence, Trapezoidal};
+use tautline_formula::Prepared;
+use tautline_metrics::{Metric, Scalar, gallery::Constant};
+use tautline_optimizers::{GraphPathError, Lattice, Options, Starts, graph_path, minimise};
+use tautline_sets::{Ball, Ends, HalfSpace};
+
+/// The cost 1, and about 100 on a wall along `x₁ = 0` with a gap at `x₂ = 3`.
+struct Wall;
+
+impl Metric<2> for Wall {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let wall = (-(x[0] / 0.1).sqr()).exp();
+        let gap = (-((x[1] - 3.0) / 0.3).sqr()).exp();
+        SMatrix::from_diagonal_element((wall * (-gap + 1.0) * 100.0 + 1.0).sqr())
+    }
+}
+
+fn euclidean<const D: usize>() -> Constant<D> {
+    Constant::new(SMatrix::identity()).expect("positive definite")
+}
+
+fn length<const D: usize>(path: &PointSequence<D>) -> f64 {
+    path.chords().map(|(_, d)| d.norm()).sum()
+}
+
+/// Returns the largest relative excess of the length of a path along the lattice over the straight line,
+/// for many directions.
+fn excess<const D: usize>(ends: impl Fn(usize) -> SVector<f64, D>) -> f64 {
+    let metric = Prepared::new(euclidean::<D>());
+    let side = SVector::from_element(12.0);
+    let lattice = Lattice::new(-side, side, 1.0).expect("a lattice");
+    let of = |k| {
+        let end = ends(k).map(f64::round);
+        let ends = Ends::points(SVector::zeros(), end).expect("finite");
+        let path = graph_path(&metric, &ends, &lattice, 50).expect("a path");
+        assert_eq!((*path.first(), *path.last()), (SVector::zeros(), end));
+        length(&path) / end.norm() - 1.0
+    };
+    (0..40).map(of).fold(0.0, f64::max)
+}
+
+/// Between neighbouring directions at the angle `α` the excess is at most `1/cos(α/2) − 1`: with the
+/// angles atan ½ and atan ½ − π/4 of the sixteen directions in the plane it is 2.75 %, of both.
+#[test]
+fn a_path_in_the_plane_is_too_long_by_less_than_three_per_cent() {
+    let circle = |k: usize| {
+        let (sin, cos) = (k as f64 * 0.37).sin_cos();
+        SVector::from([12.0 * cos, 12.0 * sin])
+    };
+    let worst = (0.5 * 0.5_f64.atan()).cos().recip() - 1.0;
+    let found = excess(circle);
+    assert!(found <= worst + 1e-12 && found > 0.5 * worst, "{found} beside {worst}");
+}
+
+/// The twenty-six directions in space: the worst direction is the middle of a triangle of them.
+#[test]
+fn a_path_in_space_is_too_long_by_less_than_thirteen_per_cent() {
+    let sphere = |k: usize| {
+        let z = 2.0 * (k as f64 * 0.618_034).fract() - 1.0;
+        let (sin, cos) = (k as f64 * 2.4).sin_cos();
+        let r = (1.0 - z * z).sqrt();
+        SVector::from([11.0 * r * cos, 11.0 * r * sin, 11.0 * z])
+    };
+    // d = (a, b, c) with a ≥ b ≥ c ≥ 0 takes c steps √3, b − c steps √2 and a − b steps 1. By
+    // Cauchy–Schwarz the largest quotient by |d| is the norm of (1, √2 − 1, √3 − √2).
+    let worst = (1.0 + (2_f64.sqrt() - 1.0).powi(2) + (3_f64.sqrt() - 2_f64.sqrt()).powi(2)).sqrt();
+    let found = excess(sphere);
+    assert!(found <= worst - 1.0 + 1e-12 && found > 0.05, "{found} beside {worst}");
+}
+
+/// The straight line costs about 20. The automatic starts bend by less than the wall is long.
+#[test]
+fn a_path_leads_through_the_gap_and_a_search_on_the_grid_stays_there() {
+    let ends = Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite");
+    let lattice = Lattice::new([-2.0, -1.0], [2.0, 4.0], 0.05).expect("a lattice");
+    let path = graph_path(&Prepared::new(&Wall), &ends, &lattice, 600).expect("a path");
+    let crosses = |path: &PointSequence<2>| {
+        let crossing = path.points().windows(2).find(|pair| pair[0][0] <= 0.0 && pair[1][0] > 0.0);
+        crossing.expect("a crossing")[0][1]
+    };
+    assert!((crosses(&path) - 3.0).abs() < 0.3, "{}", crosses(&path));
+    let energy = |starts| {
+        let options = Options { starts, ..Options::default() };
+        let minimum = minimise(&Wall, &ends, Trapezoidal, 600, &options).expect("a minimum");
+        assert!(minimum.is_local_minimum());
+        (minimum.energy, crosses(&minimum.sequence))
+    };
+    let (automatic, _) = energy(Starts::Automatic);
+    let (found, crossing) = energy(Starts::OnTheGrid(vec![path.clone()]));
+    assert!((crossing - 3.0).abs() < 0.3 && found < 0.2 * automatic, "{found}, {automatic}");
+    // √40 is the length of the way round the end of the gap, without the wall.
+    assert!((6.0_f64.powi(2)..7.2_f64.powi(2)).contains(&found), "{found}");
+}
+
+#[test]
+fn a_path_joins_sets_at_points_of_theirs() {
+    let ball = Ball::new([0.0, 0.0], 1.0).expect("a ball");
+    let wall = HalfSpace::at_least([1.0, 0.0], 3.1).expect("a wall");
+    let ends = Ends::new(ball, wall).expect("bounded");
+    let lattice = Lattice::new([-4.0, -4.0], [4.0, 4.0], 0.5).expect("a lattice");
+    let path = graph_path(&Prepared::new(euclidean::<2>()), &ends, &lattice, 8).expect("a path");
+    assert!(path.first().norm() <= 1.0 + 1e-15 && path.last()[0] >= 3.1);
+    // The nodes (1, 0) to (3.5, 0) are in the sets: the path may end at a node inside.
+    assert!((length(&path) - 2.1).abs() <= 0.41, "{}", length(&path));
+    let far = Lattice::new([10.0, 10.0], [12.0, 12.0], 0.5).expect("a lattice");
+    let error = graph_path(&Prepared::new(euclidean::<2>()), &ends, &far, 8);
+    assert_eq!(error, Err(GraphPathError::FarFromEnd { end: "first" }));
+}
+
+/// `1/x₁` is negative on the left, where there is no metric.
+#[test]
+fn nodes_without_a_metric_are_left_out() {
+    struct Half;
+    impl Metric<2> for Half {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            SMatrix::from_diagonal_element(x[0].recip())
+        }
+    }
+    let between = |a: [f64; 2], b: [f64; 2]| {
+        let lattice = Lattice::new([-2.0, 0.0], [2.0, 2.0], 0.25).expect("a lattice");
+        graph_path(&Prepared::new(&Half), &Ends::points(a, b).expect("finite"), &lattice, 20)
+    };
+    let path = between([0.5, 0.0], [0.5, 2.0]).expect("a path");
+    assert!(path.points().iter().all(|x| x[0] > 0.0));
+    assert_eq!(between([-1.5, 0.0], [0.5, 0.0]), Err(GraphPathError::FarFromEnd { end: "first" }));
+}
+
+#[test]
+fn what_is_no_lattice_is_refused() {
+    let refused = |lower, upper, spacing| {
+        Lattice::<2>::new(lower, upper, spacing).expect_err("no lattice").to_string()
+    };
+    for (lower, upper, spacing, says) in [
+        ([0.0, 1.0], [1.0, 0.0], 0.1, "coordinate 2 of a lattice from 1 to 0"),
+        ([0.0, 0.0], [1.0, 1.0], 0.0, "coordinate 1"),
+        ([0.0, 0.0], [1.0, 1.0], -0.5, "coordinate 1"),
+        ([0.0, f64::NAN], [1.0, 1.0], 0.1, "coordinate 2"),
+        ([f64::NEG_INFINITY, 0.0], [1.0, 1.0], 0.1, "coordinate 1"),
+        ([0.0, 0.0], [1e9, 1e9], 1e-3, "e24 nodes; at most 8388608"),
+    ] {
+        assert!(
+            refused(lower, upper, spacing).contains(says),
+            "{}",
+            refused(lower, upper, spacing)
+        );
+    }
+    let error = Lattice::<5>::new([0.0; 5], [1.0; 5], 1.0);
+    assert_eq!(error, Err(GraphPathError::Dimension { dimension: 5 }));
+    // Ten steps of a tenth, which is a little more than a tenth.
+    assert_eq!(Lattice::<2>::new([0.0, 0.0], [1.0, 1.0], 0.1).expect("a lattice").nodes(), 121);
+}

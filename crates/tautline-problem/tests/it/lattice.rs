@@ -1,0 +1,50 @@
+//! A lattice in the section `[solve]`.
+
+use tautline_problem::{Failure, Question};
+
+/// A wall along `x₁ = 0` with a gap at `x₂ = 3`.
+const WALL: &str = "\
+[metric]
+cost = \"1 + 100*exp(-(x1/0.1)^2)*(1 - exp(-((x2 - 3)/0.3)^2))\"
+[from]
+point = [-1, 0]
+[to]
+point = [1, 0]
+[certify]
+bound = false
+[solve]
+n = 512
+";
+const LATTICE: &str = "lattice = { lower = [-2, -1], upper = [2, 4], spacing = \"1/20\" }\n";
+
+#[test]
+fn a_lattice_finds_the_gap_in_a_wall() {
+    let length = |file: &str| {
+        let question = Question::read(file).expect("a file");
+        question.solve(&mut |_| ()).expect("a curve").length.value
+    };
+    let (automatic, found) = (length(WALL), length(&format!("{WALL}{LATTICE}")));
+    // √40 is the way to the gap and back, without the wall.
+    assert!((6.3..7.0).contains(&found) && automatic > 15.0, "{found} beside {automatic}");
+}
+
+#[test]
+fn each_mistake_in_a_lattice_is_underlined() {
+    let file = format!("{WALL}{LATTICE}");
+    for (from, to, underlined, says) in [
+        ("n = 512", "tolerance = 1e-6", "{ lower", "a lattice besides a tolerance"),
+        ("upper = [2, 4]", "upper = [2, 4, 1]", "[2, 4, 1]", "3 coordinates in dimension 2"),
+        ("upper = [2, 4]", "upper = [-4, 4]", "{ lower", "coordinate 1 of a lattice from -2 to -4"),
+        ("\"1/20\"", "0", "{ lower", "with the spacing 0"),
+        ("\"1/20\"", "1e-6", "{ lower", "nodes; at most"),
+        ("lower = [-2, -1]", "lower = [1.5, 3]", "{ lower", "no node of the lattice"),
+        ("spacing", "step", "step", "unknown key step"),
+    ] {
+        let wrong = file.replace(from, to);
+        let solved =
+            Question::read(&wrong).map_err(Failure::from).and_then(|q| q.solve(&mut |_| ()));
+        let Err(Failure::BadInput(diagnostic)) = solved else { panic!("{wrong}: {solved:?}") };
+        assert!(wrong[diagnostic.at.clone()].starts_with(underlined), "{wrong}: {diagnostic:?}");
+        assert!(diagnostic.to_string().contains(says), "{wrong}: {diagnostic}");
+    }
+}
