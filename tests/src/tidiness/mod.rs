@@ -1,8 +1,9 @@
 //! The invariants of the architecture, as tests: what a source file may contain, how large a crate
-//! and a folder may become, and which crate may depend on which.
+//! and a folder may become, which crate may depend on which, and what a crate needs to be published.
 
 mod ledger;
 mod manifest;
+mod publishing;
 mod sizes;
 mod sources;
 mod workspace;
