@@ -9,6 +9,7 @@
 //! | `own` | a user's metric, rule and closed set, through the `tautline` crate |
 //! | `bad_input`, `touching_ends` | what is refused, and how; and what is accepted |
 //! | `promoted_cases` | random cases that caught a mistake, kept by name |
+//! | `saved` | options and results that are written and read, with the feature `serde` |
 //! | `committed_data` | what the project claims about the data in its repository |
 //! | `tidiness` | the invariants of the architecture |
 //!
@@ -24,5 +25,6 @@ mod committed_data;
 mod kit;
 mod own;
 mod promoted_cases;
+mod saved;
 mod tidiness;
 mod touching_ends;

@@ -86,6 +86,11 @@
 //! the last digits. On overflow the result is `+∞`, and an argument may be the `+∞` of an earlier
 //! overflow. If `L_H = M_H = 0` or `d = 0`, every bound on an error of a minimiser's energy is
 //! exactly `0`, whatever the other inputs. No bound is NaN, and no bound on an error is negative.
+//!
+//! # Features
+//!
+//! `serde`, off by default: [`Enclosure`], [`Bound`], [`Theorem`] and [`PaperRule`] are written and
+//! read by the names of their fields and variants.
 
 mod bound_error;
 #[cfg(test)]

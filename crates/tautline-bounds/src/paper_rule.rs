@@ -2,6 +2,7 @@
 
 /// The two rules of the paper, as a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum PaperRule {
     /// The trapezoidal rule evaluates `H` at the midpoint of each chord.
     #[doc(alias = "midpoint")]

@@ -4,6 +4,11 @@ use crate::CertifyError;
 
 /// How close the two bounds on a constant should be, and how many boxes may be spent to get there.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct Accuracy {
     /// The relative distance between the bounds; it must lie between 0 and 1.
     pub tolerance: f64,

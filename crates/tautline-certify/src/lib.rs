@@ -36,6 +36,12 @@
 //! Nothing computed in plain doubles is trusted. Eigenvectors, choices and best points are guesses,
 //! and a bad guess makes a bound useless, not wrong. No mathematical library, linear algebra or
 //! optimiser is part of the trust base.
+//!
+//! # Features
+//!
+//! `serde`, off by default: [`Accuracy`], in which fields may be missing, [`CertifiedConstant`] and
+//! [`Quantity`] are written and read by their names. [`CertifiedConstants`] are only written, since
+//! nothing proves what is read.
 
 mod accuracy;
 mod branch_and_bound;

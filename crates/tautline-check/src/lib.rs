@@ -21,6 +21,11 @@
 //! * the theorems, whose proofs are in the comments and in `paper/CERTIFICATE.md`, and this crate;
 //! * [`Interval`](tautline_scalar::Interval)s and jets, and the formula, evaluated as written;
 //! * the compiler and the processor.
+//!
+//! # Features
+//!
+//! `serde`, off by default: a [`Verdict`] is written. It is not read, since nothing proves what is read:
+//! keep the certificate, and check it again.
 
 mod certificate;
 mod error;

@@ -6,6 +6,7 @@ use crate::{AnyCertificate, Certificate, CheckError, Proved};
 
 /// What a certificate proves, whatever its dimension.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Verdict {
     /// The metric, the sets, and the length below which curves were followed, as in the file.
     pub statement: String,

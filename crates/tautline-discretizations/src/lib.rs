@@ -29,6 +29,11 @@
 //! assert!((continuous.value / 710.6115168784338 - 1.0).abs() < 1e-14);
 //! # Ok::<(), tautline_discretizations::SequenceError>(())
 //! ```
+//!
+//! # Features
+//!
+//! `serde`, off by default: a [`PointSequence`] is written as a list of points, and checked when it is
+//! read.
 
 mod admissible_energy;
 mod block_tridiagonal;

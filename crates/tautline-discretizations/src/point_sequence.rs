@@ -19,6 +19,11 @@ pub const LARGEST_N: usize = 1 << 26;
 /// finite.
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "polyline")]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Vec<SVector<f64, D>>", into = "Vec<SVector<f64, D>>")
+)]
 pub struct PointSequence<const D: usize> {
     points: Vec<SVector<f64, D>>,
     extent: f64,
@@ -191,6 +196,24 @@ impl<const D: usize> PointSequence<D> {
     #[must_use]
     pub fn into_points(self) -> Vec<SVector<f64, D>> {
         self.points
+    }
+}
+
+/// Reads a sequence with the feature `serde`.
+#[cfg(feature = "serde")]
+impl<const D: usize> TryFrom<Vec<SVector<f64, D>>> for PointSequence<D> {
+    type Error = SequenceError;
+
+    fn try_from(points: Vec<SVector<f64, D>>) -> Result<Self, SequenceError> {
+        Self::new(points)
+    }
+}
+
+/// Writes a sequence with the feature `serde`.
+#[cfg(feature = "serde")]
+impl<const D: usize> From<PointSequence<D>> for Vec<SVector<f64, D>> {
+    fn from(sequence: PointSequence<D>) -> Self {
+        sequence.into_points()
     }
 }
 

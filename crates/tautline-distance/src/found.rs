@@ -4,6 +4,7 @@ use tautline_check::{Certificate, Proved};
 
 /// What is wanted of a certificate.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Wanted {
     /// The largest gap `(upper − lower)/upper`, between 0 and 1.
     pub gap: f64,
@@ -34,6 +35,7 @@ pub struct Found<const D: usize> {
 /// Why a search ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Ended {
     /// The gap is as small as wanted.
     Reached,

@@ -1,6 +1,11 @@
 //! Proposes certificates of distances.
 //!
 //! What is proposed here is proved by `tautline-check`, which trusts none of it.
+//!
+//! # Features
+//!
+//! `serde`, off by default: [`Wanted`] and [`Ended`] are written and read by the names of their fields
+//! and variants. A certificate has a format of its own.
 
 mod calibration;
 mod error;

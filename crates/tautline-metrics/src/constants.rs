@@ -12,6 +12,11 @@
 /// Invariant: `0 < c₁ ≤ c₂ < ∞`, `0 ≤ L_H < ∞`, `0 ≤ M_H < ∞`. Every value is made by
 /// [`Constants::new`], so a function that takes `Constants` need not check again.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Data")
+)]
 pub struct Constants {
     c1: f64,
     c2: f64,
@@ -100,6 +105,34 @@ impl Constants {
     #[must_use]
     pub fn is_local(&self) -> bool {
         self.local
+    }
+}
+
+/// Constants as they are read with the feature `serde`, before they are checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Data {
+    c1: f64,
+    c2: f64,
+    l_h: f64,
+    #[serde(default)]
+    m_h: Option<f64>,
+    #[serde(default)]
+    isotropic: bool,
+    #[serde(default)]
+    local: bool,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Data> for Constants {
+    type Error = HypothesisError;
+
+    fn try_from(data: Data) -> Result<Self, HypothesisError> {
+        let Data { c1, c2, l_h, m_h, isotropic, local } = data;
+        let constants = Constants::new(c1, c2, l_h)?;
+        let constants = m_h.map_or(Ok(constants), |m_h| constants.with_m_h(m_h))?;
+        Ok(Constants { isotropic, local, ..constants })
     }
 }
 

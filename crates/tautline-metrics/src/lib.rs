@@ -38,6 +38,11 @@
 //!
 //! Coordinates are in `ℓ`, Riemannian length in `m`, and `t ∈ [0, 1]` is a pure number. Hence
 //! `H`, `c₁` and `c₂` are in `m²/ℓ²`, `L_H` in `m²/ℓ³`, `M_H` in `m²/ℓ⁴`, energies in `m²`.
+//!
+//! # Features
+//!
+//! `serde`, off by default: [`Constants`] and integrals are written and read by the names of their
+//! fields. Constants are checked when they are read.
 
 mod calculus;
 mod christoffel;

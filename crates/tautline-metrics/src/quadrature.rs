@@ -7,6 +7,7 @@ use std::ops::AddAssign;
 /// The error is the difference between two rules of different order. It is an estimate, not a
 /// bound.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Integral {
     /// The value.
     pub value: f64,

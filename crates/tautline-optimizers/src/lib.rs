@@ -32,6 +32,11 @@
 //!
 //! On smooth data [`leading_constants`] predicts, from a minimiser, how the errors of both rules
 //! decrease with `N`.
+//!
+//! # Features
+//!
+//! `serde`, off by default: [`Options`], in which fields may be missing, [`Minimum`], [`Estimate`],
+//! [`LeadingConstants`] and what they hold are written and read by the names of their fields.
 
 mod asymptotics;
 mod minimise;

@@ -11,10 +11,17 @@ use crate::{
 
 /// Options of a search.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Options<const D: usize> {
     /// The sequences from which the search starts.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub starts: Starts<D>,
     /// The largest number of Newton steps of a local search on one grid.
+    #[cfg_attr(feature = "serde", serde(default = "default_iterations"))]
     pub iterations: usize,
     /// The number of threads for one problem: 0 counts as 1, and more than 2 as 2.
     ///
@@ -24,6 +31,7 @@ pub struct Options<const D: usize> {
     /// bit, provided that the values of the metric depend on `x` alone. The second thread has a
     /// stack of 32 MB. Use 1 if a formula needs a larger stack, or if many problems are solved in
     /// parallel anyway.
+    #[cfg_attr(feature = "serde", serde(default = "default_threads"))]
     pub threads: usize,
 }
 
@@ -33,6 +41,16 @@ impl<const D: usize> Default for Options<D> {
     fn default() -> Self {
         Self { starts: Starts::Automatic, iterations: 200, threads: 2 }
     }
+}
+
+#[cfg(feature = "serde")]
+fn default_iterations() -> usize {
+    Options::<1>::default().iterations
+}
+
+#[cfg(feature = "serde")]
+fn default_threads() -> usize {
+    Options::<1>::default().threads
 }
 
 /// Returns the lowest discrete minimiser of `rule` that was found between the sets `ends`.

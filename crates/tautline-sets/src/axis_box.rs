@@ -17,6 +17,11 @@ use crate::{ClosedSet, Shape};
 /// `lᵢ = uᵢ` is allowed: the box is flat in that coordinate, `P(x)ᵢ` is constant, and `δᵢ = 0`
 /// everywhere. Projections lie in the box exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "crate::data::AxisBox<D>")
+)]
 pub struct AxisBox<const D: usize> {
     lower: SVector<f64, D>,
     upper: SVector<f64, D>,

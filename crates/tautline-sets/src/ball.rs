@@ -17,6 +17,11 @@ use crate::{ClosedSet, Shape};
 ///
 /// `r = 0` is allowed: the ball is the point `c`, and `DP = 0` everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "crate::data::Ball<D>")
+)]
 pub struct Ball<const D: usize> {
     centre: SVector<f64, D>,
     r: f64,

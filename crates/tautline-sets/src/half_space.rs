@@ -16,6 +16,11 @@ use crate::{ClosedSet, Shape};
 ///
 /// Two half-spaces are equal if their normalised `n` and `b` are.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "crate::data::HalfSpace<D>", into = "crate::data::HalfSpace<D>")
+)]
 pub struct HalfSpace<const D: usize> {
     /// The normal `n`, of length 1.
     normal: SVector<f64, D>,

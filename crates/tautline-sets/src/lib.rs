@@ -45,12 +45,20 @@
 //! [`ClosedSet::member_near`] returns a box that certainly contains a member. Norms neither
 //! overflow nor underflow, but differences of coordinates may: keep coordinates below `2^1021` in
 //! magnitude.
+//!
+//! # Features
+//!
+//! `serde`, off by default: [`Point`], [`Ball`], [`AxisBox`], [`HalfSpace`] and [`Shape`] are written
+//! and read by the names of their fields, and checked when they are read. Other sets may be closures or
+//! types of your own, and are not written.
 
 mod affine_subspace;
 mod axis_box;
 mod ball;
 mod closed_set;
 mod common_point;
+#[cfg(feature = "serde")]
+mod data;
 mod ends;
 #[cfg(test)]
 mod exact;

@@ -10,6 +10,11 @@ use crate::{ClosedSet, Shape};
 
 /// The set `{p}`, with `P(x) = p` and `DP = 0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "crate::data::Point<D>")
+)]
 pub struct Point<const D: usize> {
     position: SVector<f64, D>,
 }

@@ -8,6 +8,7 @@ use crate::{AxisBox, Ball, ClosedSet, HalfSpace, Point};
 ///
 /// The numbers define the set exactly, as those of [`ClosedSet::member_near`] do.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shape<const D: usize> {
     /// One point.
     Point(Point<D>),

@@ -27,6 +27,7 @@ impl RuleOfThePaper for LeftEndpoint {
 
 /// Numbers of subintervals for which `L(γᵖˡ)² − d²` is within a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SuggestedN {
     /// The proven `N` for a global minimiser, with the theorem that proves it; `None` if no theorem
     /// applies up to `N = 2⁴⁰`.

@@ -12,6 +12,7 @@ use crate::{RuleOfThePaper, SVector, TautLine, certificate::Extent};
 
 /// A ball that contains all competitors of a line, and the constants of the metric on that ball.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Competitors<const D: usize> {
     /// The constants of the metric on the ball.
     pub constants: Constants,

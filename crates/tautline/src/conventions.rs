@@ -24,6 +24,7 @@
 #[non_exhaustive]
 #[doc(alias = "half")]
 #[doc(alias = "arrival time")]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Convention {
     /// `∫₀¹ γ̇ᵀ H γ̇ dt = d²`, in `m²`: the energy of this library.
     Energy,

@@ -56,6 +56,31 @@
 //! No energy has a factor `½`, so that `E ≥ L²` and `min E = d²`. Time runs over `[0, 1]`. The
 //! paper's *trapezoidal* rule evaluates the metric at the middle of each chord; elsewhere it is
 //! called the midpoint rule. [`Convention`] converts the numbers of other programs.
+//!
+//! # Features
+//!
+//! `serde` is the only feature, and off by default. With it, these types can be written and read by
+//! [serde](https://docs.rs/serde), under the names of their fields and variants:
+//!
+//! | what | types |
+//! | --- | --- |
+//! | options, in which fields may be missing, but not misspelt | [`Options`], [`certify::Accuracy`]; also [`Starts`], [`distance::Wanted`] |
+//! | results of a search | [`Minimum`], [`Other`], [`Level`], [`Stop`], [`Curvature`], [`PointSequence`] |
+//! | numbers with their errors | [`Estimate`], [`Integral`], [`LeadingConstants`] |
+//! | bounds | [`bounds::Enclosure`], [`bounds::Bound`], [`SuggestedN`], [`Competitors`] |
+//! | constants | [`Constants`], [`CertifiedConstant`] |
+//! | sets that are finitely many numbers | [`Point`], [`Ball`], [`AxisBox`], [`HalfSpace`], [`Shape`] |
+//! | words | [`Convention`], [`Quantity`], [`bounds::PaperRule`], [`bounds::Theorem`], [`distance::Ended`] |
+//!
+//! - What a constructor checks is checked when it is read: constants, point sequences and sets.
+//! - [`CertifiedConstants`] and [`check::Verdict`] are only written, since nothing proves what is read.
+//!   A certificate has a [format](check::Certificate) of its own, and is proved again when it is read.
+//! - A [`TautLine`] is not written, since it has the formula. Save its [`Minimum`], and start from its
+//!   sequence ([`Starts::Only`]).
+//! - JSON has neither NaN nor infinities. `serde_json` writes them as `null`, and does not read a
+//!   `null` as a number. Other formats, such as TOML, have them.
+//! - `serde_json` reads a number back to the last bit only with its feature `float_roundtrip`.
+//!   Otherwise a bound that was read may be off by one unit in the last place, on either side.
 
 mod batch;
 mod certificate;

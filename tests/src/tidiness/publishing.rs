@@ -155,3 +155,25 @@ fn what_a_manifest_says_is_found() {
     assert_eq!(compiled_in("let a = include_str!(\"../b.txt\");"), Some("../b.txt"));
     assert_eq!(normal(Path::new("/a/b/../c/./../d")), Path::new("/a/d"));
 }
+
+#[test]
+fn every_feature_is_in_the_documentation() {
+    let mut seen = 0;
+    for folder in crates() {
+        let manifest = read(&folder.join("Cargo.toml"));
+        let features: Vec<&str> = table(&manifest, "[features]")
+            .filter(|line| !line.starts_with(['#', ' ', ']']))
+            .filter_map(|line| Some(line.split_once(" = ")?.0))
+            .collect();
+        if features.is_empty() {
+            continue;
+        }
+        let page = read(&folder.join("src/lib.rs"));
+        let (_, section) = page.split_once("//! # Features\n").expect("a section on features");
+        for feature in features {
+            assert!(section.contains(&format!("`{feature}`")), "{feature} of {}", folder.display());
+            seen += 1;
+        }
+    }
+    assert!(seen > 5, "only {seen} features were seen");
+}

@@ -11,6 +11,7 @@ use crate::{PaperRule, Setting, theorem_1_1_excess, theorem_1_3_excess};
 
 /// The theorem that proves a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Theorem {
     /// Theorem 1.1 (trapezoidal) or 1.3 (left endpoint) of the paper.
     Paper,
@@ -26,6 +27,7 @@ pub enum Theorem {
 
 /// A bound and the theorem that proves it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bound {
     /// The bound, in `m²`.
     pub value: f64,

@@ -9,6 +9,7 @@ use crate::{BoundError, PaperRule, Setting, product::product};
 
 /// The statement that proves a lower bound on `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FromBelow {
     /// The trivial bound `d² ≥ 0`.
     Nothing,
@@ -24,6 +25,7 @@ pub enum FromBelow {
 
 /// The number that serves as the upper bound on `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FromAbove {
     /// `L(γᵖˡ)²`, the squared length of a curve between the two sets.
     Length,
@@ -33,6 +35,7 @@ pub enum FromAbove {
 
 /// Bounds on `d²`, with the statements that prove them and the assumptions they need.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Enclosure {
     /// The lower bound, in `m²`.
     pub lower: f64,

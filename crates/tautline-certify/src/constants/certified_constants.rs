@@ -8,6 +8,7 @@ use crate::{Accuracy, CertifyError, Domain, Watch, formula::is_isotropic, progre
 
 /// Enclosures of the four constants of a metric on a domain, proved from its formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CertifiedConstants<const D: usize> {
     c1: CertifiedConstant<D>,
     c2: CertifiedConstant<D>,

@@ -40,6 +40,7 @@ use crate::{
 
 /// Lower and upper bounds on a constant of a metric on a domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CertifiedConstant<const D: usize> {
     /// A proved lower bound.
     pub lower: f64,

@@ -4,6 +4,7 @@ use std::fmt;
 
 /// One of the constants of a metric that the theorems use.
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Quantity {
     /// `c₁`, the least eigenvalue of `H`, in `m²/ℓ²`.
     C1,

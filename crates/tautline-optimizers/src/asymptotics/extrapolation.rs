@@ -4,6 +4,7 @@ use crate::Level;
 
 /// An extrapolated value with an estimate of its error, which is not a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Estimate {
     /// The extrapolated value.
     pub value: f64,

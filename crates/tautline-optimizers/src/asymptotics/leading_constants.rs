@@ -37,6 +37,7 @@ use crate::{
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[doc(alias = "asymptotics")]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LeadingConstants {
     /// The limit of `N² (E_tra,N − d²)`. It may have either sign.
     pub trapezoidal: f64,

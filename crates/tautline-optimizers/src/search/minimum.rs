@@ -9,6 +9,7 @@ use tautline_discretizations::PointSequence;
 /// other sequence has less energy.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Minimum<const D: usize> {
     /// The point sequence. Its ends lie in their sets up to rounding.
     pub sequence: PointSequence<D>,
@@ -53,6 +54,7 @@ pub struct Minimum<const D: usize> {
 
 /// A local minimiser besides the result.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Other<const D: usize> {
     /// The point sequence, perhaps on a coarser grid than that of the result.
     pub sequence: PointSequence<D>,
@@ -62,6 +64,7 @@ pub struct Other<const D: usize> {
 
 /// The minimum on one grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Level {
     /// The number of subintervals `N`.
     pub n: usize,
@@ -72,6 +75,7 @@ pub struct Level {
 /// How a search ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Stop {
     /// The decrement is at most `10⁻¹⁸` times the energy, or at most the effect of rounding the
     /// points, `2 tr H (ε N max |x|)²`; the latter is larger only on huge grids or far from the
@@ -90,6 +94,7 @@ pub enum Stop {
 /// The signature of the Hessian, confined to the active faces of the end sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Curvature {
     /// The Hessian is positive definite: a strict local minimum. Up to `N = 5·10⁵` the margin
     /// exceeds the rounding of the Hessian; from there on it is `10⁻³` of the regulariser

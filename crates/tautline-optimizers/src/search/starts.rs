@@ -12,6 +12,7 @@ use crate::{
 /// Where local searches start.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Starts<const D: usize> {
     /// Starts from nearest points of the sets, and from further points of nonconvex sets. Between
     /// two such points the starts are the straight line, the line bent to every side, and the best
