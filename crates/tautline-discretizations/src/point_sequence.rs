@@ -222,7 +222,8 @@ impl<const D: usize> From<PointSequence<D>> for Vec<SVector<f64, D>> {
 pub(crate) fn chords<const D: usize>(
     points: &[SVector<f64, D>],
 ) -> impl DoubleEndedIterator<Item = (&SVector<f64, D>, SVector<f64, D>)> + ExactSizeIterator {
-    points.array_windows().map(|[x, y]| (x, y - x))
+    let later = points.get(1..).unwrap_or_default();
+    points[..later.len()].iter().zip(later).map(|(x, y)| (x, y - x))
 }
 
 /// Returns the largest coordinate in absolute value; the result is infinite or NaN if a coordinate
