@@ -6,6 +6,7 @@ mod guide;
 mod nightly;
 mod peers;
 mod python;
+mod release;
 mod run;
 mod second_checker;
 mod sweeps;
@@ -46,6 +47,9 @@ usage: cargo xtask <task>
                                                 the first time, the network
   guide   [--check]                             the guide, to target/guide; --check opens every page
                                                 in Chromium and lists what is wrong
+  release [--allow-dirty]                       makes the packages of all published crates, compiles
+                                                each from its package, and compares the public items
+                                                with the last tag; publishes nothing
   ci                                            what continuous integration runs
 
   --check   recompute, and compare with what is committed
@@ -66,6 +70,7 @@ fn main() -> ExitCode {
         ["python", rest @ ..] => python::python(&root(), rest),
         ["sweeps", rest @ ..] => sweeps::sweeps(&root(), rest),
         ["guide", rest @ ..] => guide::guide(&root(), rest),
+        ["release", rest @ ..] => release::release(rest),
         ["ci"] => ci(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
