@@ -23,7 +23,7 @@ const PROBLEMS: usize = 10_000;
 const RUNS: usize = 501;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let metric = Arc::new(Prepared::new(Formula::<2>::parse(HILL)?));
+    let metric = Arc::new(Prepared::new(Formula::<2>::parse(HILL, &[])?));
     for n in env::args().skip(1) {
         let n: usize = n.parse()?;
         let problem = || {

@@ -161,6 +161,7 @@ fn bent_lines<const D: usize>(
 mod tests {
     use std::sync::LazyLock;
 
+    use nalgebra::SVector;
     use tautline_discretizations::{PointSequence, Trapezoidal};
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::Valleys;
@@ -236,7 +237,7 @@ mod tests {
         let expected = [[0.5, 0.5], [1.5, 0.0], [2.5, -0.5]];
         for (k, x) in expected.into_iter().enumerate() {
             assert_eq!(fine.points()[2 * k], polygon.points()[k]);
-            assert_eq!(fine.points()[2 * k + 1], x.into());
+            assert_eq!(fine.points()[2 * k + 1], SVector::from(x));
         }
     }
 

@@ -23,7 +23,9 @@ pub(super) fn batches<const D: usize>(
         | Mutant::SineForCosine
         | Mutant::PowerOfStepLost
         | Mutant::StepBesideRead
-        | Mutant::EntryTakenForZero => {
+        | Mutant::EntryTakenForZero
+        | Mutant::TableAxesExchanged
+        | Mutant::TableReadBeside => {
             let formula = Formula::record(metric).ok()?;
             Some(Box::new(Prepared::new(Misread { formula, mutant })))
         }
@@ -95,8 +97,14 @@ impl<const D: usize> Metric<D> for Misread<D> {
                 Operation::Second => self.second(place, &values),
                 Operation::Table(call) => {
                     let table = &self.formula.tables()[call.table as usize];
-                    let u = call.arguments.map(at);
-                    S::tabulated(table, call.orders, &u[..call.arguments().len()])
+                    let mut u = call.arguments.map(at);
+                    let axes = call.arguments().len();
+                    match self.mutant {
+                        Mutant::TableAxesExchanged if axes > 1 => u.swap(0, 1),
+                        Mutant::TableReadBeside => u[0] += S::constant(1.0),
+                        _ => {}
+                    }
+                    S::tabulated(table, call.orders, &u[..axes])
                 }
             };
             values.push(value);

@@ -79,6 +79,8 @@ mutants! {
     PowerOfStepLost in [Minimise]: "a power of a recorded step lost",
     StepBesideRead in [Minimise]: "the step beside a recorded one read",
     EntryTakenForZero in [Minimise]: "entries of H taken for zeros of its structure",
+    TableAxesExchanged in [Minimise]: "the first two arguments of a recorded table exchanged",
+    TableReadBeside in [Minimise]: "a recorded table read one cell beside",
     ProductRuleHalved in [Minimise]: "half of the product rule in dᵀ ∂ₖH d",
     /// The last lane gets the rows of the lane before it.
     LaneLost in [Minimise]: "the last lane of a batch lost",

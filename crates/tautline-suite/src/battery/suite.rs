@@ -26,6 +26,7 @@ pub fn suite() -> Vec<Check> {
         paper::section_7_apriori::CHECKS,
         paper::point_sequences::CHECKS,
         numerics::proved_numbers::CHECKS,
+        numerics::tables::CHECKS,
         paper::section_9::CHECKS,
         paper::dropped::theorems::CHECKS,
         paper::dropped::energy_and_length::CHECKS,

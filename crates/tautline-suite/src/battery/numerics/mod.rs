@@ -7,3 +7,4 @@ pub(super) mod gradients;
 pub(super) mod leading_constants;
 pub(super) mod orders;
 pub(super) mod proved_numbers;
+pub(super) mod tables;
