@@ -84,6 +84,7 @@ class Traced:
         return self
 
     def __pow__(self, exponent: Any) -> Any:
+        exponent = plain(exponent)
         if isinstance(exponent, Number) and float(exponent) == 0.5:
             return self.sqrt()
         if isinstance(exponent, Number) and float(exponent) == -0.5:
@@ -143,7 +144,7 @@ class Traced:
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
         if method != "__call__" or options:
             raise TraceError(f"np.{ufunc.__name__}.{method} of a traced number")
-        if any(isinstance(x, np.ndarray) for x in inputs):
+        if any(isinstance(x, np.ndarray) and x.ndim > 0 for x in inputs):
             # Entry by entry.
             return ufunc(*(np.asarray(x, object) for x in inputs))
         rule = UFUNCS.get(ufunc.__name__)
@@ -151,7 +152,8 @@ class Traced:
             raise TraceError(
                 f"np.{ufunc.__name__} cannot be recorded; there are {', '.join(sorted(UFUNCS))}"
             )
-        return rule(*inputs)
+        # A scalar of NumPy to the left of a symbol would call this function again.
+        return rule(*(plain(x) for x in inputs))
 
     def _is_no_number(self, what: str) -> TraceError:
         return TraceError(
@@ -196,6 +198,16 @@ UFUNCS: dict[str, Callable[..., Any]] = {
         )
     },
 }
+
+
+def plain(x: Any) -> Any:
+    """A scalar of NumPy as a number of Python; anything else as it is."""
+    if isinstance(x, np.ndarray) and x.ndim == 0:
+        x = x[()]
+    if isinstance(x, np.floating):
+        # `item` of a long double is a long double.
+        return float(x)
+    return x.item() if isinstance(x, np.generic) else x
 
 
 def binary(text: str, a: Any, b: Any) -> Any:

@@ -1,0 +1,66 @@
+"""Functions of NumPy and SymPy as formulas."""
+
+import operator
+import unittest
+
+import numpy as np
+
+import tautline as tl
+from tautline._trace import Traced, coordinates
+
+OPERATIONS = operator.add, operator.sub, operator.mul, operator.truediv, operator.pow
+
+
+class Scalars(unittest.TestCase):
+    def test_a_scalar_of_numpy_on_either_side_of_a_symbol_is_a_number(self):
+        scalars = [
+            np.float64(2),
+            np.float32(2),
+            np.float16(2),
+            np.longdouble(2),
+            np.int64(2),
+            np.int8(2),
+            np.uint8(2),
+            np.bool_(True),
+            np.array(2.0),
+            np.array(2),
+        ]
+        x = coordinates(2)
+        for k in scalars:
+            number = bool(k) if k.dtype == bool else 2.0
+            for operation in OPERATIONS:
+                for found, expected in (
+                    (operation(k, x[0]), operation(number, x[0])),
+                    (operation(x[0], k), operation(x[0], number)),
+                    (operation(k, x)[0], operation(number, x[0])),
+                    (operation(x, k)[1], operation(x[1], number)),
+                    (operation(np.array([k, k]), x)[1], operation(number, x[1])),
+                    (operation(np.array([k, k]), x[0])[1], operation(number, x[0])),
+                ):
+                    self.assertIsInstance(found, Traced, (k, operation))
+                    self.assertEqual(found.text, expected.text, (k, operation))
+
+    def test_a_rate_from_an_array_is_the_number_in_the_text(self):
+        k = np.linspace(0, 5, 6)[1]
+        traced = tl.Metric.cost(lambda x: 1 + k * np.exp(-2 * (x @ x)), 2)
+        self.assertEqual(traced, tl.Metric.cost(lambda x: 1 + 1.0 * np.exp(-2 * (x @ x)), 2))
+        far = tl.Metric.cost(lambda x: np.float64(3) ** x[0] + np.int8(2), 1)
+        self.assertAlmostEqual(far([1.0])[0, 0], 25.0)
+
+    def test_functions_of_arrays_of_symbols(self):
+        x = np.array([0.3, 0.8])
+        for function in (np.exp, np.sin, np.cos, np.tanh, np.sqrt, np.log, np.square, np.reciprocal):
+            metric = tl.Metric.diag(lambda x: np.float64(3) + function(np.float32(2) * x), 2)
+            np.testing.assert_allclose(np.diag(metric(x)), 3 + function(2 * x), rtol=1e-15)
+
+    def test_a_sympy_matrix_with_a_root_of_two(self):
+        import sympy
+
+        x, y = sympy.symbols("x y")
+        matrix = sympy.Matrix([[sympy.sqrt(2) + sympy.sqrt(2) * x**2, 0], [0, 1 + y**2 / 3]])
+        h = tl.Metric(matrix, variables=[x, y])([0.5, 2.0])
+        np.testing.assert_allclose(np.diag(h), [1.25 * 2**0.5, 7 / 3], rtol=1e-15)
+
+
+if __name__ == "__main__":
+    unittest.main()
