@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 
 use crate::error::ProblemError;
-use pyo3::prelude::*;
+use pyo3::{prelude::*, types::PyType};
 use tautline::{
     Constants,
     bounds::{self, Setting},
@@ -63,8 +63,8 @@ fn theorem(
 }
 
 /// Bounds on the distance.
-#[pyclass(frozen, get_all, module = "tautline")]
-#[derive(Debug)]
+#[pyclass(frozen, get_all, eq, module = "tautline")]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Bounds {
     /// The lower bound.
     lower: f64,
@@ -72,7 +72,7 @@ pub(crate) struct Bounds {
     upper: f64,
     /// What the lower bound assumes of the curve: "proved" to be a global minimum, "assumed" to be
     /// one, "not needed", or "refuted", where the lower bound does without.
-    global_minimum: &'static str,
+    global_minimum: String,
     /// The statement that gives the lower bound.
     lower_by: String,
     /// What the upper bound is.
@@ -96,7 +96,8 @@ impl From<problem::Bounds> for Bounds {
                 GlobalMinimum::NotNeeded => "not needed",
                 GlobalMinimum::Assumed => "assumed",
                 GlobalMinimum::Refuted => "refuted",
-            },
+            }
+            .to_owned(),
             lower_by: bounds.lower_by,
             upper_by: bounds.upper_by,
             constants: (c1, c2, l_h, m_h),
@@ -106,8 +107,47 @@ impl From<problem::Bounds> for Bounds {
     }
 }
 
+/// What bounds are made of.
+type BoundsParts =
+    (f64, f64, String, String, String, FourConstants, bool, Option<(Vec<f64>, f64)>);
+
 #[pymethods]
 impl Bounds {
+    #[new]
+    #[expect(clippy::too_many_arguments, reason = "one for each attribute")]
+    #[pyo3(signature = (
+        lower, upper, global_minimum, lower_by, upper_by, constants, constants_proved, within
+    ))]
+    fn new(
+        lower: f64,
+        upper: f64,
+        global_minimum: String,
+        lower_by: String,
+        upper_by: String,
+        constants: FourConstants,
+        constants_proved: bool,
+        within: Option<(Vec<f64>, f64)>,
+    ) -> Self {
+        Self { lower, upper, global_minimum, lower_by, upper_by, constants, constants_proved, within }
+    }
+
+    /// Another process makes them again from their attributes.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, BoundsParts) {
+        let Self { lower, upper, constants, constants_proved, .. } = *slf.get();
+        let Self { global_minimum, lower_by, upper_by, within, .. } = slf.get().clone();
+        let parts = (
+            lower,
+            upper,
+            global_minimum,
+            lower_by,
+            upper_by,
+            constants,
+            constants_proved,
+            within,
+        );
+        (slf.get_type(), parts)
+    }
+
     fn __repr__(&self) -> String {
         let Self { lower, upper, global_minimum, .. } = self;
         format!("<tautline.Bounds: {lower:?} to {upper:?}, global minimum {global_minimum}>")
@@ -115,13 +155,13 @@ impl Bounds {
 }
 
 /// A constant of a metric: bounds on its best value.
-#[pyclass(frozen, get_all, module = "tautline")]
-#[derive(Debug)]
+#[pyclass(frozen, get_all, eq, module = "tautline")]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Constant {
     /// c1, c2, L_H or M_H.
     name: String,
     /// What it bounds.
-    bounds: &'static str,
+    bounds: String,
     /// Whether the two numbers are within the wanted accuracy.
     proved: bool,
     /// A proved lower bound on the best constant; None if there is none.
@@ -138,12 +178,36 @@ impl From<ConstantAnswer> for Constant {
     fn from(constant: ConstantAnswer) -> Self {
         let ConstantAnswer { name, bounds, proved, lower, upper, at, reason } = constant;
         let [lower, upper] = [lower, upper].map(|bound| bound.map(|bound| bound.value));
-        Self { name, bounds, proved, lower, upper, at, reason }
+        Self { name, bounds: bounds.to_owned(), proved, lower, upper, at, reason }
     }
 }
 
+/// What a constant is made of.
+type ConstantParts =
+    (String, String, bool, Option<f64>, Option<f64>, Option<Vec<f64>>, Option<String>);
+
 #[pymethods]
 impl Constant {
+    #[new]
+    #[pyo3(signature = (name, bounds, proved, lower, upper, at, reason))]
+    fn new(
+        name: String,
+        bounds: String,
+        proved: bool,
+        lower: Option<f64>,
+        upper: Option<f64>,
+        at: Option<Vec<f64>>,
+        reason: Option<String>,
+    ) -> Self {
+        Self { name, bounds, proved, lower, upper, at, reason }
+    }
+
+    /// Another process makes it again from its attributes.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, ConstantParts) {
+        let Self { name, bounds, proved, lower, upper, at, reason } = slf.get().clone();
+        (slf.get_type(), (name, bounds, proved, lower, upper, at, reason))
+    }
+
     fn __repr__(&self) -> String {
         let shown = |bound: Option<f64>| bound.map_or("unknown".to_owned(), |x| format!("{x:?}"));
         let (lower, upper) = (shown(self.lower), shown(self.upper));

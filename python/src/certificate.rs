@@ -2,86 +2,87 @@
 
 use std::path::PathBuf;
 
-use pyo3::prelude::*;
+use pyo3::{prelude::*, types::PyType};
 use tautline::check::AnyCertificate;
 use tautline_problem::CertifiedAnswer;
 
 use crate::error::NotCertified;
 
 /// Proved bounds on the distance. No curve between the sets is shorter than lower.
-#[pyclass(frozen, module = "tautline")]
-#[derive(Debug)]
+#[pyclass(frozen, get_all, eq, module = "tautline")]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Certificate {
-    answer: CertifiedAnswer,
+    /// No curve between the sets is shorter.
+    lower: f64,
+    /// The proved length of a curve between the sets.
+    upper: f64,
+    /// (upper - lower)/upper.
+    gap: f64,
+    /// Whether the gap is as small as wanted.
+    reached: bool,
+    /// Why the search ended.
+    ended: String,
+    /// The number of cubes that hold every shortest curve, and their side.
+    corridor: (usize, f64),
+    /// The certificate, which `check` and `tautline check` read; empty if the sets touch.
+    text: String,
 }
 
 impl From<CertifiedAnswer> for Certificate {
     fn from(answer: CertifiedAnswer) -> Self {
-        Self { answer }
+        Self {
+            lower: answer.lower.value,
+            upper: answer.upper.value,
+            gap: answer.gap.value,
+            reached: answer.reached,
+            ended: answer.ended.to_owned(),
+            corridor: (answer.corridor_cubes, answer.corridor_side.value),
+            text: answer.certificate,
+        }
     }
 }
 
 #[pymethods]
 impl Certificate {
-    /// No curve between the sets is shorter.
-    #[getter]
-    fn lower(&self) -> f64 {
-        self.answer.lower.value
+    #[new]
+    #[pyo3(signature = (lower, upper, gap, reached, ended, corridor, text))]
+    fn new(
+        lower: f64,
+        upper: f64,
+        gap: f64,
+        reached: bool,
+        ended: String,
+        corridor: (usize, f64),
+        text: String,
+    ) -> Self {
+        Self { lower, upper, gap, reached, ended, corridor, text }
     }
 
-    /// The proved length of a curve between the sets.
-    #[getter]
-    fn upper(&self) -> f64 {
-        self.answer.upper.value
-    }
-
-    /// (upper - lower)/upper.
-    #[getter]
-    fn gap(&self) -> f64 {
-        self.answer.gap.value
-    }
-
-    /// Whether the gap is as small as wanted.
-    #[getter]
-    fn reached(&self) -> bool {
-        self.answer.reached
-    }
-
-    /// Why the search ended.
-    #[getter]
-    fn ended(&self) -> &'static str {
-        self.answer.ended
-    }
-
-    /// The number of cubes that hold every shortest curve, and their side.
-    #[getter]
-    fn corridor(&self) -> (usize, f64) {
-        (self.answer.corridor_cubes, self.answer.corridor_side.value)
-    }
-
-    /// The certificate, which `check` and `tautline check` read; empty if the sets touch.
-    #[getter]
-    fn text(&self) -> &str {
-        &self.answer.certificate
+    /// Another process makes it again from its attributes.
+    #[expect(clippy::type_complexity, reason = "the attributes in their order")]
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> (Bound<'py, PyType>, (f64, f64, f64, bool, String, (usize, f64), String)) {
+        let Self { lower, upper, gap, reached, ended, corridor, text } = slf.get().clone();
+        (slf.get_type(), (lower, upper, gap, reached, ended, corridor, text))
     }
 
     /// Writes the certificate to a file.
     fn save(&self, path: PathBuf) -> PyResult<()> {
-        Ok(std::fs::write(path, &self.answer.certificate)?)
+        Ok(std::fs::write(path, &self.text)?)
     }
 
     fn __repr__(&self) -> String {
         format!(
             "<tautline.Certificate: the distance is between {:?} and {:?}>",
-            self.lower(),
-            self.upper()
+            self.lower, self.upper
         )
     }
 }
 
 /// What a certificate proves.
-#[pyclass(frozen, get_all, module = "tautline")]
-#[derive(Debug)]
+#[pyclass(frozen, get_all, eq, module = "tautline")]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Verdict {
     /// The metric and the sets, as the certificate states them.
     statement: String,
@@ -95,6 +96,21 @@ pub(crate) struct Verdict {
 
 #[pymethods]
 impl Verdict {
+    #[new]
+    #[pyo3(signature = (statement, lower, upper, declared))]
+    fn new(statement: String, lower: f64, upper: Option<f64>, declared: Option<f64>) -> Self {
+        Self { statement, lower, upper, declared }
+    }
+
+    /// Another process makes it again from its attributes.
+    #[expect(clippy::type_complexity, reason = "the attributes in their order")]
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> (Bound<'py, PyType>, (String, f64, Option<f64>, Option<f64>)) {
+        let Self { statement, lower, upper, declared } = slf.get().clone();
+        (slf.get_type(), (statement, lower, upper, declared))
+    }
+
     fn __repr__(&self) -> String {
         format!("<tautline.Verdict: lower = {:?}, upper = {:?}>", self.lower, self.upper)
     }

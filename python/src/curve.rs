@@ -7,16 +7,14 @@ use std::sync::{
 };
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
-use pyo3::prelude::*;
+use pyo3::{exceptions::PyTypeError, prelude::*};
 use tautline::{certify, distance::Wanted};
-use tautline_problem::{
-    Estimated,
-    value::{self, Proofs},
-};
+use tautline_problem::value::{self, Proofs};
 
 use crate::{
     bounds::{Bounds, FourConstants, constants},
     certificate::Certificate,
+    estimate::Estimate,
     error::{NotCertified, uncertified},
     interruptible::interruptible,
 };
@@ -28,33 +26,6 @@ pub(crate) fn unless(stopped: &AtomicBool) -> impl Fn(certify::Progress) -> bool
 
 fn flow(stopped: &AtomicBool) -> ControlFlow<()> {
     if stopped.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-}
-
-/// A number, and an estimate of its error.
-#[pyclass(frozen, get_all, module = "tautline")]
-#[derive(Clone, Debug)]
-pub(crate) struct Estimate {
-    /// The number.
-    value: f64,
-    /// The estimated error.
-    error: f64,
-}
-
-#[pymethods]
-impl Estimate {
-    fn __float__(&self) -> f64 {
-        self.value
-    }
-
-    fn __repr__(&self) -> String {
-        format!("Estimate(value={:?}, error={:.1e})", self.value, self.error)
-    }
-}
-
-impl From<Estimated> for Estimate {
-    fn from(Estimated { value, error }: Estimated) -> Self {
-        Self { value, error }
-    }
 }
 
 /// A computed shortest curve: a local minimiser of the discrete energy, joined up linearly.
@@ -195,6 +166,26 @@ impl Curve {
             curve.certificate(Wanted { gap, cubes }, &mut |_| flow(stopped))
         })?;
         found.map(Certificate::from).map_err(|error| uncertified(&error))
+    }
+
+    /// A curve does not change, so that it is its own copy.
+    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
+        slf
+    }
+
+    /// A curve does not change, so that it is its own copy.
+    #[pyo3(signature = (memo, /))]
+    fn __deepcopy__<'py>(slf: Bound<'py, Self>, memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        let _ = memo;
+        slf
+    }
+
+    /// A curve holds the programs of its metric, which stay in their process.
+    fn __reduce__(&self) -> PyResult<()> {
+        Err(PyTypeError::new_err(
+            "a curve cannot be sent to another process: return what you need of it, such as \
+             `curve.points`, `float(curve.length)` or `curve.certificate()`",
+        ))
     }
 
     fn __repr__(&self) -> String {

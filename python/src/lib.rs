@@ -5,6 +5,7 @@ mod bounds;
 mod certificate;
 mod curve;
 mod error;
+mod estimate;
 mod interruptible;
 mod metric;
 mod set;
@@ -20,8 +21,9 @@ mod _tautline {
     use crate::{
         bounds::{Bounds, Constant, theorem_1_1, theorem_1_3},
         certificate::{Certificate, Verdict, check},
-        curve::{Curve, Estimate},
+        curve::Curve,
         error::{MetricError, NotCertified, ProblemError},
+        estimate::Estimate,
         metric::Program,
         set::{
             Set, affine_subspace, ball, box_, half_space, point, points, segment, sphere, union,

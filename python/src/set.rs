@@ -1,6 +1,6 @@
 //! `Set`: a closed set.
 
-use pyo3::prelude::*;
+use pyo3::{prelude::*, types::PyType};
 use tautline_problem::value::Shape;
 
 use crate::error::ProblemError;
@@ -18,8 +18,57 @@ impl From<Shape> for Set {
     }
 }
 
+/// A piece as the name of its kind, its vectors, and its numbers.
+type Piece = (String, Vec<Vec<f64>>, Vec<f64>);
+
+/// Returns the parts of a piece, of which `whole` makes it again.
+fn parts(shape: &Shape) -> Piece {
+    let (kind, vectors, numbers) = match shape.clone() {
+        Shape::Point(x) => ("point", vec![x], vec![]),
+        Shape::Points(points) => ("points", points, vec![]),
+        Shape::Ball { centre, radius } => ("ball", vec![centre], vec![radius]),
+        Shape::Sphere { centre, radius } => ("sphere", vec![centre], vec![radius]),
+        Shape::AxisBox { low, high } => ("box", vec![low, high], vec![]),
+        Shape::HalfSpace { normal, offset } => ("half_space", vec![normal], vec![offset]),
+        Shape::Segment { from, to } => ("segment", vec![from, to], vec![]),
+        Shape::AffineSubspace { point, directions } => {
+            ("affine_subspace", [vec![point], directions].concat(), vec![])
+        }
+    };
+    (kind.to_owned(), vectors, numbers)
+}
+
+fn whole((kind, vectors, numbers): Piece) -> PyResult<Shape> {
+    let unknown = format!("no piece of a set: {kind:?}, {vectors:?}, {numbers:?}");
+    Ok(match (&kind[..], &vectors[..], &numbers[..]) {
+        ("point", [x], []) => Shape::Point(x.clone()),
+        ("points", _, []) => Shape::Points(vectors),
+        ("ball", [centre], &[radius]) => Shape::Ball { centre: centre.clone(), radius },
+        ("sphere", [centre], &[radius]) => Shape::Sphere { centre: centre.clone(), radius },
+        ("box", [low, high], []) => Shape::AxisBox { low: low.clone(), high: high.clone() },
+        ("half_space", [normal], &[offset]) => {
+            Shape::HalfSpace { normal: normal.clone(), offset }
+        }
+        ("segment", [from, to], []) => Shape::Segment { from: from.clone(), to: to.clone() },
+        ("affine_subspace", [point, directions @ ..], []) => {
+            Shape::AffineSubspace { point: point.clone(), directions: directions.to_vec() }
+        }
+        _ => return Err(ProblemError::new_err(unknown)),
+    })
+}
+
 #[pymethods]
 impl Set {
+    /// A set from the parts of its pieces, as another process receives them.
+    #[new]
+    fn new(pieces: Vec<Piece>) -> PyResult<Self> {
+        Ok(Self { pieces: pieces.into_iter().map(whole).collect::<PyResult<_>>()? })
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, (Vec<Piece>,)) {
+        (slf.get_type(), (slf.get().pieces.iter().map(parts).collect(),))
+    }
+
     fn __or__(&self, other: &Self) -> Self {
         Self { pieces: [&self.pieces[..], &other.pieces].concat() }
     }
@@ -70,7 +119,7 @@ pub(crate) fn sphere(centre: Vec<f64>, radius: f64) -> Set {
     Shape::Sphere { centre, radius }.into()
 }
 
-/// The box lower <= x <= upper, whose sides may be infinite.
+/// The box lower <= x <= upper.
 #[pyfunction]
 #[pyo3(name = "box")]
 pub(crate) fn box_(lower: Vec<f64>, upper: Vec<f64>) -> Set {

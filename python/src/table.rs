@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
-use pyo3::prelude::*;
+use pyo3::{prelude::*, types::PyType};
 use tautline::Interval;
 
 use crate::error::ProblemError;
 
 /// A tensor product of cubic B-splines on one to three axes, in grid units.
-#[pyclass(frozen, from_py_object, module = "tautline")]
+#[pyclass(frozen, from_py_object, module = "tautline._tautline")]
 #[derive(Clone, Debug)]
 pub(crate) struct Spline {
     pub(crate) spline: Arc<tautline::Spline>,
@@ -30,6 +30,14 @@ impl Spline {
         });
         let spline = made.map_err(|error| ProblemError::new_err(error.to_string()))?;
         Ok(Self { spline: Arc::new(spline) })
+    }
+
+    /// Another process makes it again from its coefficients.
+    #[expect(clippy::type_complexity, reason = "a type and its arguments")]
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyType>, (Bound<'py, PyArrayDyn<f64>>, bool))> {
+        Ok((slf.get_type(), (slf.get().coefficients(slf.py())?, false)))
     }
 
     /// The number of coefficients along each axis.

@@ -9,7 +9,7 @@ import numpy as np
 
 from ._table import Table
 
-from ._tautline import Constant, ProblemError, Program, Set
+from ._tautline import Constant, ProblemError, Program, Set, Spline
 from ._trace import coordinates, written
 
 
@@ -59,7 +59,8 @@ class Metric:
         if not isinstance(what, str):
             raise ProblemError(f"a metric is a text or a function, not {what!r}")
         splines = {name: table.spline for name, table in named.items()}
-        self.program = Program(what, dimension, dict(parameters or {}), splines)
+        self._parts: tuple[Any, ...] = (what, dimension, dict(parameters or {}), splines)
+        self.program = Program(*self._parts)
 
     @classmethod
     def image(
@@ -120,7 +121,8 @@ class Metric:
         4.2
         """
         metric = cls.__new__(cls)
-        metric.program = Program.black_box(dimension, h, first, second, step)
+        metric._parts = (dimension, h, first, second, step)
+        metric.program = Program.black_box(*metric._parts)
         return metric
 
     @classmethod
@@ -188,19 +190,42 @@ class Metric:
     def __eq__(self, other: object) -> bool:
         """Whether two metrics are the same program: the same operations in the same order.
 
-        A black box equals only itself.
+        Black boxes are equal if their functions are.
         """
         if not isinstance(other, Metric):
             return NotImplemented
-        if self.program.text is None:
-            return self.program is other.program
-        return (self.dimension, self.program.text) == (other.dimension, other.program.text)
+        if self.program.text is None or other.program.text is None:
+            return self._parts == other._parts
+        return (self.dimension, self.program.text) == (
+            other.dimension,
+            other.program.text,
+        ) and _are_equal(self._parts[3], other._parts[3])
 
     def __hash__(self) -> int:
         return hash(self.program.text)
 
+    def __reduce__(self) -> tuple[Callable[..., Metric], tuple[Any, ...]]:
+        """Another process makes it again from its text and its tables. A black box goes there if its
+        functions do."""
+        return _made, (self.program.text is None, self._parts)
+
     def __repr__(self) -> str:
         return f"<tautline.Metric in {self.dimension} dimensions>"
+
+
+def _made(is_black_box: bool, parts: tuple[Any, ...]) -> Metric:
+    metric = Metric.__new__(Metric)
+    metric._parts = parts
+    metric.program = Program.black_box(*parts) if is_black_box else Program(*parts)
+    return metric
+
+
+def _are_equal(tables: Mapping[str, Spline], others: Mapping[str, Spline]) -> bool:
+    """Whether tables have the same coefficients, in the order of their names."""
+    pairs = zip(*([named[name] for name in sorted(named)] for named in (tables, others)))
+    return len(tables) == len(others) and all(
+        a is b or np.array_equal(a.coefficients, b.coefficients) for a, b in pairs
+    )
 
 
 class _Written(NamedTuple):

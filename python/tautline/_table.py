@@ -34,6 +34,9 @@ class Table:
             raise ProblemError("a table is an array of one to three axes, not a number")
         self.spline = Spline(np.ascontiguousarray(array), interpolate)
 
+    def __reduce__(self) -> tuple[type[Table], tuple[np.ndarray]]:
+        return Table, (self.spline.coefficients,)
+
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of the array."""

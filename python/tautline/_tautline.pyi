@@ -1,6 +1,6 @@
 from os import PathLike
 from pathlib import Path
-from typing import Any, final
+from typing import Any, ClassVar, NoReturn, final
 
 import numpy as np
 from collections.abc import Callable, Sequence
@@ -45,11 +45,17 @@ class NotCertified(ValueError): ...
 
 @final
 class Set:
+    def __new__(cls, pieces: Sequence[tuple[str, list[list[float]], list[float]]]) -> Set: ...
+    def __reduce__(
+        self,
+    ) -> tuple[type[Set], tuple[list[tuple[str, list[list[float]], list[float]]]]]: ...
     def __or__(self, value: Set, /) -> Set: ...
     def __ror__(self, value: Set, /) -> Set: ...
 
 @final
 class Estimate:
+    def __new__(cls, value: float, error: float) -> Estimate: ...
+    def __reduce__(self) -> tuple[type[Estimate], tuple[float, float]]: ...
     @property
     def value(self) -> float: ...
     @property
@@ -58,6 +64,20 @@ class Estimate:
 
 @final
 class Bounds:
+    def __new__(
+        cls,
+        lower: float,
+        upper: float,
+        global_minimum: str,
+        lower_by: str,
+        upper_by: str,
+        constants: tuple[float, float, float, float | None],
+        constants_proved: bool,
+        within: tuple[list[float], float] | None,
+    ) -> Bounds: ...
+    def __reduce__(self) -> tuple[type[Bounds], tuple[Any, ...]]: ...
+    def __eq__(self, value: object, /) -> bool: ...
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     @property
     def lower(self) -> float: ...
     @property
@@ -77,6 +97,19 @@ class Bounds:
 
 @final
 class Constant:
+    def __new__(
+        cls,
+        name: str,
+        bounds: str,
+        proved: bool,
+        lower: float | None,
+        upper: float | None,
+        at: list[float] | None,
+        reason: str | None,
+    ) -> Constant: ...
+    def __reduce__(self) -> tuple[type[Constant], tuple[Any, ...]]: ...
+    def __eq__(self, value: object, /) -> bool: ...
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     @property
     def name(self) -> str: ...
     @property
@@ -94,6 +127,19 @@ class Constant:
 
 @final
 class Certificate:
+    def __new__(
+        cls,
+        lower: float,
+        upper: float,
+        gap: float,
+        reached: bool,
+        ended: str,
+        corridor: tuple[int, float],
+        text: str,
+    ) -> Certificate: ...
+    def __reduce__(self) -> tuple[type[Certificate], tuple[Any, ...]]: ...
+    def __eq__(self, value: object, /) -> bool: ...
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     @property
     def lower(self) -> float: ...
     @property
@@ -112,6 +158,12 @@ class Certificate:
 
 @final
 class Verdict:
+    def __new__(
+        cls, statement: str, lower: float, upper: float | None, declared: float | None
+    ) -> Verdict: ...
+    def __reduce__(self) -> tuple[type[Verdict], tuple[Any, ...]]: ...
+    def __eq__(self, value: object, /) -> bool: ...
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     @property
     def statement(self) -> str: ...
     @property
@@ -123,6 +175,9 @@ class Verdict:
 
 @final
 class Curve:
+    def __copy__(self) -> Curve: ...
+    def __deepcopy__(self, memo: Any, /) -> Curve: ...
+    def __reduce__(self) -> NoReturn: ...
     @property
     def points(self) -> NDArray[np.float64]: ...
     def at(self, /, t: float) -> NDArray[np.float64]: ...
@@ -167,6 +222,7 @@ class Curve:
 @final
 class Spline:
     def __new__(cls, values: NDArray[np.float64], interpolate: bool) -> Spline: ...
+    def __reduce__(self) -> tuple[type[Spline], tuple[NDArray[np.float64], bool]]: ...
     @property
     def shape(self) -> list[int]: ...
     @property
