@@ -108,8 +108,7 @@ impl From<problem::Bounds> for Bounds {
 }
 
 /// What bounds are made of.
-type BoundsParts =
-    (f64, f64, String, String, String, FourConstants, bool, Option<(Vec<f64>, f64)>);
+type BoundsParts = (f64, f64, String, String, String, FourConstants, bool, Option<(Vec<f64>, f64)>);
 
 #[pymethods]
 impl Bounds {
@@ -128,14 +127,7 @@ impl Bounds {
         constants_proved: bool,
         within: Option<(Vec<f64>, f64)>,
     ) -> Self {
-        Self { lower, upper, global_minimum, lower_by, upper_by, constants, constants_proved, within }
-    }
-
-    /// Another process makes them again from their attributes.
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, BoundsParts) {
-        let Self { lower, upper, constants, constants_proved, .. } = *slf.get();
-        let Self { global_minimum, lower_by, upper_by, within, .. } = slf.get().clone();
-        let parts = (
+        Self {
             lower,
             upper,
             global_minimum,
@@ -144,7 +136,15 @@ impl Bounds {
             constants,
             constants_proved,
             within,
-        );
+        }
+    }
+
+    /// Another process makes them again from their attributes.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, BoundsParts) {
+        let Self { lower, upper, constants, constants_proved, .. } = *slf.get();
+        let Self { global_minimum, lower_by, upper_by, within, .. } = slf.get().clone();
+        let parts =
+            (lower, upper, global_minimum, lower_by, upper_by, constants, constants_proved, within);
         (slf.get_type(), parts)
     }
 

@@ -6,7 +6,7 @@ use pyo3::{prelude::*, types::PyType};
 use tautline::check::AnyCertificate;
 use tautline_problem::CertifiedAnswer;
 
-use crate::error::NotCertified;
+use crate::{error::NotCertified, pool::pool};
 
 /// Proved bounds on the distance. No curve between the sets is shorter than lower.
 #[pyclass(frozen, get_all, eq, module = "tautline")]
@@ -119,7 +119,9 @@ impl Verdict {
 /// Proves the two numbers of a certificate again. Trusts none in the text.
 #[pyfunction]
 pub(crate) fn check(py: Python<'_>, text: &str) -> PyResult<Verdict> {
-    let checked = py.detach(|| AnyCertificate::read(text).and_then(|read| read.check()));
+    let pool = pool(py)?;
+    let checked =
+        py.detach(|| pool.install(|| AnyCertificate::read(text).and_then(|read| read.check())));
     let verdict = checked.map_err(|error| NotCertified::new_err(format!("refused: {error}")))?;
     let (statement, lower) = (verdict.statement, verdict.lower);
     Ok(Verdict { statement, lower, upper: verdict.upper, declared: verdict.declared })

@@ -14,8 +14,8 @@ use tautline_problem::value::{self, Proofs};
 use crate::{
     bounds::{Bounds, FourConstants, constants},
     certificate::Certificate,
-    estimate::Estimate,
     error::{NotCertified, uncertified},
+    estimate::Estimate,
     interruptible::interruptible,
 };
 

@@ -12,26 +12,26 @@ use std::{
 
 use pyo3::{exceptions::PyRuntimeError, prelude::*};
 
+use crate::pool::pool;
+
 /// How often signals are looked for.
 const PERIOD: Duration = Duration::from_millis(50);
 
-/// The stack of the thread that computes: programs in many dimensions keep matrices on it.
-const STACK: usize = 16 << 20;
-
-/// Runs `work` on a thread of its own, while this one waits for signals without the interpreter. After
+/// Runs `work` on the threads of this process, while this one waits for signals without the interpreter. After
 /// a signal, such as Ctrl-C, its exception is raised at once, and the flag is set: the thread ends with
 /// what it has in hand, such as a level of cubes.
 pub(crate) fn interruptible<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> T + Send + 'static,
 ) -> PyResult<T> {
+    let pool = pool(py)?;
     py.detach(|| {
         let stopped = Arc::new(AtomicBool::new(false));
         let (sender, receiver) = channel();
         let flag = Arc::clone(&stopped);
-        thread::Builder::new().stack_size(STACK).spawn(move || {
+        thread::Builder::new().spawn(move || {
             // Nobody receives it after a signal.
-            let _ = sender.send(work(&flag));
+            let _ = sender.send(pool.install(|| work(&flag)));
         })?;
         loop {
             match receiver.recv_timeout(PERIOD) {

@@ -8,6 +8,7 @@ mod error;
 mod estimate;
 mod interruptible;
 mod metric;
+mod pool;
 mod set;
 mod sweep;
 mod table;

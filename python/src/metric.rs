@@ -15,6 +15,7 @@ use crate::{
     curve::{Curve, unless},
     error::{ProblemError, raised},
     interruptible::interruptible,
+    pool::pool,
     set::{Set, SetOrPoint},
     table::Spline,
 };
@@ -177,9 +178,10 @@ impl Program {
         let request = self.request(options)?;
         let ends: Vec<[&[Shape]; 2]> =
             starts.iter().zip(&goals).map(|(a, b)| [&a[..], &b[..]]).collect();
+        let pool = pool(py)?;
         let mut found = Vec::with_capacity(ends.len());
         for block in ends.chunks(BLOCK) {
-            found.extend(py.detach(|| self.given.solve_all(block, &request)));
+            found.extend(py.detach(|| pool.install(|| self.given.solve_all(block, &request))));
             self.unless_raised()?;
             py.check_signals()?;
         }

@@ -46,9 +46,7 @@ fn whole((kind, vectors, numbers): Piece) -> PyResult<Shape> {
         ("ball", [centre], &[radius]) => Shape::Ball { centre: centre.clone(), radius },
         ("sphere", [centre], &[radius]) => Shape::Sphere { centre: centre.clone(), radius },
         ("box", [low, high], []) => Shape::AxisBox { low: low.clone(), high: high.clone() },
-        ("half_space", [normal], &[offset]) => {
-            Shape::HalfSpace { normal: normal.clone(), offset }
-        }
+        ("half_space", [normal], &[offset]) => Shape::HalfSpace { normal: normal.clone(), offset },
         ("segment", [from, to], []) => Shape::Segment { from: from.clone(), to: to.clone() },
         ("affine_subspace", [point, directions @ ..], []) => {
             Shape::AffineSubspace { point: point.clone(), directions: directions.to_vec() }

@@ -2,8 +2,10 @@
 
 import copy
 import multiprocessing
+import os
 import pickle
 import unittest
+import warnings
 
 import numpy as np
 
@@ -20,6 +22,20 @@ def two_costs(x):
 
 def length(metric, start, goal):
     return float(tl.solve(metric, start, goal, n=32).length)
+
+
+def everything(_=None):
+    """What uses all threads."""
+    valleys = tl.Metric.cost("2 - cos(x1)", 2)
+    curve = tl.solve(valleys, [0, 0], [1, 0.5], n=64)
+    found = curve.certificate(0.2)
+    return (
+        [float(curve.length) for curve in tl.solve_batch(HILL, [START] * 2, [GOAL] * 2)],
+        tl.distance_matrix(HILL, [START, GOAL, [0, 1]]).tolist(),
+        (found.lower, found.upper),
+        tl.check(found.text).lower,
+        valleys.constants()["c1"].lower,
+    )
 
 
 class Pickles(unittest.TestCase):
@@ -108,6 +124,18 @@ class Pickles(unittest.TestCase):
         with multiprocessing.get_context("spawn").Pool(1) as pool:
             found = pool.starmap(length, [(HILL, tl.point(START), goal) for goal in goals])
         self.assertEqual(found, expected)
+
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork")
+    def test_a_child_by_fork_solves_on_threads_of_its_own(self):
+        # Threads in this process, which the child does not have.
+        expected = everything()
+        with warnings.catch_warnings():
+            # Python warns of threads before a fork.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            pool = multiprocessing.get_context("fork").Pool(2)
+        with pool:
+            found = pool.map_async(everything, [None] * 3).get(timeout=60)
+        self.assertEqual(found, [expected] * 3)
 
 
 if __name__ == "__main__":
