@@ -71,7 +71,7 @@ pub(crate) struct Bounds {
     /// The upper bound.
     upper: f64,
     /// What the lower bound assumes of the curve: "proved" to be a global minimum, "assumed" to be
-    /// one, "not needed", or "refuted", where the lower bound does without.
+    /// one, "not needed", as it holds for all curves, or "refuted", where the lower bound does without.
     global_minimum: String,
     /// The statement that gives the lower bound.
     lower_by: String,
@@ -92,6 +92,8 @@ impl From<problem::Bounds> for Bounds {
             lower: bounds.lower.value,
             upper: bounds.upper.value,
             global_minimum: match bounds.global_minimum {
+                // The straight distance times the root of c1, or 0, bounds all curves.
+                GlobalMinimum::Proved if is_about_all_curves(&bounds.lower_by) => "not needed",
                 GlobalMinimum::Proved => "proved",
                 GlobalMinimum::NotNeeded => "not needed",
                 GlobalMinimum::Assumed => "assumed",
@@ -109,6 +111,11 @@ impl From<problem::Bounds> for Bounds {
 
 /// What bounds are made of.
 type BoundsParts = (f64, f64, String, String, String, FourConstants, bool, Option<(Vec<f64>, f64)>);
+
+/// Returns whether the statement gives a bound that does not depend on the curve that was found.
+fn is_about_all_curves(statement: &str) -> bool {
+    statement == "Proposition 3.3" || statement.starts_with("nothing")
+}
 
 #[pymethods]
 impl Bounds {

@@ -73,9 +73,12 @@ impl Certificate {
     }
 
     fn __repr__(&self) -> String {
+        let Self { lower, upper, gap, ended, .. } = self;
+        let reached =
+            if self.reached { "reached".to_owned() } else { format!("not reached: {ended}") };
         format!(
-            "<tautline.Certificate: the distance is between {:?} and {:?}>",
-            self.lower, self.upper
+            "<tautline.Certificate: the distance is between {lower:?} and {upper:?}, \
+             gap {gap:.1e}, {reached}>"
         )
     }
 }
@@ -112,7 +115,8 @@ impl Verdict {
     }
 
     fn __repr__(&self) -> String {
-        format!("<tautline.Verdict: lower = {:?}, upper = {:?}>", self.lower, self.upper)
+        let upper = self.upper.map_or("None".to_owned(), |upper| format!("{upper:?}"));
+        format!("<tautline.Verdict: lower = {:?}, upper = {upper}>", self.lower)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::ops::ControlFlow;
 use std::sync::{
-    Arc,
+    Arc, OnceLock,
     atomic::{AtomicBool, Ordering},
 };
 
@@ -33,11 +33,13 @@ fn flow(stopped: &AtomicBool) -> ControlFlow<()> {
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
     pub(crate) curve: Arc<dyn value::Curve>,
+    /// The length of a shorter minimum, once it was looked for.
+    shorter: Arc<OnceLock<Option<f64>>>,
 }
 
 impl From<Arc<dyn value::Curve>> for Curve {
     fn from(curve: Arc<dyn value::Curve>) -> Self {
-        Self { curve }
+        Self { curve, shorter: Arc::default() }
     }
 }
 
@@ -68,13 +70,14 @@ impl Curve {
         self.curve.points().len() / self.curve.dimension() - 1
     }
 
-    /// The length: an upper bound on the distance, up to the error of its quadrature.
+    /// The length of this curve: an upper bound on the distance. Its error is that of the quadrature along
+    /// this curve, not how far the shortest curve is from it; see `extrapolated`.
     #[getter]
     fn length(&self) -> Estimate {
         self.curve.length().into()
     }
 
-    /// The energy: an upper bound on the squared distance, up to the error of its quadrature.
+    /// The energy of this curve: an upper bound on the squared distance, up to the error of its quadrature.
     #[getter]
     fn energy(&self) -> Estimate {
         self.curve.energy().into()
@@ -86,7 +89,9 @@ impl Curve {
         self.curve.discrete_energy()
     }
 
-    /// The distance by extrapolation: an estimate, not a bound. None if there is none.
+    /// The distance by extrapolation over several grids: the best estimate, with an error that says how
+    /// far the distance is from it. No bound. None if there is a single grid, or the curve is not
+    /// converged and resolved.
     #[getter]
     fn extrapolated(&self) -> Option<Estimate> {
         self.curve.extrapolated().map(Estimate::from)
@@ -140,6 +145,26 @@ impl Curve {
         py.detach(|| self.curve.other_minima()).into_iter().map(Curve::from).collect()
     }
 
+    /// The length of another local minimum that was met and is shorter; None if there is none.
+    #[getter]
+    fn shorter_minimum(&self, py: Python<'_>) -> Option<f64> {
+        py.detach(|| *self.shorter.get_or_init(|| self.curve.shorter_minimum()))
+    }
+
+    /// Why the curve may not be a shortest one, in words: it is not resolved, or another minimum is
+    /// shorter. Empty if neither is known.
+    #[getter]
+    fn doubts(&self, py: Python<'_>) -> Vec<String> {
+        let mut doubts = Vec::new();
+        if !py.detach(|| self.curve.is_resolved()) {
+            doubts.push(format!("not resolved by {} chords", self.n()));
+        }
+        if let Some(length) = self.shorter_minimum(py) {
+            doubts.push(format!("another minimum is shorter: {length:?}"));
+        }
+        doubts
+    }
+
     /// Bounds on the distance by the theorems of the paper, from constants that are proved or claimed.
     #[pyo3(signature = (*, claimed=None, tolerance=1e-3, boxes=None))]
     fn bounds(
@@ -188,8 +213,9 @@ impl Curve {
         ))
     }
 
-    fn __repr__(&self) -> String {
+    fn __repr__(&self, py: Python<'_>) -> String {
         let (length, stop) = (self.curve.length().value, self.curve.search().stop);
-        format!("<tautline.Curve of length {length:?}, n = {}, {stop}>", self.n())
+        let doubts: String = self.doubts(py).iter().map(|doubt| format!(", {doubt}")).collect();
+        format!("<tautline.Curve of length {length:?}, n = {}, {stop}{doubts}>", self.n())
     }
 }

@@ -6,6 +6,7 @@ use numpy::{
     IntoPyArray, PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
+use rayon::prelude::*;
 use tautline::Table;
 use tautline_problem::value::{Given, Proofs, Request, RuleName, Shape};
 
@@ -190,20 +191,28 @@ impl Program {
         Ok((found.into_iter().map(|found| found.ok().map(Curve::from)).collect(), messages))
     }
 
-    /// The lengths of the curves that solve_batch finds, NaN where there is none.
+    /// The lengths of the curves that solve_batch finds, NaN where there is none, and how many of the
+    /// curves are doubtful: not resolved, or longer than another minimum that was met.
     fn lengths<'py>(
         &self,
         py: Python<'py>,
         starts: PyReadonlyArray2<'_, f64>,
         goals: PyReadonlyArray2<'_, f64>,
         options: Options,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, usize)> {
         let (curves, _) = self.solve_batch(py, starts, goals, options)?;
         let length = |curve: &Option<Curve>| {
-            curve.as_ref().map_or(f64::NAN, |curve| curve.curve.length().value)
+            let Some(Curve { curve, .. }) = curve else { return (f64::NAN, false) };
+            let is_doubtful = !curve.is_resolved() || curve.shorter_minimum().is_some();
+            (curve.length().value, is_doubtful)
         };
-        let lengths: Vec<f64> = py.detach(|| curves.iter().map(length).collect());
-        Ok(lengths.into_pyarray(py))
+        let pool = pool(py)?;
+        let found: Vec<(f64, bool)> =
+            py.detach(|| pool.install(|| curves.par_iter().map(length).collect()));
+        self.unless_raised()?;
+        let doubtful = found.iter().filter(|(_, is_doubtful)| *is_doubtful).count();
+        let lengths: Vec<f64> = found.into_iter().map(|(length, _)| length).collect();
+        Ok((lengths.into_pyarray(py), doubtful))
     }
 
     fn __repr__(&self) -> String {

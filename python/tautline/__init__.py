@@ -12,6 +12,7 @@ matrix, or a Python function, which is called once with symbols; see `Metric`.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import Any
 
@@ -48,6 +49,12 @@ from ._tautline import (
 )
 from ._trace import TraceError, Traced
 
+
+class UnresolvedWarning(UserWarning):
+    """A curve may not be a shortest one: its chords do not resolve the metric, or another minimum that
+    was met is shorter."""
+
+
 __all__ = [
     "Bounds",
     "Certificate",
@@ -63,6 +70,7 @@ __all__ = [
     "Table",
     "TraceError",
     "Traced",
+    "UnresolvedWarning",
     "Verdict",
     "__version__",
     "affine_subspace",
@@ -104,12 +112,21 @@ def solve(
     of a search on one grid. The result is a local minimiser: `Curve.certificate` says whether
     another curve may be shorter.
 
-    Raises `MetricError` if the metric is not finite, symmetric and positive definite along a curve,
+    Warns with `UnresolvedWarning` if the chords do not resolve the metric, or if a shorter local minimum
+    was met. Raises `MetricError` if the metric is not finite, symmetric and positive definite along a curve,
     `ProblemError` if the input is wrong.
     """
     given = [np.asarray(polygon, float).tolist() for polygon in starts]
     options = _options(n, rule, steps, threads, given, only_these_starts)
-    return metric.program.solve(start, goal, options)
+    curve = metric.program.solve(start, goal, options)
+    if doubts := curve.doubts:
+        warnings.warn(
+            f"the curve of length {float(curve.length)!r} may not be a shortest one: {'; '.join(doubts)}. "
+            "More chords `n` or other `starts` may help",
+            UnresolvedWarning,
+            stacklevel=2,
+        )
+    return curve
 
 
 def solve_batch(
@@ -141,17 +158,32 @@ def distance_matrix(
     """The lengths of the curves between the rows of `a` and those of `b`, of shape (len(a), len(b)).
 
     Without `b` the rows of `a` are paired with each other: the matrix is symmetric, and each pair is
-    solved once. NaN where there is no curve.
+    solved once. NaN where there is no curve. Warns with `UnresolvedWarning` how many of the curves are
+    not resolved, or longer than another local minimum that was met.
     """
     a, options = _rows(a), _options(n, rule)
     if b is None:
         i, j = np.triu_indices(len(a), 1)
         matrix = np.zeros((len(a), len(a)))
-        matrix[i, j] = metric.program.lengths(a[i], a[j], options)
+        matrix[i, j] = _lengths(metric, a[i], a[j], options)
         return matrix + matrix.T
     b = _rows(b)
     i, j = (index.ravel() for index in np.indices((len(a), len(b))))
-    return metric.program.lengths(a[i], b[j], options).reshape(len(a), len(b))
+    return _lengths(metric, a[i], b[j], options).reshape(len(a), len(b))
+
+
+def _lengths(
+    metric: Metric, starts: np.ndarray, goals: np.ndarray, options: dict[str, Any]
+) -> np.ndarray:
+    lengths, doubtful = metric.program.lengths(starts, goals, options)
+    if doubtful:
+        warnings.warn(
+            f"{doubtful} of {len(lengths)} curves are not resolved by {options['n']} chords, or longer "
+            "than another minimum that was met. More chords `n` may help; `solve` says which it is",
+            UnresolvedWarning,
+            stacklevel=3,
+        )
+    return lengths
 
 
 def _options(

@@ -13,10 +13,17 @@ use super::{
 };
 use crate::{
     Bounds, CertifiedAnswer, Estimated, Search,
+    answer::is_shorter,
     bounds::{NO_THEOREM, Proving, bounds},
     file::request::RuleName,
     solve::{estimated, extrapolated, search},
 };
+
+/// How much more energy another minimum may have, and be shorter.
+const NEAR: f64 = 1.02;
+
+/// The same, where the chords do not resolve the metric.
+const NOT_RESOLVED: f64 = 1.2;
 
 /// A computed discrete minimiser, and the curve that joins its points.
 pub trait Curve: Debug + Send + Sync {
@@ -59,6 +66,10 @@ pub trait Curve: Debug + Send + Sync {
 
     /// Returns other local minima that were met, shortest first.
     fn other_minima(&self) -> Vec<Arc<dyn Curve>>;
+
+    /// Returns the length of another local minimum that was met, in `m`, if it is shorter than this curve
+    /// by more than 10⁻⁵ of it. Those whose energy is far higher are not looked at.
+    fn shorter_minimum(&self) -> Option<f64>;
 
     /// Proves bounds on the distance, as [`TautLine::prove`](tautline::TautLine::prove) does, or
     /// takes them from constants that you claim. The search calls `watch` and `observe` as it goes
@@ -185,6 +196,19 @@ impl<M: Known<D>, R: NamedRule, const D: usize> Curve for TautLine<M, R, D> {
     fn other_minima(&self) -> Vec<Arc<dyn Curve>> {
         let held = |line| -> Arc<dyn Curve> { Arc::new(line) };
         TautLine::other_minima(self).into_iter().map(held).collect()
+    }
+
+    fn shorter_minimum(&self) -> Option<f64> {
+        let length = TautLine::length(self).value;
+        let near = if TautLine::is_resolved(self) { NEAR } else { NOT_RESOLVED };
+        let near = near * TautLine::discrete_energy(self).max(length * length);
+        // To follow them to the grid of the curve takes as long as to find it.
+        if self.minimum().others.iter().all(|other| other.energy > near) {
+            return None;
+        }
+        let others = TautLine::other_minima(self);
+        let lengths = others.iter().map(|other| TautLine::length(other).value);
+        lengths.into_iter().find(|&other| is_shorter(other, length))
     }
 
     fn bounds(

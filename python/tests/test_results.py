@@ -1,0 +1,94 @@
+"""What results say of themselves."""
+
+import math
+import operator
+import unittest
+import warnings
+
+import numpy as np
+
+import tautline as tl
+
+# A hill, and below it a thin wall that few chords do not see.
+WALL = tl.Metric.cost(
+    "1 + 4*exp(-2*(x1^2 + x2^2)) + 20*exp(-800*x1^2)*(1 - tanh(4*x2))", dimension=2
+)
+ENDS = [-1.5, -0.05], [1.5, -0.05]
+
+
+class Estimates(unittest.TestCase):
+    length = tl.Estimate(4.675289135171557, 2e-15)
+
+    def test_an_estimate_is_used_as_its_number(self):
+        length = self.length
+        self.assertEqual(f"{length:.3f} {length:8.2e}", "4.675 4.68e+00")
+        self.assertEqual(f"{length}", "Estimate(value=4.675289135171557, error=2.0e-15)")
+        self.assertEqual((round(length, 2), round(length)), (4.68, 5))
+        value, error = length
+        self.assertEqual((value, error), (4.675289135171557, 2e-15))
+        self.assertTrue(4 < length < 5 and length > np.float32(4) and length <= 4.675289135171557)
+        self.assertEqual(length, 4.675289135171557)
+        self.assertEqual(hash(length), hash(4.675289135171557))
+        self.assertEqual(sorted([length, tl.Estimate(1, 0)])[0], 1)
+        self.assertEqual(float(max(length, 7)), 7.0)
+        with self.assertRaises(TypeError):
+            operator.lt(length, "5")
+
+    def test_estimates_are_equal_if_both_parts_are(self):
+        self.assertEqual(self.length, tl.Estimate(4.675289135171557, 2e-15))
+        self.assertNotEqual(self.length, tl.Estimate(4.675289135171557, 1e-15))
+        self.assertFalse(self.length != tl.Estimate(4.675289135171557, 2e-15))
+        self.assertNotEqual(self.length, None)
+
+
+class Doubts(unittest.TestCase):
+    def test_a_curve_says_that_it_is_not_resolved_and_that_another_is_shorter(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            curve = tl.solve(WALL, *ENDS, n=8)
+        shorter = float(curve.other_minima[0].length)
+        self.assertLess(shorter, float(curve.length))
+        self.assertFalse(curve.resolved)
+        self.assertEqual(curve.shorter_minimum, shorter)
+        doubts = ["not resolved by 8 chords", f"another minimum is shorter: {shorter!r}"]
+        self.assertEqual(curve.doubts, doubts)
+        self.assertTrue(repr(curve).endswith(f", converged, {', '.join(doubts)}>"))
+        self.assertEqual([each.category for each in caught], [tl.UnresolvedWarning])
+        self.assertIn("; ".join(doubts), str(caught[0].message))
+        self.assertEqual(caught[0].filename, __file__)
+
+    def test_a_longer_minimum_is_no_doubt(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            curve = tl.solve(WALL, *ENDS, n=128)
+        self.assertEqual(len(curve.other_minima), 1)
+        self.assertEqual((curve.doubts, curve.shorter_minimum), ([], None))
+        self.assertTrue(repr(curve).endswith("converged>"))
+
+    def test_a_matrix_counts_the_pairs_with_doubts(self):
+        with self.assertWarnsRegex(tl.UnresolvedWarning, "^2 of 3 curves .* by 8 chords") as warned:
+            tl.distance_matrix(WALL, [*ENDS, [1.5, -0.5]], n=8)
+        self.assertEqual(warned.filename, __file__)
+
+
+class Proofs(unittest.TestCase):
+    def test_a_certificate_shows_its_gap_and_whether_it_is_reached(self):
+        curve = tl.solve(tl.Metric.cost("2 - cos(x1)", 2), [0, 0], [1, 0.5], n=64)
+        good, poor = curve.certificate(0.2), curve.certificate(1e-6, cubes=100)
+        self.assertRegex(repr(good), r"gap [1-9]\.\de-\d, reached>$")
+        self.assertRegex(repr(poor), rf"gap [1-9]\.\de-\d, not reached: {poor.ended}>$")
+        upper = f"upper = {good.upper!r}>"
+        self.assertTrue(repr(tl.check(good.text)).endswith(upper))
+
+    def test_the_straight_distance_needs_no_global_minimum(self):
+        # A curve on the wrong side of a hill, and a bound that holds for all curves.
+        hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
+        curve = tl.solve(hill, [-1.5, 0.05], [1.5, -0.1], n=64)
+        bounds = curve.bounds(claimed=(1, 25, 1e6, None))
+        self.assertEqual(bounds.lower_by, "Proposition 3.3")
+        self.assertEqual(bounds.global_minimum, "not needed")
+        self.assertAlmostEqual(bounds.lower, math.hypot(3, 0.15), places=9)
+
+
+if __name__ == "__main__":
+    unittest.main()
