@@ -2,61 +2,41 @@
 
 use std::num::NonZeroUsize;
 
-use crate::error::ProblemError;
+use crate::{claims::Claims, error::ProblemError};
 use pyo3::{prelude::*, types::PyType};
-use tautline::{
-    Constants,
-    bounds::{self, Setting},
-};
+use tautline::bounds::{self, Setting};
 
 use tautline_problem::{self as problem, BallAnswer, ConstantAnswer, GlobalMinimum, UsedConstants};
 
 /// c1, c2, L_H, and M_H or None.
 pub(crate) type FourConstants = (f64, f64, f64, Option<f64>);
 
-/// Returns constants of a metric.
-pub(crate) fn constants((c1, c2, l_h, m_h): FourConstants) -> PyResult<Constants> {
-    let constants = Constants::new(c1, c2, l_h);
-    let constants = constants.and_then(|found| m_h.map_or(Ok(found), |m_h| found.with_m_h(m_h)));
-    constants.map_err(|error| ProblemError::new_err(error.to_string()))
-}
-
 /// The bound of Theorem 1.1 on E - d² for the curve of a global minimiser of n chords, trapezoidal rule.
 ///
-/// constants are c1, c2, L_H, and M_H or None; d is the distance or an upper bound on it.
+/// constants are c1, c2, L_H, and M_H or None, or what `Metric.constants` returns; d is the distance or an upper bound on it.
 #[pyfunction]
 #[pyo3(name = "theorem_1_1_excess")]
-pub(crate) fn theorem_1_1(
-    constants: FourConstants,
-    d: f64,
-    dimension: usize,
-    n: usize,
-) -> PyResult<f64> {
+pub(crate) fn theorem_1_1(constants: Claims, d: f64, dimension: usize, n: usize) -> PyResult<f64> {
     theorem(constants, d, dimension, n, bounds::theorem_1_1_excess)
 }
 
 /// The bound of Theorem 1.3 on E - d² for the curve of a global minimiser of n chords, left-endpoint rule.
 ///
-/// constants are c1, c2, L_H, and M_H or None; d is the distance or an upper bound on it.
+/// constants are c1, c2, L_H, and M_H or None, or what `Metric.constants` returns; d is the distance or an upper bound on it.
 #[pyfunction]
 #[pyo3(name = "theorem_1_3_excess")]
-pub(crate) fn theorem_1_3(
-    constants: FourConstants,
-    d: f64,
-    dimension: usize,
-    n: usize,
-) -> PyResult<f64> {
+pub(crate) fn theorem_1_3(constants: Claims, d: f64, dimension: usize, n: usize) -> PyResult<f64> {
     theorem(constants, d, dimension, n, bounds::theorem_1_3_excess)
 }
 
 fn theorem(
-    given: FourConstants,
+    Claims(constants): Claims,
     d: f64,
     dimension: usize,
     n: usize,
     bound: fn(Setting, NonZeroUsize) -> f64,
 ) -> PyResult<f64> {
-    let setting = Setting::new(constants(given)?, d, dimension);
+    let setting = Setting::new(constants, d, dimension);
     let setting = setting.map_err(|error| ProblemError::new_err(error.to_string()))?;
     let n = NonZeroUsize::new(n).ok_or_else(|| ProblemError::new_err("n = 0 chords"))?;
     Ok(bound(setting, n))
@@ -172,9 +152,9 @@ pub(crate) struct Constant {
     /// Whether the two numbers are within the wanted accuracy.
     proved: bool,
     /// A proved lower bound on the best constant; None if there is none.
-    lower: Option<f64>,
+    pub(crate) lower: Option<f64>,
     /// A proved upper bound on the best constant; None if there is none.
-    upper: Option<f64>,
+    pub(crate) upper: Option<f64>,
     /// A point where it is nearly attained; None if there is none.
     at: Option<Vec<f64>>,
     /// Why it is not proved; None if it is.

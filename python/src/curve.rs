@@ -12,8 +12,9 @@ use tautline::{certify, distance::Wanted};
 use tautline_problem::value::{self, Proofs};
 
 use crate::{
-    bounds::{Bounds, FourConstants, constants},
+    bounds::Bounds,
     certificate::Certificate,
+    claims::Claims,
     error::{NotCertified, uncertified},
     estimate::Estimate,
     interruptible::interruptible,
@@ -165,16 +166,17 @@ impl Curve {
         doubts
     }
 
-    /// Bounds on the distance by the theorems of the paper, from constants that are proved or claimed.
+    /// Bounds on the distance by the theorems of the paper, from constants that are proved, or claimed:
+    /// (c1, c2, L_H, M_H), where M_H may be None, or what `Metric.constants` returns.
     #[pyo3(signature = (*, claimed=None, tolerance=1e-3, boxes=None))]
     fn bounds(
         &self,
         py: Python<'_>,
-        claimed: Option<FourConstants>,
+        claimed: Option<Claims>,
         tolerance: f64,
         boxes: Option<usize>,
     ) -> PyResult<Bounds> {
-        let claimed = claimed.map(constants).transpose()?;
+        let claimed = claimed.map(|Claims(constants)| constants);
         let proofs = Proofs { claimed, tolerance: Some(tolerance), boxes };
         let curve = Arc::clone(&self.curve);
         let found = interruptible(py, move |stopped| {

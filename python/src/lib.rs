@@ -3,6 +3,7 @@
 mod black_box;
 mod bounds;
 mod certificate;
+mod claims;
 mod curve;
 mod error;
 mod estimate;
@@ -10,8 +11,10 @@ mod interruptible;
 mod metric;
 mod pool;
 mod set;
+mod sign;
 mod sweep;
 mod table;
+mod text;
 
 use pyo3::prelude::*;
 

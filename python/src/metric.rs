@@ -8,17 +8,19 @@ use numpy::{
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use tautline::Table;
-use tautline_problem::value::{Given, Proofs, Request, RuleName, Shape};
+use tautline_problem::value::{self, Found, Given, Proofs, Request, RuleName, Shape};
 
 use crate::{
     black_box::Callback,
     bounds::Constant,
     curve::{Curve, unless},
-    error::{ProblemError, raised},
+    error::{MetricError, ProblemError, raised},
     interruptible::interruptible,
-    pool::pool,
-    set::{Set, SetOrPoint},
+    pool::{self, pool},
+    set::Set,
+    sign::Sign,
     table::Spline,
+    text::message,
 };
 
 /// A metric on R^dimension as a recorded formula, compiled to programs once.
@@ -28,6 +30,8 @@ pub(crate) struct Program {
     given: Given,
     /// What the metric calls, if it is a black box.
     callback: Option<Arc<Callback>>,
+    /// What must be positive, if it is a cost or a speed.
+    sign: Option<Sign>,
 }
 
 /// How problems are to be solved, as a dictionary with these keys.
@@ -48,12 +52,14 @@ const BLOCK: usize = 4096;
 #[pymethods]
 impl Program {
     #[new]
-    #[pyo3(signature = (text, dimension, parameters=None, tables=None))]
+    #[pyo3(signature = (text, dimension, parameters=None, tables=None, skipped=0, sign=None))]
     fn new(
         text: &str,
         dimension: usize,
         parameters: Option<HashMap<String, f64>>,
         tables: Option<HashMap<String, Spline>>,
+        skipped: usize,
+        sign: Option<(String, String)>,
     ) -> PyResult<Self> {
         let mut parameters: Vec<(String, f64)> =
             parameters.unwrap_or_default().into_iter().collect();
@@ -67,8 +73,12 @@ impl Program {
             .map(|(name, table)| (name.as_str(), Arc::clone(&table.spline) as Arc<dyn Table>))
             .collect();
         let given = Given::parse(text, dimension, &parameters, &tables);
-        let given = given.map_err(|error| raised(&error))?;
-        Ok(Self { given, callback: None })
+        let given = given.map_err(|error| ProblemError::new_err(message(&error, text, skipped)))?;
+        let sign = sign.and_then(|(name, text)| {
+            let phi = Given::parse(&text, dimension, &parameters, &tables).ok()?;
+            Some(Sign { name, phi })
+        });
+        Ok(Self { given, callback: None, sign })
     }
 
     /// A metric by functions of an array of points of shape (m, D): H of shape (m, D, D), and
@@ -83,7 +93,11 @@ impl Program {
     ) -> PyResult<Self> {
         let callback = Arc::new(Callback::new(dimension, [Some(gram), first, second]));
         let given = Given::black_box(callback.clone(), dimension, step);
-        Ok(Self { given: given.map_err(|error| raised(&error))?, callback: Some(callback) })
+        Ok(Self {
+            given: given.map_err(|error| raised(&error))?,
+            callback: Some(callback),
+            sign: None,
+        })
     }
 
     /// The dimension D.
@@ -139,18 +153,15 @@ impl Program {
         Ok((found.constants.into_iter().map(Constant::from).collect(), found.region))
     }
 
-    fn solve(
-        &self,
-        py: Python<'_>,
-        start: SetOrPoint,
-        goal: SetOrPoint,
-        options: Options,
-    ) -> PyResult<Curve> {
+    fn solve(&self, py: Python<'_>, start: &Set, goal: &Set, options: Options) -> PyResult<Curve> {
         let request = self.request(options)?;
-        let (start, goal) = (start.pieces(), goal.pieces());
-        let found = py.detach(|| self.given.solve([&start, &goal], &request));
+        let found = py.detach(|| self.given.solve([&start.pieces, &goal.pieces], &request));
         self.unless_raised()?;
-        found.map(Curve::from).map_err(|error| raised(&error))
+        let curve = found.map_err(|error| raised(&error))?;
+        match self.wrong_sign(&*curve) {
+            None => Ok(curve.into()),
+            Some(wrong) => Err(MetricError::new_err(wrong)),
+        }
     }
 
     /// Curves between the rows of two arrays of shape (m, D), as (curves, messages): a curve or None,
@@ -176,18 +187,22 @@ impl Program {
             array.as_array().rows().into_iter().map(row).collect()
         };
         let (starts, goals) = (rows(&starts), rows(&goals));
+        let threads = options.threads;
         let request = self.request(options)?;
         let ends: Vec<[&[Shape]; 2]> =
             starts.iter().zip(&goals).map(|(a, b)| [&a[..], &b[..]]).collect();
-        let pool = pool(py)?;
+        let pool = threads.map_or_else(|| pool(py), pool::threads)?;
         let mut found = Vec::with_capacity(ends.len());
         for block in ends.chunks(BLOCK) {
-            found.extend(py.detach(|| pool.install(|| self.given.solve_all(block, &request))));
+            let solved = || {
+                let curves = self.given.solve_all(block, &request).into_par_iter();
+                curves.map(|curve| self.checked(curve)).collect::<Vec<_>>()
+            };
+            found.extend(py.detach(|| pool.install(solved)));
             self.unless_raised()?;
             py.check_signals()?;
         }
-        let messages = found.iter().map(|found| found.as_ref().err().map(ToString::to_string));
-        let messages = messages.collect();
+        let messages = found.iter().map(|found| found.as_ref().err().cloned()).collect();
         Ok((found.into_iter().map(|found| found.ok().map(Curve::from)).collect(), messages))
     }
 
@@ -200,13 +215,14 @@ impl Program {
         goals: PyReadonlyArray2<'_, f64>,
         options: Options,
     ) -> PyResult<(Bound<'py, PyArray1<f64>>, usize)> {
+        let threads = options.threads;
         let (curves, _) = self.solve_batch(py, starts, goals, options)?;
         let length = |curve: &Option<Curve>| {
             let Some(Curve { curve, .. }) = curve else { return (f64::NAN, false) };
             let is_doubtful = !curve.is_resolved() || curve.shorter_minimum().is_some();
             (curve.length().value, is_doubtful)
         };
-        let pool = pool(py)?;
+        let pool = threads.map_or_else(|| pool(py), pool::threads)?;
         let found: Vec<(f64, bool)> =
             py.detach(|| pool.install(|| curves.par_iter().map(length).collect()));
         self.unless_raised()?;
@@ -224,6 +240,17 @@ impl Program {
     /// Raises the exception of the functions of a black box.
     fn unless_raised(&self) -> PyResult<()> {
         self.callback.as_ref().and_then(|callback| callback.raised()).map_or(Ok(()), Err)
+    }
+
+    /// Says that the cost or the speed is negative on a curve.
+    fn wrong_sign(&self, curve: &dyn value::Curve) -> Option<String> {
+        self.sign.as_ref().and_then(|sign| sign.wrong(curve).ok()?)
+    }
+
+    /// Returns a curve, or why there is none.
+    fn checked(&self, found: Found) -> Result<Arc<dyn value::Curve>, String> {
+        let curve = found.map_err(|error| error.to_string())?;
+        self.wrong_sign(&*curve).map_or(Ok(curve), Err)
     }
 
     fn request(&self, options: Options) -> PyResult<Request> {

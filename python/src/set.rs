@@ -77,22 +77,6 @@ impl Set {
     }
 }
 
-/// A set, or the coordinates of a point.
-#[derive(FromPyObject)]
-pub(crate) enum SetOrPoint {
-    Set(Set),
-    Point(Vec<f64>),
-}
-
-impl SetOrPoint {
-    pub(crate) fn pieces(self) -> Vec<Shape> {
-        match self {
-            SetOrPoint::Set(set) => set.pieces,
-            SetOrPoint::Point(x) => vec![Shape::Point(x)],
-        }
-    }
-}
-
 /// The set of one point.
 #[pyfunction]
 pub(crate) fn point(x: Vec<f64>) -> Set {

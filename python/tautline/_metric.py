@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
+from numpy.typing import NDArray
 
+from ._convert import array, number, whole
+from ._image import of_image
 from ._table import Table
-
 from ._tautline import Constant, ProblemError, Program, Set, Spline
-from ._trace import coordinates, written
+from ._written import check_used, is_sympy, of_form, of_matrix, of_sympy, sign, words
 
 
 class Metric:
@@ -18,11 +21,17 @@ class Metric:
 
     `what` is one of
 
-    - a text, such as "cost(2 - cos(x1))" or "[1 + x1^2, 0; 0, 1]"; coordinates are x1, …, xD, and
-      `parameters` gives values to other names, and `tables` are functions that it may call, see `Table`;
+    - a text, such as "cost(2 - cos(x1))" or "[1 + x1^2, 0; 0, 1]", see below;
     - a function of an array x of shape (D,), which returns an array of shape (D, D). It is called
       once, with symbols that record what it computes, and may use NumPy;
-    - a SymPy matrix, with the coordinates in `variables`.
+    - a SymPy matrix, with the coordinates in `variables`;
+    - a constant array of shape (D, D).
+
+    In a text the coordinates are x1, …, xD. There are numbers, pi, + - * /, powers ^ with whole
+    exponents, and the functions sqr, recip, sqrt, exp, ln, sin, cos, tan, atan, sinh, cosh and tanh.
+    Definitions go before, as in "u = exp(-x1^2); [2 + u, 0; 0, 1]". `parameters` gives values to other
+    names of a text or to symbols of SymPy, and `tables` are functions that a text may call: see `Table`,
+    or arrays.
 
     For what is no formula, there is `Metric.black_box`.
 
@@ -38,41 +47,73 @@ class Metric:
 
     def __init__(
         self,
-        what: str | Callable[[np.ndarray], Any] | Any,
+        what: Any,
         dimension: int | None = None,
         *,
         parameters: Mapping[str, float] | None = None,
-        tables: Mapping[str, Table] | None = None,
+        tables: Mapping[str, Table | npt.ArrayLike] | None = None,
         variables: Sequence[Any] | None = None,
     ) -> None:
+        if dimension is None and not is_sympy(what) and not isinstance(what, str):
+            if np.ndim(what) == 2:
+                # A constant matrix.
+                dimension = len(what)
+        self._set(
+            "", what, dimension, parameters=parameters, tables=tables, variables=variables
+        )
+
+    def _set(
+        self,
+        form: str,
+        what: Any,
+        dimension: int | None,
+        *,
+        parameters: Mapping[str, float] | None = None,
+        tables: Mapping[str, Table | npt.ArrayLike] | None = None,
+        variables: Sequence[Any] | None = None,
+    ) -> None:
+        values = {
+            name: number(value, f"the parameter {name}")
+            for name, value in (parameters or {}).items()
+        }
         if variables is not None:
-            what, dimension = _from_sympy(what, variables), len(variables)
+            dimension = _of_variables(dimension, variables)
+        if is_sympy(what):
+            what, values = of_sympy(what, variables, values), {}
+        elif variables is not None and (isinstance(what, str) or callable(what)):
+            raise ProblemError("`variables` are the coordinates of a SymPy expression")
         if dimension is None:
             raise ProblemError("the dimension of a metric is needed: Metric(…, dimension=2)")
-        named = dict(tables or {})
-        if callable(what):
-            what, found = _traced(what, dimension)
-            named.update(found)
-        elif isinstance(what, _Written):
-            named.update(what.tables)
-            what = what.text
-        if not isinstance(what, str):
-            raise ProblemError(f"a metric is a text or a function, not {what!r}")
-        splines = {name: table.spline for name, table in named.items()}
-        self._parts: tuple[Any, ...] = (what, dimension, dict(parameters or {}), splines)
+        size = whole(dimension, "the dimension")
+        made = of_form(form, what, size) if form else of_matrix(what, size)
+        check_used(values, words(made.text))
+        named = {
+            name: table if isinstance(table, Table) else Table(table)
+            for name, table in (tables or {}).items()
+        }
+        splines = {name: table.spline for name, table in (named | made.tables).items()}
+        self._parts: tuple[Any, ...] = (
+            made.text,
+            size,
+            values,
+            splines,
+            made.skipped,
+            sign(made.text),
+        )
         self.program = Program(*self._parts)
 
     @classmethod
     def image(
         cls,
-        cost: Any,
+        cost: npt.ArrayLike,
         *,
-        spacing: float | Sequence[float] = 1.0,
-        origin: float | Sequence[float] = 0.0,
+        spacing: npt.ArrayLike = 1.0,
+        origin: npt.ArrayLike = 0.0,
         interpolate: bool = False,
     ) -> Metric:
         """The metric of a cost image: `cost[i, j]` is the cost of a unit of length at the point
-        `origin + spacing * (i, j)`, smoothed as by `Table`. Arrays may have one to three axes.
+        `origin + spacing * (i, j)`, smoothed as by `Table`. Arrays may have one to three axes. With
+        `interpolate` it has the costs themselves, and is refused if it may not be positive between them.
         An obstacle is a high cost: a way round it is taken where it is cheaper.
 
         >>> import numpy as np
@@ -80,25 +121,16 @@ class Metric:
         >>> round(float(np.sqrt(metric([0.25, 0.1])[0, 0])), 6), metric.constants()["c1"].lower > 0.99
         (2.0, True)
         """
-        cost = np.asarray(cost, float)
-        if not np.all(cost > 0):
-            index = tuple(int(i) for i in np.argwhere(~(cost > 0))[0])
-            raise ProblemError(f"the cost at {index} is {cost[index]}; it must be positive")
-        table = Table(cost, interpolate=interpolate)
-        axes = len(table.shape)
-        step, start = (np.broadcast_to(np.asarray(x, float), axes) for x in (spacing, origin))
-        if not np.all(step > 0):
-            raise ProblemError(f"the spacing {step.tolist()}; it must be positive")
-        return cls.cost(lambda x: table(*((x - start) / step)), axes)
+        return cls.cost(*of_image(cost, spacing, origin, interpolate))
 
     @classmethod
     def black_box(
         cls,
-        h: Callable[[np.ndarray], Any],
+        h: Callable[[Any], Any],
         dimension: int,
         *,
-        first: Callable[[np.ndarray], Any] | None = None,
-        second: Callable[[np.ndarray], Any] | None = None,
+        first: Callable[[Any], Any] | None = None,
+        second: Callable[[Any], Any] | None = None,
         step: float = 1e-3,
     ) -> Metric:
         """A metric by a function of many points: `h` maps an array of shape (m, D) to (m, D, D).
@@ -126,34 +158,44 @@ class Metric:
         return metric
 
     @classmethod
-    def cost(cls, f: Any, dimension: int, **options: Any) -> Metric:
-        """f² I: a curve has the length ∫ f |γ'| dt, so f is the cost of a unit of length."""
-        return cls(_form("cost", f, dimension), dimension, **options)
+    def cost(cls, f: Any, dimension: int | None = None, **options: Any) -> Metric:
+        """f² I: a curve has the length ∫ f |γ'| dt, so f is the cost of a unit of length.
+
+        `f` is a text, a function of an array x of shape (D,), an expression of SymPy with `variables`, or
+        a number, and takes the options of `Metric`, here and in the other forms. It must be positive along a curve: `solve` looks.
+        """
+        return cls._of_form("cost", f, dimension, **options)
 
     @classmethod
-    def speed(cls, f: Any, dimension: int, **options: Any) -> Metric:
+    def speed(cls, f: Any, dimension: int | None = None, **options: Any) -> Metric:
         """f⁻² I: the length of a curve is the time it takes at the speed f."""
-        return cls(_form("speed", f, dimension), dimension, **options)
+        return cls._of_form("speed", f, dimension, **options)
 
     @classmethod
-    def phi(cls, f: Any, dimension: int, **options: Any) -> Metric:
+    def phi(cls, f: Any, dimension: int | None = None, **options: Any) -> Metric:
         """f I."""
-        return cls(_form("phi", f, dimension), dimension, **options)
+        return cls._of_form("phi", f, dimension, **options)
 
     @classmethod
-    def graph(cls, f: Any, dimension: int, **options: Any) -> Metric:
+    def graph(cls, f: Any, dimension: int | None = None, **options: Any) -> Metric:
         """I + ∇f ∇fᵀ, which measures curves on the graph of f."""
-        return cls(_form("graph", f, dimension), dimension, **options)
+        return cls._of_form("graph", f, dimension, **options)
 
     @classmethod
-    def pullback(cls, f: Any, dimension: int, **options: Any) -> Metric:
+    def pullback(cls, f: Any, dimension: int | None = None, **options: Any) -> Metric:
         """JᵀJ with the derivative J of a map to R^m, m ≥ D, which measures the lengths of images."""
-        return cls(_form("pullback", f, dimension), dimension, **options)
+        return cls._of_form("pullback", f, dimension, **options)
 
     @classmethod
-    def diag(cls, f: Any, dimension: int, **options: Any) -> Metric:
+    def diag(cls, f: Any, dimension: int | None = None, **options: Any) -> Metric:
         """The diagonal matrix with these entries."""
-        return cls(_form("diag", f, dimension), dimension, **options)
+        return cls._of_form("diag", f, dimension, **options)
+
+    @classmethod
+    def _of_form(cls, form: str, f: Any, dimension: int | None, **options: Any) -> Metric:
+        metric = cls.__new__(cls)
+        metric._set(form, f, dimension, **options)
+        return metric
 
     @property
     def dimension(self) -> int:
@@ -179,13 +221,13 @@ class Metric:
         found, _ = self.program.constants(within, tolerance, boxes)
         return {constant.name: constant for constant in found}
 
-    def __call__(self, x: Any) -> np.ndarray:
+    def __call__(self, x: npt.ArrayLike) -> NDArray[np.float64]:
         """H at points: an array of shape (…, D, D) for one of shape (…, D)."""
-        x = np.ascontiguousarray(x, float)
-        if x.ndim == 0:
+        points = array(x, "an array of points")
+        if points.ndim == 0:
             raise ProblemError("a point is an array of shape (D,), not a number")
-        h = self.program.gram(x.reshape(-1, x.shape[-1]))
-        return h.reshape(*x.shape, x.shape[-1])
+        h = self.program.gram(points.reshape(-1, points.shape[-1]))
+        return h.reshape(*points.shape, points.shape[-1])
 
     def __eq__(self, other: object) -> bool:
         """Whether two metrics are the same program: the same operations in the same order.
@@ -228,35 +270,10 @@ def _are_equal(tables: Mapping[str, Spline], others: Mapping[str, Spline]) -> bo
     )
 
 
-class _Written(NamedTuple):
-    text: str
-    tables: dict[str, Table]
-
-
-def _traced(
-    function: Callable[[np.ndarray], Any], dimension: int
-) -> tuple[str, dict[str, Table]]:
-    h = np.asarray(function(coordinates(dimension)), object)
-    if h.shape != (dimension, dimension):
-        hint = "; for f² I use Metric.cost, for a diagonal Metric.diag" if h.ndim < 2 else ""
-        raise ProblemError(f"H has the shape {h.shape}, not {(dimension, dimension)}{hint}")
-    lines, names, tables = written(h.ravel().tolist())
-    rows = [", ".join(names[i : i + dimension]) for i in range(0, len(names), dimension)]
-    return "\n".join([*lines, f"[{'; '.join(rows)}]"]), tables
-
-
-def _form(form: str, f: Any, dimension: int) -> str | _Written:
-    if isinstance(f, str):
-        return f"{form}({f})"
-    if not callable(f):
-        return f"{form}({', '.join(f)})"
-    numbers = np.asarray(f(coordinates(dimension)), object).ravel().tolist()
-    lines, names, tables = written(numbers)
-    return _Written("\n".join([*lines, f"{form}({', '.join(names)})"]), tables)
-
-
-def _from_sympy(matrix: Any, variables: Sequence[Any]) -> Callable[[np.ndarray], Any]:
-    import sympy  # type: ignore[import-untyped, import-not-found, unused-ignore]
-
-    function = sympy.lambdify(list(variables), sympy.Matrix(matrix).tolist(), "numpy", cse=True)
-    return lambda x: function(*x)
+def _of_variables(dimension: int | None, variables: Sequence[Any]) -> int:
+    if not isinstance(variables, (list, tuple)):
+        raise ProblemError(f"variables={variables!r}; expected a list such as (x, y)")
+    if dimension is not None and dimension != len(variables):
+        names = ", ".join(map(str, variables))
+        raise ProblemError(f"{dimension} dimensions, but {len(variables)} variables ({names})")
+    return len(variables)

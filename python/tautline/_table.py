@@ -5,7 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
+from numpy.typing import NDArray
 
+from ._convert import array
 from ._tautline import ProblemError, Spline
 from ._trace import Traced
 
@@ -28,13 +31,13 @@ class Table:
 
     __slots__ = ("spline",)
 
-    def __init__(self, values: Any, *, interpolate: bool = False) -> None:
-        array = np.asarray(values, float)
-        if array.ndim == 0:
+    def __init__(self, values: npt.ArrayLike, *, interpolate: bool = False) -> None:
+        found = array(values, "the table")
+        if found.ndim == 0:
             raise ProblemError("a table is an array of one to three axes, not a number")
-        self.spline = Spline(np.ascontiguousarray(array), interpolate)
+        self.spline = Spline(found, interpolate)
 
-    def __reduce__(self) -> tuple[type[Table], tuple[np.ndarray]]:
+    def __reduce__(self) -> tuple[type[Table], tuple[NDArray[np.float64]]]:
         return Table, (self.spline.coefficients,)
 
     @property

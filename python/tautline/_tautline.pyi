@@ -1,6 +1,6 @@
 from os import PathLike
 from pathlib import Path
-from typing import Any, ClassVar, NoReturn, final, overload
+from typing import Any, ClassVar, NoReturn, SupportsFloat, final, overload
 
 import numpy as np
 from collections.abc import Callable, Iterator, Sequence
@@ -230,7 +230,7 @@ class Curve:
         self,
         /,
         *,
-        claimed: tuple[float, float, float, float | None] | None = None,
+        claimed: tuple[float, float, float, float | None] | dict[str, Constant] | None = None,
         tolerance: float = 1e-3,
         boxes: int | None = None,
     ) -> Bounds: ...
@@ -255,6 +255,8 @@ class Program:
         dimension: int,
         parameters: dict[str, float] | None = None,
         tables: dict[str, Spline] | None = None,
+        skipped: int = 0,
+        sign: tuple[str, str] | None = None,
     ) -> Program: ...
     @property
     def dimension(self) -> int: ...
@@ -275,8 +277,8 @@ class Program:
     def solve(
         self,
         /,
-        start: Set | Sequence[float],
-        goal: Set | Sequence[float],
+        start: Set,
+        goal: Set,
         options: dict[str, Any],
     ) -> Curve: ...
     def solve_batch(
@@ -329,8 +331,14 @@ def affine_subspace(point: Sequence[float], directions: Sequence[Sequence[float]
 def union(*sets: Set) -> Set: ...
 def check(text: str) -> Verdict: ...
 def theorem_1_1_excess(
-    constants: tuple[float, float, float, float | None], d: float, dimension: int, n: int
+    constants: tuple[float, float, float, float | None] | dict[str, Constant],
+    d: SupportsFloat,
+    dimension: int,
+    n: int,
 ) -> float: ...
 def theorem_1_3_excess(
-    constants: tuple[float, float, float, float | None], d: float, dimension: int, n: int
+    constants: tuple[float, float, float, float | None] | dict[str, Constant],
+    d: SupportsFloat,
+    dimension: int,
+    n: int,
 ) -> float: ...

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._convert import plain
+
 if TYPE_CHECKING:
     from ._table import Table
 
@@ -142,6 +144,11 @@ class Traced:
         return (self * self + other * other) ** 0.5
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+        if options.get("out") is not None:
+            raise TraceError(
+                f"np.{ufunc.__name__} into an array of floats, as by `a += x`: write `a = a + x`, or "
+                "make the array with dtype=object"
+            )
         if method != "__call__" or options:
             raise TraceError(f"np.{ufunc.__name__}.{method} of a traced number")
         if any(isinstance(x, np.ndarray) and x.ndim > 0 for x in inputs):
@@ -149,8 +156,11 @@ class Traced:
             return ufunc(*(np.asarray(x, object) for x in inputs))
         rule = UFUNCS.get(ufunc.__name__)
         if rule is None:
+            hint = SMOOTH.get(ufunc.__name__)
+            instead = f"a smooth replacement is {hint}; " if hint else ""
             raise TraceError(
-                f"np.{ufunc.__name__} cannot be recorded; there are {', '.join(sorted(UFUNCS))}"
+                f"np.{ufunc.__name__} cannot be recorded: {instead}`Metric.black_box` takes any "
+                f"function. There are {', '.join(sorted(UFUNCS))}"
             )
         # A scalar of NumPy to the left of a symbol would call this function again.
         return rule(*(plain(x) for x in inputs))
@@ -159,19 +169,23 @@ class Traced:
         return TraceError(
             f"a metric is recorded once, for all points: {what} would follow one of the branches. "
             "Write the metric as one smooth formula, for example with tanh or exp in place of the "
-            "branch, or give a black box to `Metric.black_box`"
+            f"branch, {SMOOTH['absolute']} in place of abs(u), or {SMOOTH['maximum']} in place of "
+            "max(u, v), or give a black box to `Metric.black_box`"
         )
 
     def __bool__(self) -> bool:
         raise self._is_no_number("an `if`, `and`, `min` or `max` of a traced number")
 
     def __float__(self) -> float:
-        raise self._is_no_number("a conversion of a traced number to a float, as by `math.sin`,")
+        raise TraceError(
+            "a metric is recorded once, for all points: a traced number has no value. Use np.sin in "
+            "place of math.sin; to put it into an array, make a list, or the array with dtype=object"
+        )
 
     def _compared(self, other: Any) -> bool:
         raise self._is_no_number("a comparison of a traced number")
 
-    __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _compared  # type: ignore[assignment]
+    __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _compared
     __hash__ = object.__hash__
 
     def __abs__(self) -> Traced:
@@ -180,6 +194,18 @@ class Traced:
     def __repr__(self) -> str:
         return f"<traced {self.text.format(*['…'] * len(self.arguments))}>"
 
+
+# What to write in place of functions with kinks, where 1e-4 rounds them off.
+SMOOTH = {
+    "absolute": "np.sqrt(u**2 + 1e-4)",
+    "fabs": "np.sqrt(u**2 + 1e-4)",
+    "maximum": "(u + v + np.sqrt((u - v)**2 + 1e-4))/2",
+    "fmax": "(u + v + np.sqrt((u - v)**2 + 1e-4))/2",
+    "minimum": "(u + v - np.sqrt((u - v)**2 + 1e-4))/2",
+    "fmin": "(u + v - np.sqrt((u - v)**2 + 1e-4))/2",
+    "sign": "np.tanh(u/0.01)",
+    "heaviside": "(1 + np.tanh(u/0.01))/2",
+}
 
 UFUNCS: dict[str, Callable[..., Any]] = {
     "add": lambda a, b: a + b,
@@ -198,16 +224,6 @@ UFUNCS: dict[str, Callable[..., Any]] = {
         )
     },
 }
-
-
-def plain(x: Any) -> Any:
-    """A scalar of NumPy as a number of Python; anything else as it is."""
-    if isinstance(x, np.ndarray) and x.ndim == 0:
-        x = x[()]
-    if isinstance(x, np.floating):
-        # `item` of a long double is a long double.
-        return float(x)
-    return x.item() if isinstance(x, np.generic) else x
 
 
 def binary(text: str, a: Any, b: Any) -> Any:
@@ -230,41 +246,3 @@ def binary(text: str, a: Any, b: Any) -> Any:
 def number(x: float) -> str:
     # A sign needs parentheses after an operator.
     return repr(x) if not math.copysign(1.0, x) < 0 else f"({x!r})"
-
-
-def coordinates(dimension: int) -> np.ndarray:
-    x = np.empty(dimension, object)
-    x[:] = [Traced(f"x{i + 1}") for i in range(dimension)]
-    return x
-
-
-def written(numbers: Sequence[Any]) -> tuple[list[str], list[str], dict[str, Table]]:
-    """The steps that these numbers need, in the order in which they were computed, as definitions of a
-    text; the names of the numbers, and the tables by their names."""
-    for x in numbers:
-        if not isinstance(x, (Traced, *Number)):
-            raise TraceError(f"{x!r} in a metric, which is no number")
-    needed = {id(x): x for x in numbers if isinstance(x, Traced)}
-    left = list(needed.values())
-    # Without recursion: formulas may be deep.
-    while left:
-        for argument in left.pop().arguments:
-            if id(argument) not in needed:
-                needed[id(argument)] = argument
-                left.append(argument)
-    names: dict[int, str] = {}
-    lines: list[str] = []
-    tables: list[Table] = []
-    for x in sorted(needed.values(), key=lambda x: x.order):
-        names[id(x)] = x.text.format(*(names[id(argument)] for argument in x.arguments))
-        if x.table is not None:
-            if not any(x.table is table for table in tables):
-                tables.append(x.table)
-            number_of = next(i for i, table in enumerate(tables) if table is x.table)
-            names[id(x)] = f"table{number_of + 1}{names[id(x)]}"
-        if x.arguments:
-            lines.append(f"t{len(lines) + 1} = {names[id(x)]};")
-            names[id(x)] = f"t{len(lines)}"
-    named = {f"table{i + 1}": table for i, table in enumerate(tables)}
-    results = [names[id(x)] if isinstance(x, Traced) else number(float(x)) for x in numbers]
-    return lines, results, named

@@ -6,7 +6,8 @@ import unittest
 import numpy as np
 
 import tautline as tl
-from tautline._trace import Traced, coordinates
+from tautline._recorded import coordinates
+from tautline._trace import Traced
 
 OPERATIONS = operator.add, operator.sub, operator.mul, operator.truediv, operator.pow
 
@@ -60,6 +61,39 @@ class Scalars(unittest.TestCase):
         matrix = sympy.Matrix([[sympy.sqrt(2) + sympy.sqrt(2) * x**2, 0], [0, 1 + y**2 / 3]])
         h = tl.Metric(matrix, variables=[x, y])([0.5, 2.0])
         np.testing.assert_allclose(np.diag(h), [1.25 * 2**0.5, 7 / 3], rtol=1e-15)
+
+
+class Functions(unittest.TestCase):
+    def test_functions_with_kinks_have_smooth_replacements(self):
+        for function, instead in (
+            (lambda x: np.abs(x[0]), r"np.sqrt\(u\*\*2 \+ 1e-4\)"),
+            (lambda x: np.abs(x).sum(), r"np.sqrt\(u\*\*2 \+ 1e-4\) in place of abs"),
+            (lambda x: np.maximum(x[0], 1), r"\(u \+ v \+ np.sqrt"),
+            (lambda x: np.maximum(x, 1)[0], r"\(u \+ v \+ np.sqrt"),
+            (lambda x: np.where(x[0] > 1, 1, 2), "np.sqrt"),
+        ):
+            with self.assertRaisesRegex(tl.TraceError, f"{instead}.*black_box"):
+                tl.Metric.cost(function, 2)
+
+    def test_symbols_are_not_put_into_arrays_of_floats(self):
+        def filled(x):
+            h = np.zeros((2, 2))
+            h[0, 0] = 1 + x[0] ** 2
+            return h
+
+        def added(x):
+            h = np.eye(2)
+            h += np.outer(x, x)
+            return h
+
+        def scaled(x):
+            h = np.eye(2)
+            h *= x[0]
+            return h
+
+        for function in (filled, added, scaled):
+            with self.assertRaisesRegex(tl.TraceError, "dtype=object"):
+                tl.Metric(function, 2)
 
 
 if __name__ == "__main__":

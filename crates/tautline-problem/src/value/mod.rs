@@ -26,5 +26,5 @@ pub use known::Observe;
 pub use request::{Nodes, Proofs, Request};
 
 pub use crate::file::request::RuleName;
-pub use tautline::Values;
+pub use tautline::{TextError, Values};
 pub use tautline_portrait::Shape;

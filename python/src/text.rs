@@ -1,0 +1,31 @@
+//! What is wrong with a text, shown in the user's own words.
+
+use tautline_problem::value::{GivenError, TextError};
+
+/// The functions of texts, as `Metric` lists them.
+const FUNCTIONS: &str = "sqr, recip, sqrt, exp, ln, sin, cos, tan, atan, sinh, cosh, tanh";
+
+/// Returns an error as a message. Places in a text are shown with its line, and count from the end of
+/// the `skipped` bytes that were put before it.
+pub(crate) fn message(error: &GivenError, text: &str, skipped: usize) -> String {
+    let GivenError::Text(TextError { at, problem }) = error else { return error.to_string() };
+    let problem = problem.to_string();
+    let hint = if problem == "unknown function log" {
+        format!("; the natural logarithm is ln; there are {FUNCTIONS}")
+    } else if problem.starts_with("unknown function") {
+        format!("; there are {FUNCTIONS}")
+    } else if problem.starts_with("unknown name") {
+        "; coordinates are x1, x2, …, and `parameters` gives values to other names".to_owned()
+    } else {
+        String::new()
+    };
+    let start = text.floor_char_boundary(at.start.max(skipped));
+    // The bracket that was put behind it belongs to nobody.
+    let end = if skipped > 0 { text.len().saturating_sub(1).max(skipped) } else { text.len() };
+    let own = text.get(skipped..end).unwrap_or(text);
+    let before = text.get(skipped..start.min(end)).unwrap_or(own);
+    let line = own.lines().nth(before.matches('\n').count()).unwrap_or(own);
+    let place = before.chars().count();
+    let column = before.rsplit('\n').next().map_or(0, |last| last.chars().count());
+    format!("at character {place}: {problem}{hint}\n    {line}\n    {:column$}^", "")
+}

@@ -1,0 +1,210 @@
+"""Curves of one problem and of many."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from typing import Any, Literal, TypeAlias, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+from numpy.typing import NDArray
+
+from ._convert import array, finite_rows, rows, whole
+from ._metric import Metric
+from ._sets import SetLike, as_set
+from ._tautline import Curve, ProblemError
+
+# A polygon from which a search starts, or several.
+Starts: TypeAlias = Union[Curve, npt.ArrayLike, Sequence[Any]]
+
+
+class UnresolvedWarning(UserWarning):
+    """A curve may not be a shortest one: its chords do not resolve the metric, or another minimum that
+    was met is shorter."""
+
+
+def solve(
+    metric: Metric,
+    start: SetLike,
+    goal: SetLike,
+    *,
+    n: int = 256,
+    rule: str = "trapezoidal",
+    starts: Starts = (),
+    only_these_starts: bool = False,
+    steps: int | None = None,
+    threads: int | None = None,
+) -> Curve:
+    """A shortest curve of `n` chords from `start` to `goal`: sets, or points of shape (D,).
+
+    `rule` is "trapezoidal" (the metric in the middle of each chord), "left_endpoint" or
+    "true_trapezoid". `starts` are polygons from which a search starts besides the automatic ones, or
+    in place of them: an array of shape (m, D), a curve, or a list of such. `steps` is the largest
+    number of Newton steps of a search on one grid. `threads` is 1 or 2. The result is a local
+    minimiser: `Curve.certificate` says whether another curve may be shorter.
+
+    Warns with `UnresolvedWarning` if the chords do not resolve the metric, or if a shorter local minimum
+    was met. Raises `MetricError` if the metric is not finite, symmetric and positive definite along a
+    curve, `ProblemError` if the input is wrong.
+    """
+    options = _options(metric, n, rule, steps, threads, _polygons(starts), only_these_starts)
+    ends = as_set(start, "the start"), as_set(goal, "the goal")
+    curve = metric.program.solve(*ends, options)
+    if doubts := curve.doubts:
+        warnings.warn(
+            f"the curve of length {float(curve.length)!r} may not be a shortest one: "
+            f"{'; '.join(doubts)}. More chords `n` or other `starts` may help",
+            UnresolvedWarning,
+            stacklevel=2,
+        )
+    return curve
+
+
+@overload
+def solve_batch(
+    metric: Metric,
+    starts: npt.ArrayLike,
+    goals: npt.ArrayLike,
+    *,
+    n: int = ...,
+    rule: str = ...,
+    steps: int | None = ...,
+    threads: int | None = ...,
+    on_error: Literal["raise"] = ...,
+) -> list[Curve]: ...
+@overload
+def solve_batch(
+    metric: Metric,
+    starts: npt.ArrayLike,
+    goals: npt.ArrayLike,
+    *,
+    n: int = ...,
+    rule: str = ...,
+    steps: int | None = ...,
+    threads: int | None = ...,
+    on_error: Literal["return"],
+) -> tuple[list[Curve | None], list[str | None]]: ...
+def solve_batch(
+    metric: Metric,
+    starts: npt.ArrayLike,
+    goals: npt.ArrayLike,
+    *,
+    n: int = 256,
+    rule: str = "trapezoidal",
+    steps: int | None = None,
+    threads: int | None = None,
+    on_error: Literal["raise", "return"] = "raise",
+) -> list[Curve] | tuple[list[Curve | None], list[str | None]]:
+    """Curves between the rows of two arrays of shape (m, D), on all processors or on `threads`.
+
+    One of them may be a single point, of shape (D,). The curves equal those of `solve` bit for bit.
+    Raises `ProblemError` with the row of the first problem that has no curve; with
+    `on_error="return"` it returns a pair of lists in place of that, the curves and the messages, with
+    None where there is no curve and no message.
+    """
+    if on_error not in ("raise", "return"):
+        raise ProblemError(f"on_error is {on_error!r}; expected 'raise' or 'return'")
+    options = _options(metric, n, rule, steps, threads)
+    curves, messages = metric.program.solve_batch(*_pairs(starts, goals), options)
+    if on_error == "return":
+        return curves, messages
+    for row, message in enumerate(messages):
+        if message is not None:
+            raise ProblemError(f"row {row}: {message}")
+    return [curve for curve in curves if curve is not None]
+
+
+def distance_matrix(
+    metric: Metric,
+    a: npt.ArrayLike,
+    b: npt.ArrayLike | None = None,
+    *,
+    n: int = 64,
+    rule: str = "trapezoidal",
+    threads: int | None = None,
+) -> NDArray[np.float64]:
+    """The lengths of the curves between the rows of `a` and those of `b`, of shape (len(a), len(b)).
+
+    Without `b` the rows of `a` are paired with each other: the matrix is symmetric, and each pair is
+    solved once. NaN where there is no curve. Warns with `UnresolvedWarning` how many of the curves are
+    not resolved, or longer than another local minimum that was met.
+    """
+    options, x = _options(metric, n, rule, None, threads), finite_rows(a, "a")
+    if b is None:
+        i, j = np.triu_indices(len(x), 1)
+        matrix = np.zeros((len(x), len(x)))
+        matrix[i, j] = _lengths(metric, x[i], x[j], options)
+        return matrix + matrix.T
+    y = finite_rows(b, "b")
+    i, j = (index.ravel() for index in np.indices((len(x), len(y))))
+    return _lengths(metric, x[i], y[j], options).reshape(len(x), len(y))
+
+
+def _lengths(
+    metric: Metric,
+    starts: NDArray[np.float64],
+    goals: NDArray[np.float64],
+    options: dict[str, Any],
+) -> NDArray[np.float64]:
+    lengths, doubtful = metric.program.lengths(starts, goals, options)
+    if doubtful:
+        warnings.warn(
+            f"{doubtful} of {len(lengths)} curves are not resolved by {options['n']} chords, or longer "
+            "than another minimum that was met. More chords `n` may help; `solve` says which it is",
+            UnresolvedWarning,
+            stacklevel=3,
+        )
+    return lengths
+
+
+def _options(
+    metric: Metric,
+    n: int,
+    rule: str,
+    steps: int | None = None,
+    threads: int | None = None,
+    starts: Sequence[Any] = (),
+    only_these_starts: bool = False,
+) -> dict[str, Any]:
+    if not isinstance(metric, Metric):
+        raise ProblemError(
+            f"the metric is {metric!r}; a Metric is needed, such as Metric(…, dimension=2)"
+        )
+    return {
+        "n": whole(n, "n"),
+        "rule": rule if isinstance(rule, str) else repr(rule),
+        "steps": None if steps is None else whole(steps, "steps"),
+        "threads": None if threads is None else whole(threads, "threads"),
+        "starts": starts,
+        "only_these_starts": only_these_starts,
+    }
+
+
+def _polygons(starts: Starts) -> list[list[list[float]]]:
+    """The polygons of an array, of a curve, or of a list of them."""
+    several: Sequence[Any]
+    if isinstance(starts, Curve):
+        several = [starts]
+    elif isinstance(starts, (list, tuple)) and any(isinstance(each, Curve) for each in starts):
+        several = starts
+    elif isinstance(starts, (list, tuple)) and all(np.ndim(each) == 2 for each in starts):
+        # They may have different numbers of points.
+        several = starts
+    else:
+        found = array(starts, "starts")
+        several = found if found.ndim == 3 else [found]  # type: ignore[assignment]
+    polygons = (each.points if isinstance(each, Curve) else each for each in several)
+    return [rows(polygon, f"start {i}").tolist() for i, polygon in enumerate(polygons)]
+
+
+def _pairs(
+    starts: npt.ArrayLike, goals: npt.ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The rows of two arrays, of which one may be a point for all rows of the other."""
+    a, b = array(starts, "starts"), array(goals, "goals")
+    if a.ndim == 1 and b.ndim == 2:
+        a = np.broadcast_to(a, (len(b), len(a)))
+    elif b.ndim == 1 and a.ndim == 2:
+        b = np.broadcast_to(b, (len(a), len(b)))
+    return np.ascontiguousarray(rows(a, "starts")), np.ascontiguousarray(rows(b, "goals"))

@@ -1,0 +1,163 @@
+"""What the user gives as a metric, as the text of a formula."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ._convert import array, plain
+from ._recorded import coordinates, written
+from ._table import Table
+from ._tautline import ProblemError
+from ._trace import Number, TraceError
+
+# The forms that take one function.
+SCALARS = ("cost", "speed", "phi", "graph")
+
+
+class Written(NamedTuple):
+    """A text, the tables that it calls, and how many characters were put before what the user wrote."""
+
+    text: str
+    tables: dict[str, Table]
+    skipped: int = 0
+
+
+def of_matrix(what: Any, dimension: int) -> Written:
+    """A metric by its matrix: a text, a function, or constant numbers."""
+    if isinstance(what, str):
+        return Written(what, {})
+    h = _values(what, dimension) if callable(what) else _constants(what, "H")
+    if h.shape != (dimension, dimension):
+        hint = "; for f² I use Metric.cost, for a diagonal Metric.diag" if h.ndim < 2 else ""
+        raise ProblemError(f"H has the shape {h.shape}, not {(dimension, dimension)}{hint}")
+    lines, names, tables = written(h.ravel().tolist())
+    rows = [", ".join(names[i : i + dimension]) for i in range(0, len(names), dimension)]
+    return Written("\n".join([*lines, f"[{'; '.join(rows)}]"]), tables)
+
+
+def of_form(form: str, f: Any, dimension: int) -> Written:
+    """A metric by the functions of a form, such as a cost."""
+    if isinstance(f, str):
+        return Written(f"{form}({f})", {}, len(form) + 1)
+    if isinstance(f, (list, tuple)) and any(isinstance(each, str) for each in f):
+        return Written(f"{form}({', '.join(map(str, f))})", {}, len(form) + 1)
+    values = _values(f, dimension) if callable(f) else _constants(f, form)
+    # A row or a column of SymPy is a vector.
+    is_vector = values.ndim <= 1 or values.ndim == 2 and 1 in values.shape
+    if values.size != 1 if form in SCALARS else not is_vector:
+        expected = "a number" if form in SCALARS else (dimension,) if form == "diag" else "(m,)"
+        raise ProblemError(f"{form}: returned the shape {values.shape}, expected {expected}")
+    lines, names, tables = written(values.ravel().tolist())
+    return Written("\n".join([*lines, f"{form}({', '.join(names)})"]), tables)
+
+
+def is_sympy(what: Any) -> bool:
+    """Whether it is of SymPy, or a list of such."""
+    if isinstance(what, (list, tuple)):
+        return any(is_sympy(each) for each in what)
+    return hasattr(what, "free_symbols")
+
+
+def of_sympy(
+    what: Any, variables: Sequence[Any] | None, parameters: Mapping[str, float]
+) -> Callable[[np.ndarray], Any]:
+    """A SymPy expression, matrix or list as a function."""
+    import sympy  # type: ignore[import-untyped, import-not-found, unused-ignore]
+
+    found = sympy.sympify(what)
+    free = {str(symbol) for each in _leaves(found) for symbol in each.free_symbols}
+    if variables is None:
+        names = sorted(free - set(parameters)) or ["x", "y"]
+        raise ProblemError(
+            f"variables=({', '.join(names)}) are needed, in the order of the coordinates, for an "
+            "expression of SymPy"
+        )
+    names = [str(variable) for variable in variables]
+    if unknown := sorted(free - set(names) - set(parameters)):
+        raise ProblemError(f"{', '.join(unknown)}: neither in `variables` nor in `parameters`")
+    check_used(parameters, free)
+    # A matrix as nested lists, which need no arrays of numbers.
+    entries = found.tolist() if hasattr(found, "tolist") else found
+    symbols = [*variables, *(sympy.Symbol(name) for name in parameters)]
+    if any(str(symbol) in parameters for symbol in variables):
+        raise ProblemError(f"{[*parameters]} are parameters, and {names} variables")
+    # Symbols with assumptions are others than those of the same name without.
+    by_name = {str(symbol): symbol for each in _leaves(found) for symbol in each.free_symbols}
+    symbols = [by_name.get(str(symbol), symbol) for symbol in symbols]
+    function = sympy.lambdify(symbols, entries, "numpy", cse=True)
+    values = [*parameters.values()]
+    return lambda x: function(*x, *values)
+
+
+def check_used(parameters: Mapping[str, float], names: set[str]) -> None:
+    """Refuses parameters that a metric does not use."""
+    if unused := [name for name in parameters if name not in names]:
+        raise ProblemError(f"the parameter {unused[0]} is not used")
+
+
+def words(text: str) -> set[str]:
+    return set(re.findall(r"[^\W\d]\w*", text))
+
+
+def sign(text: str) -> tuple[str, str] | None:
+    """The name of a cost or a speed, and the text of the function itself as a metric."""
+    found = re.search(r"(?:\A|[;\n])\s*(cost|speed)\s*\(", text)
+    if found is None:
+        return None
+    start, end = found.span(1)
+    return found[1], f"{text[:start]}phi{text[end:]}"
+
+
+def _leaves(found: Any) -> list[Any]:
+    if isinstance(found, (list, tuple)) or type(found).__name__ in ("Tuple", "List"):
+        return [leaf for each in found for leaf in _leaves(each)]
+    return [found]
+
+
+def _constants(what: Any, name: str) -> np.ndarray:
+    """Numbers as an array of objects."""
+    return array(what, name).astype(object)
+
+
+def _values(function: Callable[[np.ndarray], Any], dimension: int) -> np.ndarray:
+    """What a function returns for symbols."""
+    x = coordinates(dimension)
+    try:
+        signature = inspect.signature(function)
+    except (TypeError, ValueError):
+        signature = None
+    if signature is not None:
+        try:
+            signature.bind(x)
+        except TypeError:
+            raise ProblemError(
+                f"the function gets one array x of shape ({dimension},), and takes {signature}"
+            ) from None
+    try:
+        found = function(x)
+    except TypeError as error:
+        if "dtype('O')" not in str(error):
+            raise
+        # Of NumPy, which does not ask the symbols.
+        raise TraceError(
+            "symbols were added into an array of floats, as by `a += x`: write `a = a + x`, or make the "
+            f"array with dtype=object ({error})"
+        ) from None
+    if isinstance(found, (list, tuple)):
+        try:
+            found = np.asarray(found, object)
+        except ValueError:
+            raise ProblemError(f"the function returned rows of different lengths: {found}") from None
+    values = np.asarray(found, object)
+    entries = [plain(each) for each in values.ravel().tolist()]
+    for each in entries:
+        if isinstance(each, complex):
+            raise TypeError(f"the function returned the complex number {each!r}; expected real ones")
+    result = np.empty(len(entries), object)
+    result[:] = [float(each) if isinstance(each, Number) else each for each in entries]
+    return result.reshape(values.shape)
