@@ -93,7 +93,15 @@ class Traced:
             return Traced("recip({})", (self.sqrt(),))
         if isinstance(exponent, Number) and float(exponent).is_integer():
             return Traced(f"{{}}^{int(exponent)}", (self,))
-        raise TraceError(f"the power {exponent!r}: exponents are integers or ±1/2; use exp(p*log(x))")
+        if isinstance(exponent, Number) and float(2 * exponent).is_integer():
+            # x^1.5 = x √x.
+            power = int(abs(float(exponent)))
+            found = (self if power == 1 else self**power) * self.sqrt()
+            return found if exponent > 0 else Traced("recip({})", (found,))
+        raise TraceError(
+            f"the power {exponent!r}: exponents are integers or halves of them; where x is positive, use "
+            "exp(p*log(x))"
+        )
 
     def __rpow__(self, base: Any) -> Any:
         if isinstance(base, Number) and base > 0:
@@ -136,6 +144,45 @@ class Traced:
 
     def reciprocal(self) -> Traced:
         return Traced("recip({})", (self,))
+
+    # Compositions that are exact.
+    def exp2(self) -> Any:
+        return (self * math.log(2)).exp()
+
+    def expm1(self) -> Any:
+        return self.exp() - 1
+
+    def log2(self) -> Any:
+        return self.log() / math.log(2)
+
+    def log10(self) -> Any:
+        return self.log() / math.log(10)
+
+    def log1p(self) -> Any:
+        return (1 + self).log()
+
+    def arcsin(self) -> Any:
+        return (self / (1 - self * self).sqrt()).arctan()
+
+    def arccos(self) -> Any:
+        return math.pi / 2 - self.arcsin()
+
+    def arcsinh(self) -> Any:
+        return (self + (self * self + 1).sqrt()).log()
+
+    def arccosh(self) -> Any:
+        return (self + (self * self - 1).sqrt()).log()
+
+    def arctanh(self) -> Any:
+        return ((1 + self) / (1 - self)).log() / 2
+
+    def radians(self) -> Any:
+        return self * (math.pi / 180)
+
+    def degrees(self) -> Any:
+        return self * (180 / math.pi)
+
+    deg2rad, rad2deg = radians, degrees
 
     def conjugate(self) -> Traced:
         return self
@@ -220,7 +267,9 @@ UFUNCS: dict[str, Callable[..., Any]] = {
     **{
         name: lambda a, name=name: getattr(a, name)()
         for name in (
-            "sqrt exp log sin cos tan arctan sinh cosh tanh square reciprocal conjugate".split()
+            "sqrt exp log sin cos tan arctan sinh cosh tanh square reciprocal conjugate "
+            "exp2 expm1 log2 log10 log1p arcsin arccos arcsinh arccosh arctanh "
+            "radians degrees deg2rad rad2deg".split()
         )
     },
 }

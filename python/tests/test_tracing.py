@@ -64,6 +64,25 @@ class Scalars(unittest.TestCase):
 
 
 class Functions(unittest.TestCase):
+    def test_compositions_have_the_values_of_numpy(self):
+        names = (
+            "exp2 expm1 log2 log10 log1p arcsin arccos arcsinh arctanh radians degrees deg2rad rad2deg"
+        )
+        x = np.array([0.3, 0.2])
+        for name in names.split():
+            function = getattr(np, name)
+            metric = tl.Metric.diag(lambda x: 10 + function(x), 2)
+            np.testing.assert_allclose(np.diag(metric(x)), 10 + function(x), rtol=1e-15, err_msg=name)
+        metric = tl.Metric.diag(lambda x: 10 + np.arccosh(x[0]), 1)
+        np.testing.assert_allclose(metric([1.3])[0, 0], 10 + np.arccosh(1.3), rtol=1e-15)
+
+    def test_powers_may_be_halves(self):
+        for power in (-2.5, -1.5, -0.5, 0.5, 1.5, 2.5, np.float64(3.5)):
+            metric = tl.Metric.phi(lambda x: (1 + x[0] ** 2) ** power, 1)
+            np.testing.assert_allclose(metric([0.7])[0, 0], 1.49**power, rtol=1e-15)
+        with self.assertRaisesRegex(tl.TraceError, "power 0.3: exponents are integers or halves"):
+            tl.Metric.phi(lambda x: (1 + x[0] ** 2) ** 0.3, 1)
+
     def test_functions_with_kinks_have_smooth_replacements(self):
         for function, instead in (
             (lambda x: np.abs(x[0]), r"np.sqrt\(u\*\*2 \+ 1e-4\)"),
