@@ -9,6 +9,9 @@ use tautline_problem::Estimated;
 
 /// A number, and an estimate of its error: `value, error = estimate`.
 ///
+/// The error of the length of a curve is that of the quadrature along this curve, not how far the
+/// shortest curve is from it: `Curve.extrapolated` estimates the distance, with an error of its own.
+///
 /// It is compared, rounded, and written with a format as its number is. Two estimates are equal if both
 /// parts are.
 #[pyclass(frozen, get_all, module = "tautline")]
