@@ -8,7 +8,7 @@ use numpy::{
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use tautline::Table;
-use tautline_problem::value::{self, Found, Given, Proofs, Request, RuleName, Shape};
+use tautline_problem::value::{self, Found, Given, Nodes, Proofs, Request, RuleName, Shape};
 
 use crate::{
     black_box::Callback,
@@ -42,6 +42,8 @@ pub(crate) struct Options {
     rule: String,
     starts: Vec<Vec<Vec<f64>>>,
     only_these_starts: bool,
+    /// The first node, the corner at which the nodes end, and their spacing.
+    lattice: Option<(Vec<f64>, Vec<f64>, f64)>,
     steps: Option<usize>,
     threads: Option<usize>,
 }
@@ -254,7 +256,8 @@ impl Program {
     }
 
     fn request(&self, options: Options) -> PyResult<Request> {
-        let Options { n, rule, starts, only_these_starts, steps, threads } = options;
+        let Options { n, rule, starts, only_these_starts, lattice, steps, threads } = options;
+        let lattice = lattice.map(|(lower, upper, spacing)| Nodes { lower, upper, spacing });
         let rule = match &rule[..] {
             "trapezoidal" => RuleName::Trapezoidal,
             "left_endpoint" => RuleName::LeftEndpoint,
@@ -270,6 +273,6 @@ impl Program {
         // Python runs one thread at a time.
         let own = if self.callback.is_some() { 1 } else { default.threads };
         let (steps, threads) = (steps.unwrap_or(default.steps), threads.unwrap_or(own));
-        Ok(Request { rule, n, starts, only_these_starts, steps, threads })
+        Ok(Request { rule, n, starts, only_these_starts, lattice, steps, threads })
     }
 }

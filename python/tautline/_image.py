@@ -1,9 +1,9 @@
-"""Cost images as functions."""
+"""Cost images and sampled tensor fields as functions."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -13,11 +13,14 @@ from ._convert import array
 from ._table import Table
 from ._tautline import ProblemError
 
+# The first node, the corner at which the nodes end, and their spacing.
+Lattice: TypeAlias = "tuple[npt.ArrayLike, npt.ArrayLike, float]"
+
 
 def of_image(
     cost: npt.ArrayLike, spacing: npt.ArrayLike, origin: npt.ArrayLike, interpolate: bool
-) -> tuple[Callable[[Any], Any], int]:
-    """The cost as a function of a point, and the number of axes."""
+) -> tuple[Callable[[Any], Any], Lattice]:
+    """The cost as a function of a point, and its nodes."""
     values = array(cost, "the cost")
     if not np.all(values > 0):
         index = tuple(int(i) for i in np.argwhere(~(values > 0))[0])
@@ -30,11 +33,61 @@ def of_image(
             "`interpolate`, smooth the image, or interpolate its logarithm: with "
             "t = Table(np.log(image), interpolate=True), Metric.cost(lambda x: np.exp(t(*x)), …)"
         )
-    axes = len(table.shape)
+    start, step = _nodes(spacing, origin, len(table.shape))
+    return lambda x: table(*((x - start) / step)), _lattice(start, step, table.shape)
+
+
+def of_field(
+    h: npt.ArrayLike, spacing: npt.ArrayLike, origin: npt.ArrayLike, interpolate: bool
+) -> tuple[Callable[[Any], Any], Lattice]:
+    """The matrix as a function of a point, and its nodes."""
+    values = array(h, "the field")
+    axes = values.ndim - 2
+    if axes < 1 or values.shape[-2:] != (axes, axes):
+        raise ProblemError(
+            f"the field has the shape {values.shape}; expected (n, 1, 1), (n, m, 2, 2) or "
+            "(n, m, l, 3, 3), a matrix at each point"
+        )
+    # NaN is not symmetric either.
+    wrong = ~np.all(values == np.swapaxes(values, -1, -2), axis=(-1, -2))
+    if not wrong.any():
+        wrong = ~(np.linalg.eigvalsh(values)[..., 0] > 0)
+    if wrong.any():
+        index = tuple(int(i) for i in np.argwhere(wrong)[0])
+        raise ProblemError(
+            f"the matrix at {index} is {values[index].tolist()}; it must be symmetric and positive "
+            "definite"
+        )
+    tables = {
+        (i, j): Table(values[..., i, j], interpolate=interpolate)
+        for i in range(axes)
+        for j in range(i, axes)
+    }
+    start, step = _nodes(spacing, origin, axes)
+
+    def matrix(x: Any) -> list[list[Any]]:
+        u = (x - start) / step
+        called = {entry: table(*u) for entry, table in tables.items()}
+        return [[called[min(i, j), max(i, j)] for j in range(axes)] for i in range(axes)]
+
+    return matrix, _lattice(start, step, values.shape[:axes])
+
+
+def _nodes(
+    spacing: npt.ArrayLike, origin: npt.ArrayLike, axes: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The first node, and the step along each axis."""
     step, start = _along(spacing, axes, "the spacing"), _along(origin, axes, "the origin")
     if not np.all(step > 0):
         raise ProblemError(f"the spacing {step.tolist()}; it must be positive")
-    return lambda x: table(*((x - start) / step)), axes
+    return start, step
+
+
+def _lattice(
+    start: NDArray[np.float64], step: NDArray[np.float64], shape: tuple[int, ...]
+) -> Lattice:
+    last = start + step * (np.array(shape) - 1)
+    return start.tolist(), last.tolist(), float(step.min())
 
 
 def _along(x: npt.ArrayLike, axes: int, what: str) -> NDArray[np.float64]:

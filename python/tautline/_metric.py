@@ -10,7 +10,7 @@ import numpy.typing as npt
 from numpy.typing import NDArray
 
 from ._convert import array, number, whole
-from ._image import of_image
+from ._image import Lattice, of_field, of_image
 from ._table import Table
 from ._tautline import Constant, ProblemError, Program, Set, Spline
 from ._written import check_used, is_sympy, of_form, of_matrix, of_sympy, sign, words
@@ -44,6 +44,11 @@ class Metric:
     >>> text == traced
     True
     """
+
+    lattice: Lattice | None = None
+    """Nodes for `solve`, which also starts from a shortest path along them, with all of its chords: the
+    first one, the corner at which they end, and their spacing. An image has its pixels, and a field its
+    grid. For a landscape with many hills, give one to any metric in up to four dimensions."""
 
     def __init__(
         self,
@@ -114,14 +119,43 @@ class Metric:
         """The metric of a cost image: `cost[i, j]` is the cost of a unit of length at the point
         `origin + spacing * (i, j)`, smoothed as by `Table`. Arrays may have one to three axes. With
         `interpolate` it has the costs themselves, and is refused if it may not be positive between them.
-        An obstacle is a high cost: a way round it is taken where it is cheaper.
+        An obstacle is a high cost. `solve` also starts from a shortest path from pixel to pixel, see
+        `Metric.lattice`: take chords that are shorter than its details.
 
         >>> import numpy as np
         >>> metric = Metric.image(np.array([[1.0, 1.0], [3.0, 3.0]]), spacing=0.5)
         >>> round(float(np.sqrt(metric([0.25, 0.1])[0, 0])), 6), metric.constants()["c1"].lower > 0.99
         (2.0, True)
         """
-        return cls.cost(*of_image(cost, spacing, origin, interpolate))
+        f, lattice = of_image(cost, spacing, origin, interpolate)
+        metric = cls.cost(f, len(lattice[0]))  # type: ignore[arg-type]
+        metric.lattice = lattice
+        return metric
+
+    @classmethod
+    def field(
+        cls,
+        h: npt.ArrayLike,
+        *,
+        spacing: npt.ArrayLike = 1.0,
+        origin: npt.ArrayLike = 0.0,
+        interpolate: bool = False,
+    ) -> Metric:
+        """The metric that was measured on a grid: `h[i, j]` is the matrix at the point
+        `origin + spacing * (i, j)`, so `h` has the shape (n, m, 2, 2), (n, 1, 1) on the line or
+        (n, m, l, 3, 3) in space. Each entry is smoothed as by `Table`: the matrix lies between
+        neighbouring ones, and is positive definite. With `interpolate` it has the given matrices, and may
+        not be positive definite between them. `solve` also starts from a shortest path along the grid.
+
+        >>> import numpy as np
+        >>> h = np.tile([[2.0, 0.5], [0.5, 1.0]], (4, 3, 1, 1))
+        >>> Metric.field(h, spacing=0.1)([0.15, 0.1]).round(12).tolist()
+        [[2.0, 0.5], [0.5, 1.0]]
+        """
+        f, lattice = of_field(h, spacing, origin, interpolate)
+        metric = cls(f, len(lattice[0]))  # type: ignore[arg-type]
+        metric.lattice = lattice
+        return metric
 
     @classmethod
     def black_box(
@@ -249,14 +283,15 @@ class Metric:
     def __reduce__(self) -> tuple[Callable[..., Metric], tuple[Any, ...]]:
         """Another process makes it again from its text and its tables. A black box goes there if its
         functions do."""
-        return _made, (self.program.text is None, self._parts)
+        return _made, (self.program.text is None, self._parts, self.lattice)
 
     def __repr__(self) -> str:
         return f"<tautline.Metric in {self.dimension} dimensions>"
 
 
-def _made(is_black_box: bool, parts: tuple[Any, ...]) -> Metric:
+def _made(is_black_box: bool, parts: tuple[Any, ...], lattice: Lattice | None) -> Metric:
     metric = Metric.__new__(Metric)
+    metric.lattice = lattice
     metric._parts = parts
     metric.program = Program.black_box(*parts) if is_black_box else Program(*parts)
     return metric

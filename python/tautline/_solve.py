@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import NDArray
 
-from ._convert import array, finite_rows, rows, whole
+from ._convert import array, finite_rows, number, rows, vector, whole
 from ._metric import Metric
 from ._sets import SetLike, as_set
 from ._tautline import Curve, ProblemError
@@ -41,14 +41,19 @@ def solve(
     `rule` is "trapezoidal" (the metric in the middle of each chord), "left_endpoint" or
     "true_trapezoid". `starts` are polygons from which a search starts besides the automatic ones, or
     in place of them: an array of shape (m, D), a curve, or a list of such. `steps` is the largest
-    number of Newton steps of a search on one grid. `threads` is 1 or 2. The result is a local
-    minimiser: `Curve.certificate` says whether another curve may be shorter.
+    number of Newton steps of a search on one grid. `threads` is 1 or 2. If the metric has a
+    `lattice`, as an image has, a second search starts from a shortest path along it, unless
+    `only_these_starts`, and the shorter curve is returned. The result is a local minimiser: `Curve.certificate` says whether another curve may be shorter.
 
     Warns with `UnresolvedWarning` if the chords do not resolve the metric, or if a shorter local minimum
     was met. Raises `MetricError` if the metric is not finite, symmetric and positive definite along a
     curve, `ProblemError` if the input is wrong.
     """
     options = _options(metric, n, rule, steps, threads, _polygons(starts), only_these_starts)
+    if metric.lattice is not None and not only_these_starts:
+        lower, upper, spacing = metric.lattice
+        corners = vector(lower, "the first node"), vector(upper, "the last node")
+        options["lattice"] = (*corners, number(spacing, "the spacing of the nodes"))
     ends = as_set(start, "the start"), as_set(goal, "the goal")
     curve = metric.program.solve(*ends, options)
     if doubts := curve.doubts:
@@ -178,6 +183,7 @@ def _options(
         "threads": None if threads is None else whole(threads, "threads"),
         "starts": starts,
         "only_these_starts": only_these_starts,
+        "lattice": None,
     }
 
 

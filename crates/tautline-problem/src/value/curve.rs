@@ -3,8 +3,8 @@
 use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
-    CertificateError, Formula, LeftEndpoint, Rule, TautLine, Trapezoidal, TrueTrapezoid,
-    certify::Watch, distance::Wanted,
+    CertificateError, Formula, Interpolation, LeftEndpoint, Rule, TautLine, Trapezoidal,
+    TrueTrapezoid, certify::Watch, distance::Wanted,
 };
 
 use super::{
@@ -199,11 +199,21 @@ impl<M: Known<D>, R: NamedRule, const D: usize> Curve for TautLine<M, R, D> {
     }
 
     fn shorter_minimum(&self) -> Option<f64> {
+        let others = &self.minimum().others;
+        if others.is_empty() {
+            return None;
+        }
         let length = TautLine::length(self).value;
-        let near = if TautLine::is_resolved(self) { NEAR } else { NOT_RESOLVED };
-        let near = near * TautLine::discrete_energy(self).max(length * length);
-        // To follow them to the grid of the curve takes as long as to find it.
-        if self.minimum().others.iter().all(|other| other.energy > near) {
+        let energy = TautLine::discrete_energy(self).max(length * length);
+        if TautLine::is_resolved(self) {
+            // Their polygons are curves too. To follow them to the grid of this one takes as long as to
+            // find it.
+            let near = others.iter().filter(|other| other.energy <= NEAR * energy);
+            let mut lengths =
+                near.map(|other| Interpolation::new(&other.sequence).length(self.metric()).value);
+            return lengths.find(|&other| is_shorter(other, length));
+        }
+        if others.iter().all(|other| other.energy > NOT_RESOLVED * energy) {
             return None;
         }
         let others = TautLine::other_minima(self);
