@@ -90,7 +90,7 @@ def smooth(size: int, seed: int) -> np.ndarray:
     frequencies = np.fft.fftfreq(size)
     spectrum = np.exp(-((frequencies[:, None] ** 2 + frequencies**2) * 30.0**2))
     hills = np.fft.ifft2(np.fft.fft2(noise) * spectrum).real
-    return np.exp(hills / hills.std() / 2)
+    return np.exp(hills / hills.std() / 4)
 
 
 def rough(size: int, seed: int) -> np.ndarray:
@@ -115,13 +115,14 @@ def images() -> None:
         polygon = np.array(route, float)
         middles, chords = (polygon[1:] + polygon[:-1]) / 2, np.diff(polygon, axis=0)
         speeds = np.sqrt(np.einsum("ni,nij,nj->n", chords, metric(middles), chords))
-        print(f"  its pixels, in the smooth cost: {speeds.sum():.2f}")
+        print(f"  the polygon of its pixels, in the smooth cost, {speeds.sum():.2f}")
         start = time.perf_counter()
         curve = tautline.solve(metric, first, last, n=4096)
         seconds = time.perf_counter() - start
         length = float(curve.length)
         print(
-            f"  Tautline {length:.2f}, {100 * (1 - length / weight):.1f} % shorter, {curve.n} chords, "
+            f"  Tautline {length:.2f}, {100 * (1 - length / weight):.1f} % shorter than its weight, "
+            f"{100 * (1 - length / speeds.sum()):.1f} % than the polygon, {curve.n} chords, "
             f"{seconds:.2f} s, {curve.stop}, {'' if curve.resolved else 'not '}resolved"
         )
         start = time.perf_counter()
@@ -130,7 +131,7 @@ def images() -> None:
             seconds = time.perf_counter() - start
             print(
                 f"  certificate {found.lower:.2f} to {found.upper:.2f}, gap {100 * found.gap:.1f} %, "
-                f"{seconds:.1f} s"
+                f"{seconds:.1f} s, {found.ended}"
             )
         except tautline.NotCertified as reason:
             print(f"  no certificate: {reason}")

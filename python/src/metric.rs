@@ -78,7 +78,7 @@ impl Program {
         let given = given.map_err(|error| ProblemError::new_err(message(&error, text, skipped)))?;
         let sign = sign.and_then(|(name, text)| {
             let phi = Given::parse(&text, dimension, &parameters, &tables).ok()?;
-            Some(Sign { name, phi })
+            Sign::of(name, phi)
         });
         Ok(Self { given, callback: None, sign })
     }

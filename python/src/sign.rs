@@ -12,6 +12,11 @@ pub(crate) struct Sign {
 }
 
 impl Sign {
+    /// Returns the sign that is to be looked at, if the function may be negative somewhere.
+    pub(crate) fn of(name: String, phi: Given) -> Option<Self> {
+        (!phi.is_positive_everywhere()).then_some(Self { name, phi })
+    }
+
     /// Returns what is wrong if the function is negative at a point of a curve, or in the middle of a
     /// chord.
     pub(crate) fn wrong(&self, curve: &dyn Curve) -> Result<Option<String>, GivenError> {

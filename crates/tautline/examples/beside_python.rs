@@ -36,7 +36,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         for _ in 0..RUNS {
             let start = Instant::now();
             let line: Result<_, Box<dyn std::error::Error>> = problem();
-            black_box(line?);
+            // As from Python, which warns where the chords do not resolve the metric.
+            black_box(line?.is_resolved());
             seconds.push(start.elapsed().as_secs_f64());
         }
         seconds.sort_by(f64::total_cmp);

@@ -203,19 +203,20 @@ impl<M: Known<D>, R: NamedRule, const D: usize> Curve for TautLine<M, R, D> {
         if others.is_empty() {
             return None;
         }
-        let length = TautLine::length(self).value;
-        let energy = TautLine::discrete_energy(self).max(length * length);
+        let energy = TautLine::discrete_energy(self).max(TautLine::energy(self).value);
+        let length = || TautLine::length(self).value;
         if TautLine::is_resolved(self) {
             // Their polygons are curves too. To follow them to the grid of this one takes as long as to
             // find it.
             let near = others.iter().filter(|other| other.energy <= NEAR * energy);
             let mut lengths =
                 near.map(|other| Interpolation::new(&other.sequence).length(self.metric()).value);
-            return lengths.find(|&other| is_shorter(other, length));
+            return lengths.find(|&other| is_shorter(other, length()));
         }
         if others.iter().all(|other| other.energy > NOT_RESOLVED * energy) {
             return None;
         }
+        let length = length();
         let others = TautLine::other_minima(self);
         let lengths = others.iter().map(|other| TautLine::length(other).value);
         lengths.into_iter().find(|&other| is_shorter(other, length))

@@ -3,18 +3,22 @@
 use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
-    BlackBox, ClosedSet, Ends, Formula, Lattice, LeftEndpoint, Options, Prepared, Problem, SVector,
-    SolveError, Table, TautLine, Trapezoidal, TrueTrapezoid, Union, Values, certify::Watch,
-    solve_all,
+    BlackBox, Ends, Formula, Lattice, LeftEndpoint, Options, Prepared, Problem, SolveError, Table,
+    TautLine, Trapezoidal, TrueTrapezoid, Values, certify::Watch, solve_all,
 };
 use tautline_portrait::Shape;
 
-use super::{Curve, GivenError, Nodes, Proofs, Request, curve::NamedRule, known::Known};
+use super::{
+    Curve, GivenError, Nodes, Proofs, Request,
+    curve::NamedRule,
+    known::Known,
+    sets::{check_coordinates, point, set},
+};
 use crate::{
     ConstantsAnswer,
     dimension::{InDimension, in_dimension},
     file::request::RuleName,
-    reading::shape::{set_of, vector},
+    reading::shape::vector,
 };
 
 /// A metric on `R^d`, where `d` is known when the program runs. Its programs are derived once, and
@@ -83,6 +87,13 @@ impl Given {
             return Err(GivenError::Coordinates { what: "a point", found, dimension });
         }
         Ok(self.metric.gram(x))
+    }
+
+    /// Returns whether interval arithmetic shows that the first entry of `H` is positive everywhere. It
+    /// may be so where this is `false`.
+    #[must_use]
+    pub fn is_positive_everywhere(&self) -> bool {
+        self.metric.is_positive_everywhere()
     }
 
     /// Proves the constants of the metric from its formula, in a ball or a box, or on all of space if
@@ -155,6 +166,7 @@ trait AnyDimension: Debug + Send + Sync {
     fn dimension(&self) -> usize;
     fn text(&self) -> Option<String>;
     fn gram(&self, x: &[f64]) -> Vec<f64>;
+    fn is_positive_everywhere(&self) -> bool;
     fn constants(
         &self,
         within: Option<&Shape>,
@@ -227,6 +239,10 @@ impl<M: Known<D>, const D: usize> AnyDimension for Held<M, D> {
         self.0.metric().gram(&vector::<D>(x)).as_slice().to_vec()
     }
 
+    fn is_positive_everywhere(&self) -> bool {
+        self.0.metric().is_positive_everywhere()
+    }
+
     fn constants(
         &self,
         within: Option<&Shape>,
@@ -265,39 +281,5 @@ impl<M: Known<D>, const D: usize> AnyDimension for Held<M, D> {
             RuleName::LeftEndpoint => Self::all_by(problems, LeftEndpoint, n, &options),
             RuleName::TrueTrapezoid => Self::all_by(problems, TrueTrapezoid, n, &options),
         }
-    }
-}
-
-/// Returns a point with as many coordinates as there are.
-fn point<const D: usize>(x: &[f64]) -> Result<SVector<f64, D>, GivenError> {
-    match x.len() {
-        found if found != D => {
-            Err(GivenError::Coordinates { what: "a point", found, dimension: D })
-        }
-        _ => Ok(vector::<D>(x)),
-    }
-}
-
-/// Refuses a shape with another number of coordinates.
-fn check_coordinates<const D: usize>(shape: &Shape) -> Result<(), GivenError> {
-    let other = shape.coordinates().find(|&found| found != D);
-    let refused = |found| GivenError::Coordinates { what: shape.name(), found, dimension: D };
-    other.map_or(Ok(()), |found| Err(refused(found)))
-}
-
-/// Returns the union of the pieces, or the only one.
-fn set<const D: usize>(
-    end: &'static str,
-    pieces: &[Shape],
-) -> Result<Arc<dyn ClosedSet<D>>, GivenError> {
-    let mut sets = Vec::new();
-    for piece in pieces {
-        check_coordinates::<D>(piece)?;
-        sets.push(set_of::<D>(piece)?);
-    }
-    match sets.len() {
-        0 => Err(GivenError::NoPieces { end }),
-        1 => Ok(sets.remove(0)),
-        _ => Ok(Arc::new(Union::new(sets)?)),
     }
 }

@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    BlackBox, CertificateError, Formula, Metric, RecordError, TautLine,
+    BlackBox, CertificateError, Formula, Interval, Metric, RecordError, SVector, TautLine,
     certify::{Accuracy, Watch},
     distance::{Progress, Wanted},
 };
@@ -25,6 +25,9 @@ pub(super) trait Known<const D: usize>:
 {
     /// Returns the text of the formula, if there is one.
     fn text(&self) -> Option<String>;
+
+    /// Returns whether interval arithmetic shows that the first entry of `H` is positive everywhere.
+    fn is_positive_everywhere(&self) -> bool;
 
     /// Proves the constants.
     fn constants(
@@ -53,6 +56,11 @@ pub(super) trait Known<const D: usize>:
 impl<const D: usize> Known<D> for Formula<D> {
     fn text(&self) -> Option<String> {
         Some(self.to_string())
+    }
+
+    fn is_positive_everywhere(&self) -> bool {
+        // An undefined entry has no positive bound.
+        self.gram(&SVector::from_element(Interval::REALS))[(0, 0)].lo() > 0.0
     }
 
     fn constants(
@@ -86,6 +94,10 @@ impl<const D: usize> Known<D> for Formula<D> {
 impl<const D: usize> Known<D> for BlackBox<D> {
     fn text(&self) -> Option<String> {
         None
+    }
+
+    fn is_positive_everywhere(&self) -> bool {
+        false
     }
 
     fn constants(

@@ -18,6 +18,7 @@ mod given;
 mod given_error;
 mod known;
 mod request;
+mod sets;
 
 pub use curve::Curve;
 pub use given::{Found, Given};
