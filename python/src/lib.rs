@@ -10,6 +10,7 @@ mod estimate;
 mod interruptible;
 mod metric;
 mod pool;
+mod problem_file;
 mod set;
 mod sign;
 mod sweep;
@@ -29,6 +30,7 @@ mod _tautline {
         error::{MetricError, NotCertified, ProblemError},
         estimate::Estimate,
         metric::Program,
+        problem_file::problem_file,
         set::{
             Set, affine_subspace, ball, box_, half_space, point, points, segment, sphere, union,
         },

@@ -27,7 +27,7 @@ use crate::{
 #[pyclass(frozen, module = "tautline")]
 #[derive(Clone)]
 pub(crate) struct Program {
-    given: Given,
+    pub(crate) given: Given,
     /// What the metric calls, if it is a black box.
     callback: Option<Arc<Callback>>,
     /// What must be positive, if it is a cost or a speed.

@@ -12,6 +12,7 @@ matrix, or a Python function, which is called once with symbols; see `Metric`.
 
 from typing import TYPE_CHECKING
 
+from ._audit import Audit, audit
 from ._check import check
 from ._metric import Metric
 from ._plot import plot
@@ -47,6 +48,7 @@ from ._tautline import (
 from ._trace import TraceError, Traced
 
 __all__ = [
+    "Audit",
     "Bounds",
     "Certificate",
     "Constant",
@@ -65,6 +67,7 @@ __all__ = [
     "Verdict",
     "__version__",
     "affine_subspace",
+    "audit",
     "ball",
     "box",
     "check",

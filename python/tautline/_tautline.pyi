@@ -30,6 +30,7 @@ __all__ = [
     "merged",
     "point",
     "points",
+    "problem_file",
     "segment",
     "shard",
     "sphere",
@@ -330,6 +331,13 @@ def segment(start: Sequence[float], end: Sequence[float]) -> Set: ...
 def affine_subspace(point: Sequence[float], directions: Sequence[Sequence[float]]) -> Set: ...
 def union(*sets: Set) -> Set: ...
 def check(text: str) -> Verdict: ...
+def problem_file(
+    program: Program,
+    start: Set | None = None,
+    goal: Set | None = None,
+    region: Set | None = None,
+    claimed: tuple[float, float, float, float | None] | dict[str, Constant] | None = None,
+) -> str: ...
 def theorem_1_1_excess(
     constants: tuple[float, float, float, float | None] | dict[str, Constant],
     d: SupportsFloat,

@@ -36,11 +36,12 @@ usage: cargo xtask <task>
                                                 Python 3 and, the first time, the network
   peers   [--problem ID | --n N | --distance] … other programs on the same problems, timed; needs
                                                 Python 3 and downloads what docs/comparison.md lists
-  python  [speed]                               makes the wheel of the Python module, and tests it in
+  python  [speed | audit]                       makes the wheel of the Python module, and tests it in
                                                 an environment of its own, or measures what calls
                                                 from Python cost, and paths through images beside
-                                                scikit-image; needs Python 3.10 and, the first time,
-                                                the network
+                                                scikit-image, or makes and tests the wheel of the
+                                                audit, which takes many minutes; needs Python 3.10
+                                                and, the first time, the network
   sweeps  [ray] [--seed SEED]                   2,000 problems in one process, on Dask with a worker
                                                 that is killed, in 40 shards that are killed, and on
                                                 Ray if asked: the same bytes; needs Python 3.10 and,

@@ -13,18 +13,19 @@ use crate::{
 
 /// Makes the wheel of the Python module, installs it into `target/python-environment`, and runs its
 /// tests, its notebooks, `stubtest`, and its examples beside those in Rust. With `speed` it measures
-/// instead what calls from Python cost, and paths through images beside scikit-image.
+/// instead what calls from Python cost, and paths through images beside scikit-image. With `audit` it
+/// also makes the wheel of the audit, which takes minutes, and runs the tests of the audit alone.
 pub(crate) fn python(root: &Path, rest: &[&str]) -> Result<(), String> {
     let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into()));
     let environment = target.join("python-environment");
-    let is_speed = match rest {
-        [] => false,
-        ["speed"] => true,
-        _ => return Err("the only argument of python is speed".to_owned()),
-    };
+    if !matches!(rest, [] | ["speed" | "audit"]) {
+        return Err("the only arguments of python are speed and audit, one at a time".to_owned());
+    }
     wheel(root, &target, &environment)?;
-    if is_speed {
-        return speed(root, &target, &environment);
+    match rest {
+        ["speed"] => return speed(root, &target, &environment),
+        ["audit"] => return audit(&target, &environment),
+        _ => {}
     }
     let python = environment.join("bin/python");
     let call = |arguments: &[&str]| {
@@ -44,6 +45,27 @@ fn speed(root: &Path, target: &Path, environment: &Path) -> Result<(), String> {
     let script = shown(&root.join("python/checks/speed.py"));
     let mut command = Command::new(environment.join("bin/python"));
     run(command.arg(&script).arg(target.join("release/examples/beside_python")), &script)
+}
+
+/// Makes the wheel of the audit, installs its program beside the interpreter, and tests it.
+fn audit(target: &Path, environment: &Path) -> Result<(), String> {
+    let python = environment.join("bin/python");
+    let wheels = target.join("wheels-audit");
+    // As above.
+    let _ = fs::remove_dir_all(&wheels);
+    let programs = environment.join("bin");
+    // The wheel is made by the maturin of the environment.
+    let path = env::var_os("PATH").unwrap_or_default();
+    let path = env::join_paths(std::iter::once(programs).chain(env::split_paths(&path)));
+    let path = path.map_err(|error| format!("PATH: {error}"))?;
+    let make = ["-m", "pip", "wheel", "--no-deps", "--no-index", "--no-build-isolation"];
+    let mut command = Command::new(&python);
+    let command = command.args(make).arg("--wheel-dir").arg(&wheels).arg("python/audit");
+    run(command.env("PATH", path).env("CARGO_TARGET_DIR", target), "pip wheel python/audit")?;
+    install_from(environment, &wheels, "tautline-audit")?;
+    let tests = ["-m", "unittest", "discover", "--start-directory", "python/tests"];
+    let tests = [&tests[..], &["--pattern", "test_audit.py"]].concat();
+    run(Command::new(&python).args(&tests), &format!("{} {}", shown(&python), tests.join(" ")))
 }
 
 /// Makes the wheel, and installs it into an environment with what makes and tests it.
@@ -82,10 +104,14 @@ pub(crate) fn made(root: &Path, target: &Path, environment: &Path) -> Result<Pat
 
 /// Installs the wheel in this folder into an environment, in place of an older one.
 pub(crate) fn installed(environment: &Path, wheels: &Path) -> Result<(), String> {
+    install_from(environment, wheels, "tautline")
+}
+
+fn install_from(environment: &Path, wheels: &Path, package: &str) -> Result<(), String> {
     let pip = ["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", "--no-index"];
     let mut command = Command::new(environment.join("bin/python"));
-    let command = command.args(pip).arg("--find-links").arg(wheels).arg("tautline");
-    run(command, "pip install tautline")
+    let command = command.args(pip).arg("--find-links").arg(wheels).arg(package);
+    run(command, &format!("pip install {package}"))
 }
 
 /// Runs the examples in Python and those in Rust of the same name. Every line that the former print is

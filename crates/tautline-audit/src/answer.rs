@@ -1,12 +1,11 @@
 //! `Audit`: what an audit found.
 
-use schemars::{JsonSchema, Schema, schema_for};
+use schemars::JsonSchema;
 use serde::Serialize;
 use tautline_problem::UsedConstants;
 
 /// What an audit of a metric found.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-#[schemars(title = "An audit of a metric")]
 pub struct Audit {
     /// The verdict in one word.
     pub verdict: Verdict,
@@ -147,10 +146,4 @@ pub enum Status {
     DoesNotApply,
     /// It was not tried.
     NotTried,
-}
-
-/// Returns the JSON schema of an audit.
-#[must_use]
-pub fn audit_schema() -> Schema {
-    schema_for!(Audit)
 }

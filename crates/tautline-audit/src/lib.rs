@@ -24,6 +24,7 @@
 
 mod answer;
 mod constants;
+mod document;
 mod effort;
 mod laws;
 mod lies;
@@ -35,7 +36,8 @@ mod timed;
 mod typed;
 mod words;
 
-pub use answer::{Audit, Law, Lie, Measured, Place, Standing, Status, Verdict, audit_schema};
+pub use answer::{Audit, Law, Lie, Measured, Place, Standing, Status, Verdict};
+pub use document::{Document, audit_schema};
 pub use effort::Effort;
 pub use markdown::markdown;
 pub use text::text;

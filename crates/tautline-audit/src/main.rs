@@ -9,7 +9,7 @@ use std::{
 };
 
 use clap::Parser;
-use tautline_audit::{AuditError, Effort, Verdict, audit, audit_schema, markdown, text};
+use tautline_audit::{AuditError, Document, Effort, Verdict, audit, audit_schema, markdown, text};
 use tautline_problem::{Diagnostic, Question};
 
 /// Tests the metric of a problem file, and its constants, against every law of the kit.
@@ -104,12 +104,13 @@ fn run(arguments: &Arguments) -> Result<ExitCode, ProgramError> {
             AuditError::BadInput(diagnostic) => explain(&diagnostic),
             error => ProgramError::NotDone(error.to_string()),
         })?;
+    let code = ExitCode::from(u8::from(audit.verdict != Verdict::Holds));
     print(&match (arguments.json, arguments.markdown) {
-        (true, _) => json(&audit)?,
+        (true, _) => json(&Document::from(audit))?,
         (_, true) => markdown(&audit),
         _ => text(&audit),
     })?;
-    Ok(ExitCode::from(u8::from(audit.verdict != Verdict::Holds)))
+    Ok(code)
 }
 
 /// Returns the name of a file in messages, and its text.

@@ -20,6 +20,12 @@ fn the_text_begins_with_the_lie() {
 }
 
 #[test]
+fn the_document_has_the_text() {
+    let document = run(&[&file("wrong_c2"), "--json"]).json();
+    assert_eq!(document["text"], run(&[&file("wrong_c2")]).out);
+}
+
+#[test]
 fn seed_and_cases_of_the_arguments_replace_those_of_the_file() {
     let problem = "dimension = 1\n[metric]\nphi = 2\n[audit]\ncases = 7\nseed = 5\n";
     let said = |arguments: &[&str]| {

@@ -76,6 +76,12 @@ impl Given {
         self.metric.text()
     }
 
+    /// Returns the tables that the text calls `table1`, `table2`, ….
+    #[must_use]
+    pub fn tables(&self) -> &[Arc<dyn Table>] {
+        self.metric.tables()
+    }
+
     /// Returns `H(x)`, column by column.
     ///
     /// # Errors
@@ -165,6 +171,7 @@ impl InDimension for InBlackBox {
 trait AnyDimension: Debug + Send + Sync {
     fn dimension(&self) -> usize;
     fn text(&self) -> Option<String>;
+    fn tables(&self) -> &[Arc<dyn Table>];
     fn gram(&self, x: &[f64]) -> Vec<f64>;
     fn is_positive_everywhere(&self) -> bool;
     fn constants(
@@ -233,6 +240,10 @@ impl<M: Known<D>, const D: usize> AnyDimension for Held<M, D> {
 
     fn text(&self) -> Option<String> {
         self.0.metric().text()
+    }
+
+    fn tables(&self) -> &[Arc<dyn Table>] {
+        self.0.metric().tables()
     }
 
     fn gram(&self, x: &[f64]) -> Vec<f64> {

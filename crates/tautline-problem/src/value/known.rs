@@ -1,9 +1,10 @@
 //! `Known`: a metric by its formula or by its values.
 
 use core::ops::ControlFlow;
+use std::sync::Arc;
 
 use tautline::{
-    BlackBox, CertificateError, Formula, Interval, Metric, RecordError, SVector, TautLine,
+    BlackBox, CertificateError, Formula, Interval, Metric, RecordError, SVector, Table, TautLine,
     certify::{Accuracy, Watch},
     distance::{Progress, Wanted},
 };
@@ -28,6 +29,9 @@ pub(super) trait Known<const D: usize>:
 
     /// Returns whether interval arithmetic shows that the first entry of `H` is positive everywhere.
     fn is_positive_everywhere(&self) -> bool;
+
+    /// Returns the tables that the text calls, in the order of their numbers.
+    fn tables(&self) -> &[Arc<dyn Table>];
 
     /// Proves the constants.
     fn constants(
@@ -61,6 +65,10 @@ impl<const D: usize> Known<D> for Formula<D> {
     fn is_positive_everywhere(&self) -> bool {
         // An undefined entry has no positive bound.
         self.gram(&SVector::from_element(Interval::REALS))[(0, 0)].lo() > 0.0
+    }
+
+    fn tables(&self) -> &[Arc<dyn Table>] {
+        self.tables()
     }
 
     fn constants(
@@ -98,6 +106,10 @@ impl<const D: usize> Known<D> for BlackBox<D> {
 
     fn is_positive_everywhere(&self) -> bool {
         false
+    }
+
+    fn tables(&self) -> &[Arc<dyn Table>] {
+        &[]
     }
 
     fn constants(
