@@ -1,7 +1,7 @@
 //! The exceptions.
 
 use pyo3::{PyErr, create_exception, exceptions::PyValueError};
-use tautline::{CertificateError, SolveError};
+use tautline::{CertificateError, GraphPathError, SolveError};
 use tautline_problem::value::GivenError;
 
 create_exception!(
@@ -18,6 +18,12 @@ create_exception!(
 );
 create_exception!(
     tautline,
+    LatticeError,
+    ProblemError,
+    "The nodes of a lattice are not near the sets, or no path along them joins the sets."
+);
+create_exception!(
+    tautline,
     NotCertified,
     PyValueError,
     "Nothing was proved: there is no certificate, or a certificate was refused."
@@ -27,6 +33,9 @@ create_exception!(
 pub(crate) fn raised(error: &GivenError) -> PyErr {
     match error {
         GivenError::Solve(SolveError::Metric(_)) => MetricError::new_err(error.to_string()),
+        GivenError::Solve(SolveError::GraphPath(
+            GraphPathError::FarFromEnd { .. } | GraphPathError::NotConnected,
+        )) => LatticeError::new_err(error.to_string()),
         GivenError::Constants(_) => NotCertified::new_err(error.to_string()),
         _ => ProblemError::new_err(error.to_string()),
     }

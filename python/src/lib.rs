@@ -27,7 +27,7 @@ mod _tautline {
         bounds::{Bounds, Constant, theorem_1_1, theorem_1_3},
         certificate::{Certificate, Verdict, check},
         curve::Curve,
-        error::{MetricError, NotCertified, ProblemError},
+        error::{LatticeError, MetricError, NotCertified, ProblemError},
         estimate::Estimate,
         metric::Program,
         problem_file::problem_file,

@@ -19,7 +19,9 @@ pub(crate) fn message(error: &GivenError, text: &str, skipped: usize) -> String 
     } else {
         String::new()
     };
-    let start = text.floor_char_boundary(at.start.max(skipped));
+    let place = at.start.max(skipped).min(text.len());
+    // The beginning of the character there.
+    let start = (0..=place).rev().find(|&byte| text.is_char_boundary(byte)).unwrap_or(0);
     // The bracket that was put behind it belongs to nobody.
     let end = if skipped > 0 { text.len().saturating_sub(1).max(skipped) } else { text.len() };
     let own = text.get(skipped..end).unwrap_or(text);

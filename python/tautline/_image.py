@@ -14,7 +14,7 @@ from ._table import Table
 from ._tautline import ProblemError
 
 # The first node, the corner at which the nodes end, and their spacing.
-Lattice: TypeAlias = "tuple[npt.ArrayLike, npt.ArrayLike, float]"
+Lattice: TypeAlias = tuple[npt.ArrayLike, npt.ArrayLike, float]
 
 
 def of_image(

@@ -48,7 +48,8 @@ class Metric:
     lattice: Lattice | None = None
     """Nodes for `solve`, which also starts from a shortest path along them, with all of its chords: the
     first one, the corner at which they end, and their spacing. An image has its pixels, and a field its
-    grid. For a landscape with many hills, give one to any metric in up to four dimensions."""
+    grid; a solve then visits all of them. For a landscape with many hills, give one to any metric in up to
+    four dimensions; None leaves the path out."""
 
     def __init__(
         self,

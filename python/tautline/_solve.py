@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ._convert import array, finite_rows, number, rows, vector, whole
 from ._metric import Metric
 from ._sets import SetLike, as_set
-from ._tautline import Curve, ProblemError
+from ._tautline import Curve, LatticeError, ProblemError
 
 # A polygon from which a search starts, or several.
 Starts: TypeAlias = Union[Curve, npt.ArrayLike, Sequence[Any]]
@@ -43,11 +43,13 @@ def solve(
     in place of them: an array of shape (m, D), a curve, or a list of such. `steps` is the largest
     number of Newton steps of a search on one grid. `threads` is 1 or 2. If the metric has a
     `lattice`, as an image has, a second search starts from a shortest path along it, unless
-    `only_these_starts`, and the shorter curve is returned. The result is a local minimiser: `Curve.certificate` says whether another curve may be shorter.
+    `only_these_starts`, and the shorter curve is returned. Sets that are far from its nodes are joined
+    without it. The result is a local minimiser: `Curve.certificate` says whether another curve may be
+    shorter.
 
-    Warns with `UnresolvedWarning` if the chords do not resolve the metric, or if a shorter local minimum
-    was met. Raises `MetricError` if the metric is not finite, symmetric and positive definite along a
-    curve, `ProblemError` if the input is wrong.
+    Warns with `UnresolvedWarning` if the chords do not resolve the metric, if a shorter local minimum was
+    met, or if no path along the lattice joins the sets. Raises `MetricError` if the metric is not
+    finite, symmetric and positive definite along a curve, `ProblemError` if the input is wrong.
     """
     options = _options(metric, n, rule, steps, threads, _polygons(starts), only_these_starts)
     if metric.lattice is not None and not only_these_starts:
@@ -55,8 +57,14 @@ def solve(
         corners = vector(lower, "the first node"), vector(upper, "the last node")
         options["lattice"] = (*corners, number(spacing, "the spacing of the nodes"))
     ends = as_set(start, "the start"), as_set(goal, "the goal")
-    curve = metric.program.solve(*ends, options)
-    if doubts := curve.doubts:
+    beside = ""
+    try:
+        curve = metric.program.solve(*ends, options)
+    except LatticeError as error:
+        curve = metric.program.solve(*ends, {**options, "lattice": None})
+        beside = str(error)
+    doubts = [*([beside] if beside else []), *curve.doubts]
+    if doubts:
         warnings.warn(
             f"the curve of length {float(curve.length)!r} may not be a shortest one: "
             f"{'; '.join(doubts)}. More chords `n` or other `starts` may help",

@@ -12,6 +12,7 @@ __all__ = [
     "Constant",
     "Curve",
     "Estimate",
+    "LatticeError",
     "MetricError",
     "NotCertified",
     "Plan",
@@ -42,6 +43,7 @@ __version__: str
 
 class ProblemError(ValueError): ...
 class MetricError(ProblemError): ...
+class LatticeError(ProblemError): ...
 class NotCertified(ValueError): ...
 
 @final
