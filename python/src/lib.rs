@@ -1,5 +1,6 @@
 //! The Python module `tautline._tautline`. The package `tautline` documents it.
 
+mod avoiding;
 mod black_box;
 mod bounds;
 mod certificate;
@@ -24,6 +25,7 @@ use pyo3::prelude::*;
 mod _tautline {
     #[pymodule_export]
     use crate::{
+        avoiding::avoiding,
         bounds::{Bounds, Constant, theorem_1_1, theorem_1_3},
         certificate::{Certificate, Verdict, check},
         curve::Curve,

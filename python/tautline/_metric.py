@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ._convert import array, number, whole
 from ._image import Lattice, of_field, of_image
 from ._table import Table
-from ._tautline import Constant, ProblemError, Program, Set, Spline
+from ._tautline import Constant, ProblemError, Program, Set, Spline, avoiding
 from ._written import check_used, is_sympy, of_form, of_matrix, of_sympy, sign, words
 
 
@@ -50,6 +50,9 @@ class Metric:
     first one, the corner at which they end, and their spacing. An image has its pixels, and a field its
     grid; a solve then visits all of them. For a landscape with many hills, give one to any metric in up to
     four dimensions; None leaves the path out."""
+
+    _free: Metric | None = None
+    """The metric without its obstacles, if it has some."""
 
     def __init__(
         self,
@@ -156,6 +159,31 @@ class Metric:
         f, lattice = of_field(h, spacing, origin, interpolate)
         metric = cls(f, len(lattice[0]))  # type: ignore[arg-type]
         metric.lattice = lattice
+        return metric
+
+    def avoiding(self, *obstacles: Set | str, margin: float) -> Metric:
+        """The metric with obstacles, which no curve enters: balls, half-spaces, unions of these, or texts
+        that are positive outside of a region, such as "x1^2 + x2^2 - 1".
+
+        They repel. With the distance δₖ from each, or the value of its text, the metric is
+        (1 + Σₖ (margin/δₖ)²) H, and there is none in an obstacle. With a smaller margin curves run closer
+        to them. So a length is somewhat more than that of the same curve by H.
+
+        >>> import numpy as np, tautline
+        >>> free = tautline.Metric.phi("1", 2)
+        >>> metric = free.avoiding(tautline.ball([0, 0], 1), margin=0.003)
+        >>> curve = tautline.solve(metric, [-3, 0.1], [3, -0.1])
+        >>> bool(np.all(np.hypot(*curve.points.T) > 1)), round(float(curve.length), 2)
+        (True, 6.36)
+
+        The shortest way round the disc is 6.34. Raises `MetricError` if an end is in an obstacle, or if
+        every search runs into one: then a `lattice` or `starts` of `solve` name a way round.
+        """
+        text, tables = avoiding(self.program, list(obstacles), number(margin, "the margin"))
+        metric = Metric.__new__(Metric)
+        metric._parts = (text, self.dimension, {}, dict(tables), 0, None)
+        metric.program = Program(*metric._parts)
+        metric.lattice, metric._free = self.lattice, self
         return metric
 
     @classmethod

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ._convert import array, finite_rows, number, rows, vector, whole
 from ._metric import Metric
 from ._sets import SetLike, as_set
-from ._tautline import Curve, LatticeError, ProblemError
+from ._tautline import Curve, LatticeError, MetricError, ProblemError, Set
 
 # A polygon from which a search starts, or several.
 Starts: TypeAlias = Union[Curve, npt.ArrayLike, Sequence[Any]]
@@ -60,6 +60,9 @@ def solve(
     beside = ""
     try:
         curve = metric.program.solve(*ends, options)
+    except MetricError as error:
+        why = _in_obstacle(metric, start, goal)
+        raise MetricError(f"{why}: {error}" if why else str(error)) from None
     except LatticeError as error:
         curve = metric.program.solve(*ends, {**options, "lattice": None})
         beside = str(error)
@@ -72,6 +75,21 @@ def solve(
             stacklevel=2,
         )
     return curve
+
+
+def _in_obstacle(metric: Metric, *ends: SetLike) -> str:
+    """Says that an end is in an obstacle, or that every search ran into one, if that is so."""
+    if metric._free is None:
+        return ""
+    for end in ends:
+        if not isinstance(end, Set):
+            x = np.atleast_1d(np.asarray(end, float))
+            if np.isfinite(metric._free(x)).all() and not np.isfinite(metric(x)).all():
+                return f"the point {x.tolist()} is in an obstacle"
+    return (
+        "every search runs into an obstacle, or out of the domain of the metric: name a way round it as "
+        "`starts`, or give the metric a `lattice`"
+    )
 
 
 @overload

@@ -18,6 +18,7 @@ use crate::{
     gallery,
     reading::{
         numbers::{Numbers, counted},
+        obstacles::{Distance, Obstacles, obstacles},
         tables::Tables,
     },
 };
@@ -35,21 +36,23 @@ pub(crate) fn formula<const D: usize>(
     numbers: &Numbers<'_>,
     tables: &Tables,
 ) -> Result<Formula<D>, Diagnostic> {
-    formula_of(problem.metric.get_ref(), problem, numbers, tables)
+    let obstacles = obstacles(problem, numbers, D)?;
+    formula_of(problem.metric.get_ref(), problem, numbers, tables, obstacles.as_ref())
 }
 
-/// Returns the formula of another metric with the definitions of a file.
+/// Returns the formula of a metric with the definitions of a file, and with these obstacles.
 pub(crate) fn formula_of<const D: usize>(
     metric: &MetricFile,
     problem: &ProblemFile,
     numbers: &Numbers<'_>,
     tables: &Tables,
+    obstacles: Option<&Obstacles<'_>>,
 ) -> Result<Formula<D>, Diagnostic> {
     let mut texts = Texts { numbers, places: Vec::new() };
     let mut definitions: Vec<_> = problem.definitions.iter().collect();
     definitions.sort_by_key(|(name, _)| name.span().start);
     let defined: Vec<&str> = definitions.iter().map(|(name, _)| name.get_ref().as_str()).collect();
-    let definitions: Vec<[Part<'_>; 2]> = definitions
+    let mut definitions: Vec<[Part<'_>; 2]> = definitions
         .iter()
         .map(|(name, text)| {
             let name = texts.numbered(name.get_ref(), name.span());
@@ -58,7 +61,18 @@ pub(crate) fn formula_of<const D: usize>(
         .collect();
     let whole = problem.metric.span();
     let coordinates: Vec<usize> = (1..=D).collect();
-    let metric = texts.written(metric, &coordinates)?;
+    let mut metric = texts.written(metric, &coordinates)?;
+    if let Some(Obstacles { distances, factor, place }) = obstacles {
+        for (name, distance) in distances {
+            let name = texts.numbered(name, place.clone());
+            let distance = match distance {
+                Distance::Own(text) => texts.numbered(text, place.clone()),
+                Distance::Given(text) => texts.part(text),
+            };
+            definitions.push([name, distance]);
+        }
+        metric = Written::Scaled(texts.numbered(factor, place.clone()), Box::new(metric));
+    }
     let tables: Vec<_> =
         tables.iter().map(|(name, table)| (name.as_str(), Arc::clone(table))).collect();
     let defined: Vec<&str> =

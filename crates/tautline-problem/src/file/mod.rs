@@ -3,6 +3,7 @@
 pub(crate) mod expression;
 pub(crate) mod gallery;
 pub(crate) mod metric;
+pub(crate) mod obstacles;
 pub(crate) mod placed;
 pub(crate) mod request;
 pub(crate) mod set;
@@ -16,6 +17,7 @@ use serde::Deserialize;
 
 use expression::Text;
 use metric::MetricFile;
+use obstacles::ObstaclesFile;
 use placed::Placed;
 use request::{AuditFile, CertifyFile, OutputFile, SolveFile};
 use set::SetFile;
@@ -40,6 +42,8 @@ pub(crate) struct ProblemFile {
     pub(crate) tables: BTreeMap<Placed<String>, Placed<TableFile>>,
     /// The metric.
     pub(crate) metric: Placed<MetricFile>,
+    /// Regions that no curve enters.
+    pub(crate) obstacles: Option<Placed<ObstaclesFile>>,
     /// The set in which curves start.
     pub(crate) from: Option<Placed<SetFile>>,
     /// The set in which curves end.

@@ -3,6 +3,7 @@
 pub(crate) mod axes;
 pub(crate) mod meant;
 pub(crate) mod numbers;
+pub(crate) mod obstacles;
 pub(crate) mod parse;
 pub(crate) mod pieces;
 pub(crate) mod shape;

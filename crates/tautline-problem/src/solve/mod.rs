@@ -2,6 +2,7 @@
 
 mod described;
 mod programs;
+mod refused;
 mod sign;
 mod tolerance;
 
@@ -168,14 +169,7 @@ impl Question {
         options: &Options<D>,
         solved: &mut dyn FnMut(&Answer),
     ) -> Result<TautLine<Formula<D>, R, D>, Failure> {
-        let failure = |error: SolveError| match error {
-            SolveError::Metric(_) => {
-                let place = self.problem.metric.get_ref().span();
-                let place = place.unwrap_or(self.problem.metric.span());
-                Failure::BadInput(Diagnostic::new(error.to_string(), place))
-            }
-            _ => Failure::NotComputed(error.to_string()),
-        };
+        let failure = |error: SolveError| self.failure(problem.metric(), &error);
         let first = if let Grid::Chords(n) = self.grid { n } else { FIRST_GRID };
         if let Some(nodes) = &self.lattice {
             let wrong = |error: String| Failure::BadInput(Diagnostic::new(error, nodes.span()));

@@ -27,7 +27,7 @@ impl Question {
     ) -> Result<(), Diagnostic> {
         // The entries of φ I are the function itself.
         let phi = MetricFile::Phi(text.clone());
-        let phi = formula_of::<D>(&phi, &self.problem, &self.numbers(), &self.tables)?;
+        let phi = formula_of::<D>(&phi, &self.problem, &self.numbers(), &self.tables, None)?;
         let middles = sequence.chords().map(|(x, d)| x + d * 0.5);
         let points: Vec<SVector<f64, D>> =
             sequence.points().iter().copied().chain(middles).collect();

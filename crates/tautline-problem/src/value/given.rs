@@ -9,7 +9,8 @@ use tautline::{
 use tautline_portrait::Shape;
 
 use super::{
-    Curve, GivenError, Nodes, Proofs, Request,
+    Curve, GivenError, Nodes, Proofs, Region, Request,
+    avoiding::avoiding,
     curve::NamedRule,
     known::Known,
     sets::{check_coordinates, point, set},
@@ -61,6 +62,23 @@ impl Given {
     ) -> Result<Self, GivenError> {
         let task = InBlackBox { values, step };
         in_dimension(dimension, task).unwrap_or(Err(GivenError::Dimension { dimension }))
+    }
+
+    /// Takes a metric in its dimension.
+    pub(super) fn held<M: Known<D>, const D: usize>(metric: Held<M, D>) -> Self {
+        Self { metric: Arc::new(metric) }
+    }
+
+    /// Returns the metric with obstacles: with the distances `δₖ(x)` from the regions and the margin `m`,
+    /// in `ℓ`, it is `(1 + Σₖ (m/δₖ(x))²) H(x)`, and undefined in the regions. No curve enters them; it runs
+    /// the closer to them, the smaller the margin is.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError::Margin`], [`GivenError::NoInside`], [`GivenError::Coordinates`],
+    /// [`GivenError::Text`]; [`GivenError::NoFormula`] for a black box.
+    pub fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Self, GivenError> {
+        self.metric.avoiding(regions, margin)
     }
 
     /// Returns the dimension.
@@ -174,6 +192,7 @@ trait AnyDimension: Debug + Send + Sync {
     fn tables(&self) -> &[Arc<dyn Table>];
     fn gram(&self, x: &[f64]) -> Vec<f64>;
     fn is_positive_everywhere(&self) -> bool;
+    fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Given, GivenError>;
     fn constants(
         &self,
         within: Option<&Shape>,
@@ -186,7 +205,7 @@ trait AnyDimension: Debug + Send + Sync {
 
 /// A metric in `D` dimensions.
 #[derive(Debug)]
-struct Held<M, const D: usize>(Arc<Prepared<M, D>>);
+pub(super) struct Held<M, const D: usize>(pub(super) Arc<Prepared<M, D>>);
 
 impl<M: Known<D>, const D: usize> Held<M, D> {
     fn problem(&self, pieces: [&[Shape]; 2]) -> Result<Problem<M, D>, GivenError> {
@@ -252,6 +271,11 @@ impl<M: Known<D>, const D: usize> AnyDimension for Held<M, D> {
 
     fn is_positive_everywhere(&self) -> bool {
         self.0.metric().is_positive_everywhere()
+    }
+
+    fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Given, GivenError> {
+        let formula = self.0.metric().formula().ok_or(GivenError::NoFormula)?;
+        avoiding(formula, regions, margin)
     }
 
     fn constants(

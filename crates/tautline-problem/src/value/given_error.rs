@@ -45,6 +45,21 @@ pub enum GivenError {
         /// The step, in `ℓ`.
         step: f64,
     },
+    /// The margin of obstacles is not positive and finite.
+    #[error("the margin of the obstacles is {margin}; it must be positive and finite")]
+    Margin {
+        /// The margin, in `ℓ`.
+        margin: f64,
+    },
+    /// An obstacle has no inside.
+    #[error("{set} is no obstacle: expected a ball of positive radius, or a half-space")]
+    NoInside {
+        /// What the set is.
+        set: &'static str,
+    },
+    /// What needs a formula was asked of a black box.
+    #[error("a metric that is no formula has no obstacles; let its function return NaN there")]
+    NoFormula,
     /// No constants were sought.
     #[error(transparent)]
     Constants(#[from] ConstantsError),

@@ -27,6 +27,9 @@ pub(super) trait Known<const D: usize>:
     /// Returns the text of the formula, if there is one.
     fn text(&self) -> Option<String>;
 
+    /// Returns the formula, if there is one.
+    fn formula(&self) -> Option<&Formula<D>>;
+
     /// Returns whether interval arithmetic shows that the first entry of `H` is positive everywhere.
     fn is_positive_everywhere(&self) -> bool;
 
@@ -60,6 +63,10 @@ pub(super) trait Known<const D: usize>:
 impl<const D: usize> Known<D> for Formula<D> {
     fn text(&self) -> Option<String> {
         Some(self.to_string())
+    }
+
+    fn formula(&self) -> Option<&Formula<D>> {
+        Some(self)
     }
 
     fn is_positive_everywhere(&self) -> bool {
@@ -101,6 +108,10 @@ impl<const D: usize> Known<D> for Formula<D> {
 /// Nothing is proved of a metric without a formula.
 impl<const D: usize> Known<D> for BlackBox<D> {
     fn text(&self) -> Option<String> {
+        None
+    }
+
+    fn formula(&self) -> Option<&Formula<D>> {
         None
     }
 

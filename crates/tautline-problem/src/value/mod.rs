@@ -13,6 +13,7 @@
 //! # Ok::<(), tautline_problem::value::GivenError>(())
 //! ```
 
+mod avoiding;
 mod curve;
 mod given;
 mod given_error;
@@ -20,6 +21,7 @@ mod known;
 mod request;
 mod sets;
 
+pub use avoiding::Region;
 pub use curve::Curve;
 pub use given::{Found, Given};
 pub use given_error::GivenError;

@@ -3,6 +3,7 @@
 mod corridor;
 mod gallery;
 mod lattice;
+mod obstacles;
 mod other_minima;
 mod random_certificates;
 mod schema;

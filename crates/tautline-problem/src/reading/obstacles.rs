@@ -1,0 +1,99 @@
+//! The obstacles of a file, as a factor of the metric.
+
+use std::ops::Range;
+
+use tautline_portrait::Shape;
+
+use crate::{
+    Diagnostic,
+    file::{
+        ProblemFile,
+        expression::Text,
+        obstacles::{ObstaclesFile, RegionFile},
+        set::SetFile,
+    },
+    reading::{numbers::Numbers, pieces::pieces},
+};
+
+/// The distance from a region.
+pub(crate) enum Distance<'f> {
+    /// The text of an expression.
+    Own(String),
+    /// An expression of the file.
+    Given(&'f Text),
+}
+
+/// The obstacles of a file.
+pub(crate) struct Obstacles<'f> {
+    /// The name of each distance, and the distance.
+    pub(crate) distances: Vec<(String, Distance<'f>)>,
+    /// The factor of the metric, an expression of the distances.
+    pub(crate) factor: String,
+    /// The place of the regions.
+    pub(crate) place: Range<usize>,
+}
+
+/// Reads the section `[obstacles]`.
+pub(crate) fn obstacles<'f>(
+    problem: &'f ProblemFile,
+    numbers: &Numbers<'_>,
+    dimension: usize,
+) -> Result<Option<Obstacles<'f>>, Diagnostic> {
+    let Some(section) = &problem.obstacles else { return Ok(None) };
+    let ObstaclesFile { regions, margin } = section.get_ref();
+    let margin = numbers.between(margin, 0.0, f64::INFINITY)?;
+    let mut distances = Vec::new();
+    for (number, region) in regions.get_ref().iter().enumerate() {
+        let set = match region {
+            RegionFile::Ball(ball) => SetFile::Ball(ball.clone()),
+            RegionFile::HalfSpace(side) => SetFile::HalfSpace(side.clone()),
+            RegionFile::Negative(text) => {
+                distances.push((name(number), Distance::Given(text)));
+                continue;
+            }
+        };
+        for piece in pieces(&set, numbers, dimension)? {
+            let text = distance(&piece.shape).ok_or_else(|| {
+                let place = piece.places.last().cloned().unwrap_or(regions.span());
+                Diagnostic::new("an obstacle without inside", place)
+                    .label("expected a positive radius, or a normal that is not 0")
+            })?;
+            distances.push((name(number), Distance::Own(text)));
+        }
+    }
+    let terms = distances.iter().map(|(name, _)| repulsion(name, margin));
+    let factor = ["1".to_owned()].into_iter().chain(terms).collect::<Vec<_>>().join(" + ");
+    Ok(Some(Obstacles { distances, factor, place: regions.span() }))
+}
+
+fn name(number: usize) -> String {
+    format!("obstacle{}", number + 1)
+}
+
+/// Returns the text of `(m/δ)²` for a distance with this name. By the logarithm it is undefined for
+/// `δ ≤ 0`, so that a search refuses a step into the region.
+pub(crate) fn repulsion(name: &str, margin: f64) -> String {
+    format!("exp(-2*ln({name}/{margin:?}))")
+}
+
+/// Returns the text of the distance of `x` from a ball or a half-space, negative inside. `None` if it has
+/// no inside.
+pub(crate) fn distance(shape: &Shape) -> Option<String> {
+    let sum = |terms: Vec<String>| terms.join(" + ");
+    match shape {
+        Shape::Ball { centre, radius } if *radius > 0.0 => {
+            let square = |(i, c): (usize, &f64)| format!("sqr(x{} - ({c:?}))", i + 1);
+            let squares = sum(centre.iter().enumerate().map(square).collect());
+            Some(format!("sqrt({squares}) - {radius:?}"))
+        }
+        Shape::HalfSpace { normal, offset } => {
+            let norm = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+            let product = |(i, n): (usize, &f64)| format!("({n:?})*x{}", i + 1);
+            let products = sum(normal.iter().enumerate().map(product).collect());
+            // The half-space is normal·x ≤ offset.
+            (norm > 0.0 && norm.is_finite())
+                .then(|| format!("({products} - ({offset:?}))/{norm:?}"))
+        }
+        _ => None,
+    }
+}

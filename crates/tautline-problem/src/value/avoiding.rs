@@ -1,0 +1,53 @@
+//! Metrics with obstacles.
+
+use std::sync::Arc;
+
+use tautline::{
+    Formula, Prepared,
+    formula::{AnyFormula, Part, Written, WrittenError},
+};
+use tautline_portrait::Shape;
+
+use super::{Given, GivenError, given::Held, sets::check_coordinates};
+use crate::reading::obstacles::{distance, repulsion};
+
+/// A region that no curve enters.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Region {
+    /// A ball of positive radius, or a half-space.
+    Set(Shape),
+    /// Where this expression of the coordinates is not positive; it takes the place of the distance.
+    Negative(String),
+}
+
+/// Returns the metric `(1 + Σₖ (m/δₖ)²) H` with the distances `δₖ` from regions, which is undefined in them.
+pub(super) fn avoiding<const D: usize>(
+    formula: &Formula<D>,
+    regions: &[Region],
+    margin: f64,
+) -> Result<Given, GivenError> {
+    if !(margin > 0.0 && margin.is_finite()) {
+        return Err(GivenError::Margin { margin });
+    }
+    let mut distances = Vec::new();
+    for region in regions {
+        let text = match region {
+            Region::Negative(text) => text.clone(),
+            Region::Set(shape) => {
+                check_coordinates::<D>(shape)?;
+                distance(shape).ok_or(GivenError::NoInside { set: shape.name() })?
+            }
+        };
+        distances.push((format!("obstacle{}", distances.len() + 1), text));
+    }
+    let terms = distances.iter().map(|(name, _)| repulsion(name, margin));
+    let factor = ["1".to_owned()].into_iter().chain(terms).collect::<Vec<_>>().join(" + ");
+    let part = |text| Part { text, id: 0 };
+    let definitions: Vec<[Part<'_>; 2]> =
+        distances.iter().map(|(name, text)| [part(name.as_str()), part(text)]).collect();
+    let metric =
+        Written::Scaled(part(&factor), Box::new(Written::Recorded(AnyFormula::from(formula))));
+    let formula = Formula::<D>::compose(&[], &[], &definitions, &metric);
+    let formula = formula.map_err(|WrittenError { error, .. }| GivenError::Text(error))?;
+    Ok(Given::held(Held(Arc::new(Prepared::new(formula)))))
+}

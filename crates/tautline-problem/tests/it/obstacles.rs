@@ -1,0 +1,103 @@
+//! Regions that no curve enters.
+
+use tautline_problem::{Failure, Question};
+
+const FILE: &str = "\
+[metric]
+phi = 1
+[obstacles]
+margin = 0.003
+regions = [{ ball = { centre = [0, 0], radius = 1 } }]
+[from]
+point = [-3, 0.1]
+[to]
+point = [3, -0.1]
+[certify]
+bound = false
+";
+
+/// Returns the length of the curve, and its points.
+fn solved(file: &str) -> (f64, Vec<Vec<f64>>) {
+    let answer = Question::read(file).expect(file).solve(&mut |_| ()).expect(file);
+    assert!(answer.search.converged && answer.resolved, "{file}");
+    (answer.length.value, answer.curve)
+}
+
+/// The shortest way round a disc: two tangents and an arc.
+fn round_the_disc([x, y]: [f64; 2]) -> f64 {
+    // The ends are opposite each other, at the distance r from the centre.
+    let r = x.hypot(y);
+    2.0 * (r * r - 1.0).sqrt() + std::f64::consts::PI - 2.0 * (1.0 / r).acos()
+}
+
+#[test]
+fn a_curve_goes_round_a_ball_and_its_length_falls_to_the_shortest_with_the_margin() {
+    let shortest = round_the_disc([3.0, 0.1]);
+    let mut last = f64::INFINITY;
+    for margin in [0.1_f64, 0.03, 0.01, 0.003] {
+        let file = FILE.replace("margin = 0.003", &format!("margin = {margin}"));
+        let (length, curve) = solved(&file);
+        assert!(curve.iter().all(|x| x[0].hypot(x[1]) > 1.0));
+        assert!(length > shortest && length < last, "{length} of {shortest}, before {last}");
+        // At the distance δ from the ball the way is longer by δ, and each unit of it costs (m/δ)²/2
+        // more. Over an arc of an angle of 2.5 the sum is least, (3/2)(2.5 m²)^{1/3}, at δ³ = 2.5 m².
+        let most = shortest + 4.0 * (2.5 * margin * margin).cbrt();
+        assert!(length < most, "margin {margin}: {length} is more than {most}");
+        last = length;
+    }
+}
+
+#[test]
+fn a_half_space_and_an_expression_are_obstacles_too() {
+    // Below x₂ = −1/2 nothing is free, so that the way above the ball is taken.
+    let file = FILE.replace(
+        "radius = 1 } }",
+        "radius = 1 } }, { half_space = { normal = [0, -2], at_least = 1 } }",
+    );
+    let (above, curve) = solved(&file);
+    assert!(curve.iter().any(|x| x[1] > 1.0) && above < 6.5);
+    let expression = "{ negative = \"sqrt(r2) - 1\" }";
+    let file = FILE.replace("{ ball = { centre = [0, 0], radius = 1 } }", expression);
+    let defined = format!("[let]\nr2 = \"x1^2 + x2^2\"\n{file}");
+    let (length, ball) = (solved(&defined).0, solved(FILE).0);
+    // They are the same metric, but for rounding.
+    assert!((length - ball).abs() < 1e-9, "{length}, {ball}");
+}
+
+#[test]
+fn what_is_wrong_with_obstacles_is_underlined() {
+    for (from, to, underlined, says) in [
+        ("[-3, 0.1]", "[0.5, 0.1]", "[0.5, 0.1]", "the point [0.5, 0.1] is in an obstacle"),
+        ("[3, -0.1]", "[0.0, 1.0]", "[0.0, 1.0]", "the point [0.0, 1.0] is in an obstacle"),
+        // A wall from side to side.
+        (
+            "{ ball = { centre = [0, 0], radius = 1 } }",
+            "{ negative = \"x1^2 - 1\" }",
+            "[{ negative",
+            "every search runs into an obstacle",
+        ),
+        ("radius = 1", "radius = 0", "0", "an obstacle without inside"),
+        ("radius = 1", "radius = -1", "-1", "an obstacle without inside"),
+        ("margin = 0.003", "margin = 0", "0", "0 is out of range"),
+        ("margin = 0.003\n", "", "[obstacles]", "margin is missing"),
+        ("[0, 0]", "[0, 0, 0]", "[0, 0, 0]", "3 coordinates in dimension 2"),
+        ("ball = { centre = [0, 0], radius = 1 }", "negative = \"y\"", "y", "unknown name y"),
+        ("ball = {", "box = {", "box", "unknown word box"),
+    ] {
+        let file = FILE.replace(from, to);
+        let solved =
+            Question::read(&file).map_err(Failure::from).and_then(|q| q.solve(&mut |_| ()));
+        let Err(Failure::BadInput(diagnostic)) = solved else { panic!("{file}: {solved:?}") };
+        let said = diagnostic.to_string();
+        assert!(file[diagnostic.at.clone()].starts_with(underlined), "{file}: {diagnostic:?}");
+        assert!(said.contains(says), "{file}: {said}");
+    }
+}
+
+/// A formula that is undefined for another reason is not blamed on the obstacles.
+#[test]
+fn another_defect_of_the_metric_is_not_that_of_an_obstacle() {
+    let file = FILE.replace("phi = 1", "phi = \"sqrt(x2 + 0.05)\"");
+    let failure = Question::read(&file).expect("a file").solve(&mut |_| ()).expect_err("no metric");
+    assert!(!failure.to_string().contains("obstacle"), "{failure}");
+}

@@ -1,0 +1,76 @@
+"""Metrics with obstacles."""
+
+import math
+import pickle
+import unittest
+
+import numpy as np
+
+import tautline as tl
+
+ENDS = [-3.0, 0.1], [3.0, -0.1]
+
+
+class Obstacles(unittest.TestCase):
+    def setUp(self):
+        self.free = tl.Metric.phi("1", 2)
+
+    def test_curves_go_round_a_ball_and_their_lengths_fall_to_the_shortest(self):
+        # Two tangents and an arc; the ends are opposite each other.
+        r = math.hypot(*ENDS[0])
+        shortest = 2 * math.sqrt(r * r - 1) + math.pi - 2 * math.acos(1 / r)
+        last = math.inf
+        for margin in (0.1, 0.03, 0.01, 0.003):
+            metric = self.free.avoiding(tl.ball([0, 0], 1), margin=margin)
+            curve = tl.solve(metric, *ENDS)
+            self.assertTrue(np.all(np.hypot(*curve.points.T) > 1))
+            self.assertTrue(shortest < float(curve.length) < last)
+            last = float(curve.length)
+        self.assertLess(last, shortest + 0.03)
+
+    def test_a_text_and_a_set_are_the_same_obstacle(self):
+        ball = self.free.avoiding(tl.ball([1, -2], 0.5), margin=0.1)
+        text = self.free.avoiding("sqrt((x1 - 1)^2 + (x2 + 2)^2) - 0.5", margin=0.1)
+        x = np.array([[0.0, 0.0], [1.0, -1.4], [3.0, 5.0]])
+        np.testing.assert_allclose(ball(x), text(x), rtol=1e-12)
+        # (1 + (m/δ)²) I at the distance 0.1, which is the margin.
+        np.testing.assert_allclose(ball([1.0, -1.4]), 2 * np.eye(2), rtol=1e-12)
+        self.assertTrue(np.isnan(ball([1.0, -2.0])).any())
+
+    def test_a_metric_with_obstacles_keeps_its_tables_and_goes_to_other_processes(self):
+        image = tl.Metric.image(np.ones((12, 9))).avoiding(
+            tl.ball([5, 4], 2) | tl.half_space([0, 1], at_least=7), margin=0.05
+        )
+        again = pickle.loads(pickle.dumps(image))
+        self.assertEqual(image, again)
+        ends = [1, 4], [10, 4]
+        curves = [tl.solve(metric, *ends, n=128) for metric in (image, again)]
+        np.testing.assert_array_equal(curves[0].points, curves[1].points)
+        self.assertGreater(np.hypot(*(curves[0].points - [5, 4]).T).min(), 2)
+
+    def test_what_is_in_an_obstacle_is_said(self):
+        metric = self.free.avoiding(tl.ball([0, 0], 1), margin=0.1)
+        with self.assertRaisesRegex(tl.MetricError, r"the point \[0.5, 0.0\] is in an obstacle"):
+            tl.solve(metric, [0.5, 0], [3, 0])
+        wall = self.free.avoiding("x1^2 - 1", margin=0.1)
+        with self.assertRaisesRegex(tl.MetricError, "every search runs into an obstacle"):
+            tl.solve(wall, *ENDS)
+
+    def test_what_is_no_obstacle_is_refused(self):
+        for obstacle, margin, says in [
+            (tl.ball([0, 0], 0), 0.1, "no obstacle"),
+            (tl.box([0, 0], [1, 1]), 0.1, "no obstacle"),
+            (tl.ball([0, 0, 0], 1), 0.1, "3 coordinates"),
+            (tl.ball([0, 0], 1), 0.0, "the margin of the obstacles is 0"),
+            (tl.ball([0, 0], 1), math.inf, "the margin of the obstacles is inf"),
+            ("x3", 0.1, "x3"),
+        ]:
+            with self.assertRaisesRegex(ValueError, says):
+                self.free.avoiding(obstacle, margin=margin)
+        black = tl.Metric.black_box(lambda x: np.tile(np.eye(2), (len(x), 1, 1)), 2)
+        with self.assertRaisesRegex(tl.ProblemError, "no formula"):
+            black.avoiding(tl.ball([0, 0], 1), margin=0.1)
+
+
+if __name__ == "__main__":
+    unittest.main()
