@@ -1,15 +1,13 @@
 //! Metrics with obstacles.
 
-use std::{any::Any, sync::Arc};
-
 use pyo3::prelude::*;
 use tautline_problem::value::Region;
 
 use crate::{
-    error::{ProblemError, raised},
+    error::raised,
     metric::Program,
     set::Set,
-    table::Spline,
+    table::{Spline, called},
 };
 
 /// A set, or an expression that is negative in the region.
@@ -36,13 +34,7 @@ pub(crate) fn avoiding(
         })
         .collect();
     let given = program.given.avoiding(&regions, margin).map_err(|error| raised(&error))?;
-    let mut tables = Vec::new();
-    for (k, table) in given.tables().iter().enumerate() {
-        let table: Arc<dyn Any + Send + Sync> = Arc::clone(table) as _;
-        let Ok(spline) = table.downcast::<tautline::Spline>() else {
-            return Err(ProblemError::new_err("a table is no array"));
-        };
-        tables.push((format!("table{}", k + 1), Spline { spline }));
-    }
+    let tables = called(&given)?.into_iter().enumerate();
+    let tables = tables.map(|(k, table)| (format!("table{}", k + 1), table)).collect();
     Ok((given.text().unwrap_or_default(), tables))
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use pyo3::{exceptions::PyOSError, prelude::*, types::PyType};
+use pyo3::{prelude::*, types::PyType};
 use tautline::check::AnyCertificate;
 use tautline_problem::CertifiedAnswer;
 
@@ -67,17 +67,11 @@ impl Certificate {
         (slf.get_type(), (lower, upper, gap, reached, ended, corridor, text))
     }
 
-    /// Writes the certificate to a file.
+    /// Writes the certificate to a file, which appears once it is complete.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        std::fs::write(&path, &self.text).map_err(|error| {
-            // With the number, Python chooses the exception, such as FileNotFoundError.
-            let number = error.raw_os_error();
-            let reason = number.and_then(|number| {
-                py.import("os").ok()?.call_method1("strerror", (number,)).ok()?.extract().ok()
-            });
-            let reason: String = reason.unwrap_or_else(|| error.to_string());
-            PyOSError::new_err((number, reason, path.into_os_string()))
-        })
+        let path = py.import("pathlib")?.call_method1("Path", (path,))?;
+        py.import("tautline._draft")?.call_method1("write", (path, &self.text))?;
+        Ok(())
     }
 
     fn __repr__(&self) -> String {

@@ -19,7 +19,7 @@ use crate::{
     pool::{self, pool},
     set::Set,
     sign::Sign,
-    table::Spline,
+    table::{Spline, called},
     text::message,
 };
 
@@ -43,7 +43,7 @@ pub(crate) struct Options {
     starts: Vec<Vec<Vec<f64>>>,
     only_these_starts: bool,
     /// The first node, the corner at which the nodes end, and their spacing.
-    lattice: Option<(Vec<f64>, Vec<f64>, f64)>,
+    lattice: Option<(Vec<f64>, Vec<f64>, Vec<f64>)>,
     steps: Option<usize>,
     threads: Option<usize>,
 }
@@ -108,8 +108,14 @@ impl Program {
         self.given.dimension()
     }
 
-    /// The steps of the formula. Two metrics are the same program if these texts are equal.
-    /// None for a black box.
+    /// The tables that the text calls table1, table2, ….
+    #[getter]
+    fn tables(&self) -> PyResult<Vec<Spline>> {
+        called(&self.given)
+    }
+
+    /// The steps of the formula. Two metrics are the same program if these texts and their tables are
+    /// equal. None for a black box.
     #[getter]
     fn text(&self) -> Option<String> {
         self.given.text()

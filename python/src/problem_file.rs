@@ -1,9 +1,7 @@
 //! The text of a problem file, for the programs that read one.
 
-use std::{any::Any, sync::Arc};
-
 use pyo3::prelude::*;
-use tautline::{RecordError, Spline};
+use tautline::RecordError;
 use tautline_problem::value::Shape;
 
 use crate::{
@@ -11,6 +9,7 @@ use crate::{
     error::{NotCertified, ProblemError},
     metric::Program,
     set::Set,
+    table::{Spline, called},
 };
 
 /// A metric as a problem file, with two sets, the box of the samples and the constants that are claimed,
@@ -29,11 +28,7 @@ pub(crate) fn problem_file(
         NotCertified::new_err(format!("there is no formula to audit: {}", RecordError::BlackBox))
     })?;
     let mut file = format!("dimension = {}\n", given.dimension());
-    for (k, table) in given.tables().iter().enumerate() {
-        let spline: Arc<dyn Any + Send + Sync> = Arc::clone(table) as _;
-        let Ok(spline) = spline.downcast::<Spline>() else {
-            return Err(ProblemError::new_err("a table is no array"));
-        };
+    for (k, Spline { spline }) in called(given)?.into_iter().enumerate() {
         let values = array(spline.shape(), spline.coefficients())?;
         file += &format!("\n[tables.table{}]\nvalues = {values}\n", k + 1);
     }

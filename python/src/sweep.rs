@@ -32,12 +32,17 @@ fn explained(error: PlanError) -> PyErr {
 
 #[pymethods]
 impl Plan {
-    /// Files with tables of numbers are found from the folder.
+    /// Files with tables of numbers are found from the folder. With a hash, they are refused if they are
+    /// others than those of this hash.
     #[new]
-    #[pyo3(signature = (text, folder = PathBuf::new()))]
-    fn new(text: &str, folder: PathBuf) -> PyResult<Self> {
+    #[pyo3(signature = (text, folder = PathBuf::new(), hash = None))]
+    fn new(text: &str, folder: PathBuf, hash: Option<&str>) -> PyResult<Self> {
         let mut open = |file: &str| fs::read(folder.join(file)).map_err(|error| error.to_string());
         let plan = sweep::Plan::of_text_with(text, &mut open).map_err(explained)?;
+        if let Some(written) = hash.filter(|&hash| hash != plan.hash()) {
+            let (written, computed) = (written.to_owned(), plan.hash().to_owned());
+            return Err(explained(PlanError::Hash { written, computed }));
+        }
         Ok(Self { plan, folder })
     }
 
@@ -47,7 +52,7 @@ impl Plan {
         self.plan.file()
     }
 
-    /// SHA-256 of the sweep file and of the rule by which problems follow from it.
+    /// SHA-256 of the sweep file, of the files with its tables, and of the rule by which problems follow.
     #[getter]
     fn hash(&self) -> &str {
         self.plan.hash()
@@ -72,8 +77,8 @@ impl Plan {
     }
 
     /// A plan is sent to another process as its sweep file, with the folder of its tables.
-    fn __getnewargs__(&self) -> (String, PathBuf) {
-        (self.plan.file().to_owned(), self.folder.clone())
+    fn __getnewargs__(&self) -> (String, PathBuf, String) {
+        (self.plan.file().to_owned(), self.folder.clone(), self.plan.hash().to_owned())
     }
 
     /// The parameters of the problems from start to below end, an array of shape (end - start, m).

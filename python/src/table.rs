@@ -1,10 +1,11 @@
 //! `Spline`: an array as a function.
 
-use std::sync::Arc;
+use std::{any::Any, sync::Arc};
 
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
 use pyo3::{prelude::*, types::PyType};
-use tautline::Interval;
+use tautline::{Interval, Table};
+use tautline_problem::value::Given;
 
 use crate::error::ProblemError;
 
@@ -13,6 +14,16 @@ use crate::error::ProblemError;
 #[derive(Clone, Debug)]
 pub(crate) struct Spline {
     pub(crate) spline: Arc<tautline::Spline>,
+}
+
+/// Returns the tables that a formula calls, in the order of their first calls.
+pub(crate) fn called(given: &Given) -> PyResult<Vec<Spline>> {
+    let spline = |table: &Arc<dyn Table>| {
+        let table: Arc<dyn Any + Send + Sync> = Arc::clone(table) as _;
+        let spline = table.downcast().map_err(|_| ProblemError::new_err("a table is no array"))?;
+        Ok(Spline { spline })
+    };
+    given.tables().iter().map(spline).collect()
 }
 
 #[pymethods]

@@ -72,6 +72,8 @@ def whole(x: Any, what: str) -> int:
         found = operator.index(x)
     except TypeError:
         found = 0
+    # Larger numbers do not reach the library, which says what is the largest one for it.
+    found = min(found, 2**63 - 1)
     if found < 1 or isinstance(x, (bool, np.bool_)):
         raise ProblemError(f"{what} is {_short(x)}; expected a whole number of at least 1")
     return found

@@ -14,7 +14,10 @@ from ._table import Table
 from ._tautline import ProblemError
 
 # The first node, the corner at which the nodes end, and their spacing.
-Lattice: TypeAlias = tuple[npt.ArrayLike, npt.ArrayLike, float]
+Lattice: TypeAlias = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
+
+# More nodes than this take more time than they are worth.
+MOST_NODES = 2_000_000
 
 
 def of_image(
@@ -86,8 +89,13 @@ def _nodes(
 def _lattice(
     start: NDArray[np.float64], step: NDArray[np.float64], shape: tuple[int, ...]
 ) -> Lattice:
-    last = start + step * (np.array(shape) - 1)
-    return start.tolist(), last.tolist(), float(step.min())
+    counts = np.array(shape)
+    last = start + step * (counts - 1)
+    # Of a large array every second, third, … entry along each axis is a node.
+    every = 1
+    while np.prod((counts - 1) // every + 1.0) > MOST_NODES:
+        every += 1
+    return start.tolist(), last.tolist(), (every * step).tolist()
 
 
 def _along(x: npt.ArrayLike, axes: int, what: str) -> NDArray[np.float64]:

@@ -64,7 +64,7 @@ class Metric:
         variables: Sequence[Any] | None = None,
     ) -> None:
         if dimension is None and not is_sympy(what) and not isinstance(what, str):
-            if np.ndim(what) == 2:
+            if not callable(what) and array(what, "the matrix").ndim == 2:
                 # A constant matrix.
                 dimension = len(what)
         self._set(
@@ -304,7 +304,7 @@ class Metric:
         return (self.dimension, self.program.text) == (
             other.dimension,
             other.program.text,
-        ) and _are_equal(self._parts[3], other._parts[3])
+        ) and _are_equal(self.program.tables, other.program.tables)
 
     def __hash__(self) -> int:
         return hash(self.program.text)
@@ -326,11 +326,10 @@ def _made(is_black_box: bool, parts: tuple[Any, ...], lattice: Lattice | None) -
     return metric
 
 
-def _are_equal(tables: Mapping[str, Spline], others: Mapping[str, Spline]) -> bool:
-    """Whether tables have the same coefficients, in the order of their names."""
-    pairs = zip(*([named[name] for name in sorted(named)] for named in (tables, others)))
+def _are_equal(tables: Sequence[Spline], others: Sequence[Spline]) -> bool:
+    """Whether tables have the same coefficients, in the order in which programs call them."""
     return len(tables) == len(others) and all(
-        a is b or np.array_equal(a.coefficients, b.coefficients) for a, b in pairs
+        np.array_equal(a.coefficients, b.coefficients) for a, b in zip(tables, others)
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import NDArray
 
-from ._convert import array, finite_rows, number, rows, vector, whole
+from ._convert import array, finite_rows, rows, vector, whole
 from ._metric import Metric
 from ._sets import SetLike, as_set
 from ._tautline import Curve, LatticeError, MetricError, ProblemError, Set
@@ -53,9 +53,7 @@ def solve(
     """
     options = _options(metric, n, rule, steps, threads, _polygons(starts), only_these_starts)
     if metric.lattice is not None and not only_these_starts:
-        lower, upper, spacing = metric.lattice
-        corners = vector(lower, "the first node"), vector(upper, "the last node")
-        options["lattice"] = (*corners, number(spacing, "the spacing of the nodes"))
+        options["lattice"] = _lattice(metric.lattice)
     ends = as_set(start, "the start"), as_set(goal, "the goal")
     beside = ""
     try:
@@ -75,6 +73,20 @@ def solve(
             stacklevel=2,
         )
     return curve
+
+
+def _lattice(lattice: Any) -> tuple[list[float], list[float], list[float]]:
+    """The nodes of a lattice, as lists."""
+    if not isinstance(lattice, (list, tuple)) or len(lattice) != 3:
+        raise ProblemError(
+            f"the lattice is {lattice!r}; expected the first node, the last one, and the spacing"
+        )
+    lower, upper, spacing = lattice
+    return (
+        vector(lower, "the first node"),
+        vector(upper, "the last node"),
+        vector(spacing, "the spacing of the nodes"),
+    )
 
 
 def _in_obstacle(metric: Metric, *ends: SetLike) -> str:
@@ -129,7 +141,8 @@ def solve_batch(
 ) -> list[Curve] | tuple[list[Curve | None], list[str | None]]:
     """Curves between the rows of two arrays of shape (m, D), on all processors or on `threads`.
 
-    One of them may be a single point, of shape (D,). The curves equal those of `solve` bit for bit.
+    One of them may be a single point, of shape (D,). The curves equal those of `solve` bit for bit,
+    without a search along the `lattice` of an image: `solve` may find a shorter one there.
     Raises `ProblemError` with the row of the first problem that has no curve; with
     `on_error="return"` it returns a pair of lists in place of that, the curves and the messages, with
     None where there is no curve and no message.
@@ -158,7 +171,7 @@ def distance_matrix(
     """The lengths of the curves between the rows of `a` and those of `b`, of shape (len(a), len(b)).
 
     Without `b` the rows of `a` are paired with each other: the matrix is symmetric, and each pair is
-    solved once. NaN where there is no curve. Warns with `UnresolvedWarning` how many of the curves are
+    solved once. NaN where there is no curve. The `lattice` of an image is not searched. Warns with `UnresolvedWarning` how many of the curves are
     not resolved, or longer than another local minimum that was met.
     """
     options, x = _options(metric, n, rule, None, threads), finite_rows(a, "a")

@@ -167,9 +167,6 @@ class Traced:
     def arccos(self) -> Any:
         return math.pi / 2 - self.arcsin()
 
-    def arcsinh(self) -> Any:
-        return (self + (self * self + 1).sqrt()).log()
-
     def arccosh(self) -> Any:
         return (self + (self * self - 1).sqrt()).log()
 
@@ -268,7 +265,7 @@ UFUNCS: dict[str, Callable[..., Any]] = {
         name: lambda a, name=name: getattr(a, name)()
         for name in (
             "sqrt exp log sin cos tan arctan sinh cosh tanh square reciprocal conjugate "
-            "exp2 expm1 log2 log10 log1p arcsin arccos arcsinh arccosh arctanh "
+            "exp2 expm1 log2 log10 log1p arcsin arccos arccosh arctanh "
             "radians degrees deg2rad rad2deg".split()
         )
     },

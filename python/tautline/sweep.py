@@ -73,7 +73,8 @@ def read(path: str | os.PathLike[str]) -> Plan:
         metadata = table.schema.metadata or {}
         if b"tautline_sweep" not in metadata:
             raise ProblemError(f"{os.fspath(path)} is no plan")
-        plan = Plan(metadata[b"tautline_sweep"].decode(), folder)
+        file, hash = (metadata.get(key, b"").decode() for key in (b"tautline_sweep", b"tautline_hash"))
+        plan = Plan(file, folder, hash)
         ids, *parameters = (table[name].to_numpy() for name in ("id", *plan.names))
         if not np.array_equal(ids, np.arange(len(plan))) or not np.array_equal(
             np.column_stack(parameters), plan.rows(0, len(plan))

@@ -29,7 +29,7 @@ class Lattices(unittest.TestCase):
         wall = np.ones((64, 64))
         wall[30:34, :60] = 1e3
         image = tautline.Metric.image(wall, spacing=0.5, origin=[1.0, -2.0])
-        self.assertEqual(image.lattice, ([1.0, -2.0], [32.5, 29.5], 0.5))
+        self.assertEqual(image.lattice, ([1.0, -2.0], [32.5, 29.5], [0.5, 0.5]))
         ends = [6.0, 0.5], [26.0, 0.5]
         found = float(tautline.solve(image, *ends, n=256).length)
         # Straight to the end of the wall and back: twice the root of 10² + 27.5², which a rounded corner
@@ -59,6 +59,23 @@ class Lattices(unittest.TestCase):
             metric.lattice = lattice
             with self.assertRaisesRegex(ValueError, says):
                 tautline.solve(metric, [0, 0], [1, 1])
+
+
+class Tables(unittest.TestCase):
+    def test_metrics_that_call_other_tables_are_others(self):
+        first, second = ([1.0, 2.0, 4.0], [3.0, 1.0, 1.0])
+        tables = {"a": first, "b": second}
+        one = tautline.Metric("[9 + a(x1) - 0.1*b(x1)]", 1, tables=tables)
+        self.assertNotEqual(one, tautline.Metric("[9 + b(x1) - 0.1*a(x1)]", 1, tables=tables))
+        exchanged = {"b": first, "a": second}
+        self.assertEqual(one, tautline.Metric("[9 + b(x1) - 0.1*a(x1)]", 1, tables=exchanged))
+
+    def test_large_images_have_coarser_lattices(self):
+        for shape, spacing in [((3000, 3000), 1.0), ((300, 300, 300), 0.5), ((40, 2000), (100.0, 1.0))]:
+            image = tautline.Metric.image(np.ones(shape), spacing=spacing)
+            first, last, step = (np.array(x) for x in image.lattice)
+            self.assertLess(np.prod(np.floor((last - first) / step) + 1), 2.1e6)
+            np.testing.assert_array_equal(step / step.min(), spacing / np.min(spacing) * np.ones(len(shape)))
 
 
 class Fields(unittest.TestCase):

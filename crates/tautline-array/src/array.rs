@@ -70,8 +70,11 @@ impl Array {
         if index.iter().zip(last).any(|(index, length)| index >= length) {
             return Err(wrong());
         }
+        if self.values.is_empty() {
+            return Ok(Self { shape: shape.to_vec(), values: Vec::new() });
+        }
         let at = index.iter().zip(last).fold(0, |at, (index, length)| at * length + index);
-        // The axes are not empty here, so that a step is at least 1.
+        // The last axes have an entry, and no more than the whole array: a step is at least 1.
         let step = last.iter().product();
         let values = self.values.iter().skip(at).step_by(step).copied().collect();
         Ok(Self { shape: shape.to_vec(), values })

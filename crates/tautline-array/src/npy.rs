@@ -11,6 +11,9 @@ use crate::{Array, ArrayError, array::count};
 pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 
 pub(crate) fn read(file: &[u8]) -> Result<Array, ArrayError> {
+    if let Some(version @ (0 | 4..)) = file.get(MAGIC.len()) {
+        return Err(wrong(format!("its version is {version}; expected 1 to 3")));
+    }
     let (header, data) = parts(file).ok_or_else(|| wrong("it ends too early"))?;
     let header = std::str::from_utf8(header).map_err(|_| wrong("it is no text"))?;
     let Header { descr, is_by_column, shape } = Header::read(header)?;

@@ -21,17 +21,22 @@ pub(crate) fn read(file: &[u8]) -> Result<Array, ArrayError> {
         let what = format!("{needed} bytes of pixels cannot be in {} bytes", file.len());
         return Err(ArrayError::Picture { what });
     }
-    let too_large = || ArrayError::Picture { what: "it is larger than any memory".to_owned() };
-    let mut bytes = vec![0; reader.output_buffer_size().ok_or_else(too_large)?];
+    let too_large = || ArrayError::Picture { what: "it is larger than the memory".to_owned() };
+    let needed = reader.output_buffer_size().ok_or_else(too_large)?;
+    // A palette and single bits take up to 32 times as many bytes as in the file, and the numbers more.
+    let (mut bytes, mut values) = (Vec::new(), Vec::new());
+    bytes.try_reserve_exact(needed).map_err(|_| too_large())?;
+    values.try_reserve_exact(needed).map_err(|_| too_large())?;
+    bytes.resize(needed, 0);
     let frame = reader.next_frame(&mut bytes).map_err(failed)?;
     bytes.truncate(frame.buffer_size());
-    let values = match frame.bit_depth {
+    match frame.bit_depth {
         BitDepth::Sixteen => {
             let pairs = bytes.chunks_exact(2);
-            pairs.map(|pair| f64::from(u16::from_be_bytes([pair[0], pair[1]]))).collect()
+            values.extend(pairs.map(|pair| f64::from(u16::from_be_bytes([pair[0], pair[1]]))));
         }
-        _ => bytes.into_iter().map(f64::from).collect(),
-    };
+        _ => values.extend(bytes.into_iter().map(f64::from)),
+    }
     let mut shape = vec![frame.height as usize, frame.width as usize];
     if frame.color_type.samples() > 1 {
         shape.push(frame.color_type.samples());

@@ -14,8 +14,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// with chords that are shorter than they are. Local searches from bent lines end in the valleys next
     /// to them there. The starts in `options` are those of the first search.
     ///
-    /// It costs about `2^D` times as many evaluations of the metric as there are nodes, and damped Newton
-    /// steps with `n` chords.
+    /// It costs an evaluation of the metric at each node, and damped Newton steps with `n` chords.
     ///
     /// # Errors
     ///
@@ -28,13 +27,19 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         lattice: &Lattice<D>,
         options: &Options<D>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
-        if n == 0 {
-            return Err(SolveError::NoSubinterval);
+        let first = self.solve_with(rule, n, options);
+        // A number of chords that is no grid, or for which there is no memory, is none for the path.
+        if let Err(
+            SolveError::NoSubinterval
+            | SolveError::TooManySubintervals { .. }
+            | SolveError::OutOfMemory { .. },
+        ) = first
+        {
+            return first;
         }
         let path = graph_path(&**self.prepared(), self.ends(), lattice, n)?;
         let along = Options { starts: Starts::OnTheGrid(vec![path]), ..options.clone() };
-        let lines = [self.solve_with(rule, n, options), self.solve_with(rule, n, &along)];
-        match lines {
+        match [first, self.solve_with(rule, n, &along)] {
             [Ok(first), Ok(second)] => {
                 // A line whose length is NaN is not the shorter one.
                 let is_shorter = second.length().value < first.length().value;

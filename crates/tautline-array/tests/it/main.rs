@@ -19,6 +19,9 @@ fn a_component_is_an_entry_of_the_last_axes() {
         let error = ArrayError::Component { index: index.to_vec(), shape: vec![2, 3, 4] };
         assert_eq!(array.component(index), Err(error));
     }
+    // The product of the last axes overflows, and no number is there.
+    let huge = Array::new(vec![0, 1 << 40, 1 << 40], Vec::new()).expect("an array");
+    assert_eq!(huge.component(&[0, 0]).expect("an entry of nothing").shape(), [0]);
     let empty = Array::new(vec![0, 2], Vec::new()).expect("an array");
     assert_eq!(empty.component(&[1]).expect("a column").shape(), [0]);
 }

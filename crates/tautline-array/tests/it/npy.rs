@@ -79,6 +79,16 @@ fn the_length_of_a_header_has_four_bytes_from_version_2_on() {
 }
 
 #[test]
+fn another_version_is_refused() {
+    for version in [0, 4, 255] {
+        let mut wrong = file(&header("|u1", "(1,)"), &[7]);
+        wrong[6] = version;
+        let error = Array::read(&wrong).expect_err("a version").to_string();
+        assert!(error.contains(&format!("its version is {version}; expected 1 to 3")), "{error}");
+    }
+}
+
+#[test]
 fn a_file_that_ends_early_or_late_is_refused() {
     let whole = file(&header("<f8", "(3,)"), &[0; 24]);
     assert!(Array::read(&whole).is_ok());

@@ -61,6 +61,20 @@ fn channels_are_the_last_axis() {
     assert_eq!(array.component(&[0]).expect("red").values(), [1.0, 9.0, 1.0, 9.0, 1.0, 9.0]);
 }
 
+/// Its pixels take 1000 times as many bytes as the file.
+#[test]
+fn a_blank_picture_is_small_in_its_file() {
+    let mut file = Vec::new();
+    let encoder = Encoder::new(&mut file, 1000, 1000);
+    let mut writer = encoder.write_header().expect("a header");
+    // One byte for eight pixels would be one bit; the default is eight bits of grey.
+    writer.write_image_data(&vec![0; 1_000_000]).expect("data");
+    writer.finish().expect("an end");
+    assert!(file.len() < 20_000, "{}", file.len());
+    let array = Array::read(&file).expect("a picture");
+    assert_eq!((array.shape(), array.values().iter().sum::<f64>()), (&[1000, 1000][..], 0.0));
+}
+
 #[test]
 fn a_broken_picture_is_refused() {
     let whole = picture(ColorType::Grayscale, BitDepth::Eight, &[0, 1, 2, 253, 254, 255]);

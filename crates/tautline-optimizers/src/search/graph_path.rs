@@ -7,7 +7,7 @@
 use std::{cmp::Reverse, collections::BinaryHeap};
 
 use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::{PointSequence, SequenceError};
+use tautline_discretizations::{LARGEST_N, PointSequence, SequenceError};
 use tautline_formula::Batches;
 use tautline_metrics::check_matrix;
 use tautline_sets::{ClosedSet, Ends};
@@ -15,15 +15,19 @@ use tautline_sets::{ClosedSet, Ends};
 /// The largest dimension with lattices: the number of nodes is a power of it.
 const LARGEST_DIMENSION: usize = 4;
 
-/// The largest number of nodes: with the metric of each, half a gigabyte in the plane.
+/// The largest number of nodes: the metrics of all take 0.3 GB in the plane and 1.2 GB in four
+/// dimensions, and the heap of the search about as much.
 const MOST_NODES: usize = 1 << 23;
 
 /// Why there is no path along a lattice.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GraphPathError {
-    /// The lattice is no box with positive sides and spacing.
-    #[error("coordinate {axis} of a lattice from {lower} to {upper} with the spacing {spacing}")]
+    /// The lattice is no box with a positive spacing.
+    #[error(
+        "coordinate {axis} of a lattice from {lower} to {upper} with the spacing {spacing}; expected \
+         numbers in order, and a positive spacing"
+    )]
     Box {
         /// The coordinate, from 1.
         axis: usize,
@@ -33,6 +37,12 @@ pub enum GraphPathError {
         upper: f64,
         /// The spacing, in `ℓ`.
         spacing: f64,
+    },
+    /// A path is divided into 1 to [`LARGEST_N`] chords.
+    #[error("a path of {n} chords; expected 1 to {LARGEST_N}")]
+    Chords {
+        /// The number of chords.
+        n: usize,
     },
     /// There are too many nodes.
     #[error("a lattice of {nodes:e} nodes; at most {MOST_NODES} are possible")]
@@ -64,7 +74,7 @@ pub enum GraphPathError {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lattice<const D: usize> {
     lower: SVector<f64, D>,
-    spacing: f64,
+    spacing: SVector<f64, D>,
     /// The number of nodes along each axis. The last axis varies fastest.
     counts: [usize; D],
 }
@@ -74,31 +84,46 @@ impl<const D: usize> Lattice<D> {
     ///
     /// # Errors
     ///
-    /// [`GraphPathError::Dimension`], [`GraphPathError::Box`] if a side is not positive and finite, and
-    /// [`GraphPathError::TooManyNodes`].
+    /// Those of [`with_spacings`](Lattice::with_spacings).
     pub fn new(
         lower: impl Into<SVector<f64, D>>,
         upper: impl Into<SVector<f64, D>>,
         spacing: f64,
     ) -> Result<Self, GraphPathError> {
-        let (lower, upper) = (lower.into(), upper.into());
+        Self::with_spacings(lower, upper, SVector::from_element(spacing))
+    }
+
+    /// Returns the lattice of the nodes up to `upper` that has a spacing of its own along each axis, all in
+    /// `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// [`GraphPathError::Dimension`], [`GraphPathError::Box`] if an end or a spacing is not finite, if the
+    /// ends are not in order, or if a spacing is not positive, and [`GraphPathError::TooManyNodes`].
+    pub fn with_spacings(
+        lower: impl Into<SVector<f64, D>>,
+        upper: impl Into<SVector<f64, D>>,
+        spacing: impl Into<SVector<f64, D>>,
+    ) -> Result<Self, GraphPathError> {
+        let (lower, upper, spacing) = (lower.into(), upper.into(), spacing.into());
         if D == 0 || D > LARGEST_DIMENSION {
             return Err(GraphPathError::Dimension { dimension: D });
         }
         let mut nodes = 1.0;
         let mut counts = [0; D];
         for i in 0..D {
-            // Rounding must not lose the last node.
-            let steps = ((upper[i] - lower[i]) / spacing * (1.0 + 4.0 * f64::EPSILON)).floor();
-            if !(spacing > 0.0 && steps >= 0.0 && lower[i].is_finite() && upper[i].is_finite()) {
-                let (lower, upper) = (lower[i], upper[i]);
+            let (lower, upper, spacing) = (lower[i], upper[i], spacing[i]);
+            // Both ends, their difference and the quotient are rounded. This must not lose the last node.
+            let rounding = 4.0 * f64::EPSILON * (lower.abs() + upper.abs()) / spacing;
+            let steps = ((upper - lower) / spacing + rounding).floor();
+            if !(spacing > 0.0 && lower <= upper && steps.is_finite()) {
                 return Err(GraphPathError::Box { axis: i + 1, lower, upper, spacing });
             }
             nodes *= steps + 1.0;
+            if !(nodes <= MOST_NODES as f64) {
+                return Err(GraphPathError::TooManyNodes { nodes });
+            }
             counts[i] = steps as usize + 1;
-        }
-        if nodes > MOST_NODES as f64 {
-            return Err(GraphPathError::TooManyNodes { nodes });
         }
         Ok(Self { lower, spacing, counts })
     }
@@ -121,7 +146,7 @@ impl<const D: usize> Lattice<D> {
 
     fn point(&self, node: usize) -> SVector<f64, D> {
         let place = self.place(node);
-        SVector::from_fn(|i, _| self.lower[i] + self.spacing * place[i] as f64)
+        SVector::from_fn(|i, _| self.lower[i] + self.spacing[i] * place[i] as f64)
     }
 
     /// Returns the neighbour of a node at this offset, if the lattice has it.
@@ -171,6 +196,9 @@ pub fn graph_path<const D: usize>(
     lattice: &Lattice<D>,
     n: usize,
 ) -> Result<PointSequence<D>, GraphPathError> {
+    if n == 0 || n > LARGEST_N {
+        return Err(GraphPathError::Chords { n });
+    }
     let count = lattice.nodes();
     let gram: Vec<Option<SMatrix<f64, D, D>>> = (0..count)
         .map(|node| {
@@ -178,14 +206,19 @@ pub fn graph_path<const D: usize>(
             check_matrix(metric.gram(&x), &x).ok()
         })
         .collect();
-    let norm = |h: &SMatrix<f64, D, D>, d: &SVector<f64, D>| d.dot(&(h * d)).max(0.0).sqrt();
+    let norm = |h: &SMatrix<f64, D, D>, d: &SVector<f64, D>| {
+        let square = d.dot(&(h * d));
+        // A chord whose length overflows is infinitely long.
+        if square >= 0.0 { square.sqrt() } else { f64::INFINITY }
+    };
     // The nodes near a set, with the nearest point and the length of the chord to it.
     let near = |set: &dyn ClosedSet<D>, end| {
         let nodes = gram.iter().enumerate().filter_map(|(node, h)| {
             let x = lattice.point(node);
             let nearest = set.project(&x);
             let chord = x - nearest;
-            (chord.amax() <= lattice.spacing).then_some((node, nearest, norm(h.as_ref()?, &chord)))
+            let is_near = (0..D).all(|i| chord[i].abs() <= lattice.spacing[i]);
+            is_near.then_some((node, nearest, norm(h.as_ref()?, &chord)))
         });
         let nodes: Vec<_> = nodes.collect();
         if nodes.is_empty() { Err(GraphPathError::FarFromEnd { end }) } else { Ok(nodes) }
@@ -194,7 +227,7 @@ pub fn graph_path<const D: usize>(
 
     let steps: Vec<([isize; D], SVector<f64, D>)> = offsets::<D>()
         .into_iter()
-        .map(|offset| (offset, SVector::from_fn(|i, _| lattice.spacing * offset[i] as f64)))
+        .map(|offset| (offset, SVector::from_fn(|i, _| lattice.spacing[i] * offset[i] as f64)))
         .collect();
     let (mut lengths, mut before) = (vec![f64::INFINITY; count], vec![u32::MAX; count]);
     let mut heap = BinaryHeap::new();

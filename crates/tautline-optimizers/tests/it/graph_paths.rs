@@ -110,6 +110,52 @@ fn a_path_joins_sets_at_points_of_theirs() {
     assert_eq!(error, Err(GraphPathError::FarFromEnd { end: "first" }));
 }
 
+/// The cost `1 + x₁`, whose length from 0 is `x + x²/2`. The mean of both ends of an edge is exact.
+#[test]
+fn chords_have_equal_lengths_under_the_metric() {
+    struct Rising;
+    impl Metric<1> for Rising {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+            SMatrix::from_diagonal_element((x[0] + 1.0).sqr())
+        }
+    }
+    let (spacing, n) = (1.0 / 64.0, 10);
+    let lattice = Lattice::new([0.0], [2.0], spacing).expect("a lattice");
+    let ends = Ends::points([0.0], [2.0]).expect("finite");
+    let path = graph_path(&Prepared::new(&Rising), &ends, &lattice, n).expect("a path");
+    for (k, x) in path.points().iter().enumerate() {
+        // Steps of two edges are taken, between whose ends the length is linear: off by (2h)²/8.
+        let length = x[0] + x[0] * x[0] / 2.0;
+        assert!((length - 4.0 * k as f64 / n as f64).abs() <= 0.5 * spacing * spacing + 1e-14);
+    }
+    let refused = graph_path(&Prepared::new(&Rising), &ends, &lattice, 1 << 40);
+    assert_eq!(refused, Err(GraphPathError::Chords { n: 1 << 40 }));
+}
+
+/// Far from 0 the ends of a lattice are rounded more than its spacing.
+#[test]
+fn rounding_loses_no_node() {
+    for origin in [1.0, 100.1, 1e4 + 0.3] {
+        for spacing in [0.1, 0.2, 0.3, 0.7] {
+            for steps in [3, 7, 100] {
+                let last = origin + spacing * f64::from(steps);
+                let lattice = Lattice::new([origin], [last], spacing).expect("a lattice");
+                assert_eq!(lattice.nodes(), steps as usize + 1, "{origin} + {steps} of {spacing}");
+            }
+        }
+    }
+}
+
+#[test]
+fn axes_may_have_spacings_of_their_own() {
+    let metric = Prepared::new(euclidean::<2>());
+    let lattice = Lattice::with_spacings([0.0, 0.0], [100.0, 1.0], [10.0, 0.1]).expect("a lattice");
+    assert_eq!(lattice.nodes(), 11 * 11);
+    let ends = Ends::points([0.0, 0.0], [100.0, 1.0]).expect("finite");
+    let path = graph_path(&metric, &ends, &lattice, 7).expect("a path");
+    assert!((length(&path) - 10_001_f64.sqrt()).abs() < 1e-9);
+}
+
 /// `1/x₁` is negative on the left, where there is no metric.
 #[test]
 fn nodes_without_a_metric_are_left_out() {
@@ -139,6 +185,7 @@ fn what_is_no_lattice_is_refused() {
         ([0.0, 0.0], [1.0, 1.0], -0.5, "coordinate 1"),
         ([0.0, f64::NAN], [1.0, 1.0], 0.1, "coordinate 2"),
         ([f64::NEG_INFINITY, 0.0], [1.0, 1.0], 0.1, "coordinate 1"),
+        ([0.0, 0.0], [1e30, 1.0], 1e-3, "nodes; at most"),
         ([0.0, 0.0], [1e9, 1e9], 1e-3, "e24 nodes; at most 8388608"),
     ] {
         assert!(

@@ -64,7 +64,7 @@ impl Solve {
             let LatticeFile { lower, upper, spacing } = lattice.get_ref();
             let [lower, upper] =
                 [numbers.vector(lower, dimension)?, numbers.vector(upper, dimension)?];
-            let nodes = Nodes { lower, upper, spacing: numbers.number(spacing)? };
+            let nodes = Nodes { lower, upper, spacing: vec![numbers.number(spacing)?] };
             Ok(Placed::at(lattice.span(), nodes))
         });
         let lattice = lattice.transpose()?;

@@ -1,6 +1,8 @@
 //! `Request`: how a problem is to be solved.
 
-use tautline::{Constants, Lattice, Options, PointSequence, SolveError, Starts, certify::Accuracy};
+use tautline::{
+    Constants, Lattice, Options, PointSequence, SVector, SolveError, Starts, certify::Accuracy,
+};
 
 use super::GivenError;
 use crate::{
@@ -53,8 +55,8 @@ pub struct Nodes {
     pub lower: Vec<f64>,
     /// The corner at which the nodes end, in `ℓ`.
     pub upper: Vec<f64>,
-    /// The distance of neighbouring nodes, in `ℓ`.
-    pub spacing: f64,
+    /// The distance of neighbouring nodes, in `ℓ`: one number, or one for each axis.
+    pub spacing: Vec<f64>,
 }
 
 impl Nodes {
@@ -66,8 +68,16 @@ impl Nodes {
                 return Err(GivenError::Coordinates { what, found, dimension: D });
             }
         }
+        let spacing = match self.spacing[..] {
+            [spacing] => SVector::from_element(spacing),
+            ref each if each.len() == D => vector::<D>(each),
+            ref each => {
+                let (what, found) = ("the spacing of a lattice", each.len());
+                return Err(GivenError::Coordinates { what, found, dimension: D });
+            }
+        };
         let [lower, upper] = [&self.lower, &self.upper].map(|corner| vector::<D>(corner));
-        Ok(Lattice::new(lower, upper, self.spacing).map_err(SolveError::from)?)
+        Ok(Lattice::with_spacings(lower, upper, spacing).map_err(SolveError::from)?)
     }
 }
 

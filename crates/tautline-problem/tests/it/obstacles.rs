@@ -82,7 +82,7 @@ fn what_is_wrong_with_obstacles_is_underlined() {
         ("margin = 0.003\n", "", "[obstacles]", "margin is missing"),
         ("[0, 0]", "[0, 0, 0]", "[0, 0, 0]", "3 coordinates in dimension 2"),
         ("ball = { centre = [0, 0], radius = 1 }", "negative = \"y\"", "y", "unknown name y"),
-        ("ball = {", "box = {", "box", "unknown word box"),
+        ("ball = {", "box = {", "box", "unknown key box"),
     ] {
         let file = FILE.replace(from, to);
         let solved =

@@ -32,6 +32,14 @@ fn the_shorter_of_both_lines_is_returned() {
     // A lattice that does not reach the gap finds nothing better.
     let low = on([-2.0, -1.0], [2.0, 1.0], 0.05).expect("a line").length().value;
     assert!(low <= automatic && low > 15.0, "{low} beside {automatic}");
+    for n in [0, usize::MAX] {
+        let lattice = Lattice::new([-2.0, -1.0], [2.0, 4.0], 0.5).expect("a lattice");
+        let refused = problem.solve_on_lattice(Trapezoidal, n, &lattice, &options);
+        assert_eq!(
+            refused.expect_err("no grid"),
+            problem.solve(Trapezoidal, n).expect_err("no grid")
+        );
+    }
     let far = on([4.0, 4.0], [5.0, 5.0], 0.1).expect_err("no path");
     assert_eq!(far, SolveError::GraphPath(GraphPathError::FarFromEnd { end: "first" }));
 }
