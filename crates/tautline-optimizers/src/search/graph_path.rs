@@ -200,12 +200,9 @@ pub fn graph_path<const D: usize>(
         return Err(GraphPathError::Chords { n });
     }
     let count = lattice.nodes();
-    let gram: Vec<Option<SMatrix<f64, D, D>>> = (0..count)
-        .map(|node| {
-            let x = lattice.point(node);
-            check_matrix(metric.gram(&x), &x).ok()
-        })
-        .collect();
+    let gram_at = |x: &SVector<f64, D>| check_matrix(metric.gram(x), x).ok();
+    let gram: Vec<Option<SMatrix<f64, D, D>>> =
+        (0..count).map(|node| gram_at(&lattice.point(node))).collect();
     let norm = |h: &SMatrix<f64, D, D>, d: &SVector<f64, D>| {
         let square = d.dot(&(h * d));
         // A chord whose length overflows is infinitely long.
@@ -218,7 +215,8 @@ pub fn graph_path<const D: usize>(
             let nearest = set.project(&x);
             let chord = x - nearest;
             let is_near = (0..D).all(|i| chord[i].abs() <= lattice.spacing[i]);
-            is_near.then_some((node, nearest, norm(h.as_ref()?, &chord)))
+            let (h, other) = (h.as_ref().filter(|_| is_near)?, gram_at(&nearest)?);
+            Some((node, nearest, 0.5 * (norm(h, &chord) + norm(&other, &chord))))
         });
         let nodes: Vec<_> = nodes.collect();
         if nodes.is_empty() { Err(GraphPathError::FarFromEnd { end }) } else { Ok(nodes) }
