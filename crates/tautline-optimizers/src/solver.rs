@@ -6,16 +6,17 @@
 //! fine ones, and a [candidate](Candidate) for each local minimiser that is followed from grid to
 //! grid.
 
-use tautline_discretizations::{LARGEST_N, PointSequence};
+use tautline_discretizations::LARGEST_N;
 use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
     Minimum, Options, Other, SolveError, Starts, Workspace,
     newton::discrete_energy::DiscreteEnergy,
     search::{
-        candidate::{Candidate, DIFFERENT, are_apart, lowest_first},
+        candidate::{Candidate, DIFFERENT, lowest_first},
         grids::{SMALL, grids},
         local_search::{Found, LocalSearch},
+        others::lowest_different,
     },
 };
 
@@ -50,7 +51,8 @@ pub(crate) fn solve<const D: usize>(
     let rest = rest.into_iter().chain(left_behind);
     let mut others: Vec<_> = rest.filter_map(Candidate::into_other).collect();
     others.append(&mut search.ties);
-    let others = different(others, &lowest.found.sequence, energy);
+    let is_defined = |other: &Other<D>| energy.check_between(&other.sequence).is_ok();
+    let others = lowest_different(others, &lowest.found.sequence, &is_defined);
     Ok(lowest.into_minimum(search.iterations, local_minima.unwrap_or_default(), others))
 }
 
@@ -301,33 +303,6 @@ impl<'a, const D: usize> Search<'a, D> {
         let refused = defect.map(SolveError::Metric).or(self.refused.take());
         Err(refused.unwrap_or(SolveError::NoStart))
     }
-}
-
-/// The largest number of local minimisers that are returned besides the result.
-const OTHERS: usize = 7;
-
-/// Returns those of the other local minimisers that run along different curves, where the metric is
-/// defined, lowest first.
-fn different<const D: usize>(
-    mut others: Vec<Other<D>>,
-    lowest: &PointSequence<D>,
-    energy: &DiscreteEnergy<'_, D>,
-) -> Vec<Other<D>> {
-    others.sort_by(|a, b| a.energy.total_cmp(&b.energy));
-    let mut kept: Vec<Other<D>> = Vec::new();
-    for other in others {
-        let is_new = |known: &PointSequence<D>| are_apart(&other.sequence, known);
-        if is_new(lowest)
-            && kept.iter().all(|known| is_new(&known.sequence))
-            && energy.check_between(&other.sequence).is_ok()
-        {
-            kept.push(other);
-        }
-        if kept.len() == OTHERS {
-            break;
-        }
-    }
-    kept
 }
 
 /// Returns the energies of the candidates that converged.

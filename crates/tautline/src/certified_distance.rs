@@ -130,10 +130,10 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         for other in self.other_minima() {
             let length = other.length().value;
             if length < NEARLY * self.length().value {
-                curves.push((length, other.refined(wanted.gap)?));
+                let place = curves.partition_point(|(shorter, _)| *shorter <= length);
+                curves.insert(place, (length, other.refined(wanted.gap)?));
             }
         }
-        curves.sort_by(|a, b| a.0.total_cmp(&b.0));
         let curves: Vec<_> = curves.into_iter().map(|(_, curve)| curve).collect();
         Ok(search(&formula, &sets, &curves, wanted, observe)?)
     }

@@ -1,20 +1,28 @@
 //! `Problem::solve_on_lattice`: a search that also starts from a shortest path along a lattice.
 
-use tautline_discretizations::Rule;
+use std::sync::Arc;
+
+use tautline_discretizations::{PointSequence, Rule};
 use tautline_metrics::Metric;
-use tautline_optimizers::{Lattice, Options, SolveError, Starts, graph_path};
+use tautline_optimizers::{
+    Lattice, Level, Minimum, Options, Other, SolveError, Starts, are_apart, graph_path,
+    lowest_different,
+};
 
 use crate::{Problem, TautLine};
 
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// Solves like [`solve_with`](Problem::solve_with), and once more on the grid of `n` chords from a
-    /// [shortest path along a lattice](graph_path). Returns the shorter of the two lines.
+    /// [shortest path along a lattice](graph_path). Returns the shorter of the two lines; the other one is
+    /// among its [other minima](TautLine::other_minima), if it is a local minimum elsewhere.
     ///
     /// Use it for a metric with many hills, such as a measured one, with the spacing of its details and
     /// with chords that are shorter than they are. Local searches from bent lines end in the valleys next
     /// to them there. The starts in `options` are those of the first search.
     ///
-    /// It costs an evaluation of the metric at each node, and damped Newton steps with `n` chords.
+    /// It costs an evaluation of the metric at each node, and damped Newton steps with `n` chords. A line
+    /// from the path is then followed back to `n/2` and `n/4` chords, for the
+    /// [extrapolation](TautLine::distance_squared_estimate).
     ///
     /// # Errors
     ///
@@ -38,15 +46,71 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
             return first;
         }
         let path = graph_path(&**self.prepared(), self.ends(), lattice, n)?;
-        let along = Options { starts: Starts::OnTheGrid(vec![path]), ..options.clone() };
-        match [first, self.solve_with(rule, n, &along)] {
+        match [first, self.solve_on_the_grid(rule, n, path, options)] {
             [Ok(first), Ok(second)] => {
                 // A line whose length is NaN is not the shorter one.
                 let is_shorter = second.length().value < first.length().value;
-                Ok(if is_shorter || first.length().value.is_nan() { second } else { first })
+                Ok(if is_shorter || first.length().value.is_nan() {
+                    self.with_coarser_grids(second, options).beside(&first)
+                } else {
+                    first.beside(&second)
+                })
             }
-            [Ok(line), Err(_)] | [Err(_), Ok(line)] => Ok(line),
+            [Ok(line), Err(_)] => Ok(line),
+            [Err(_), Ok(line)] => Ok(self.with_coarser_grids(line, options)),
             [Err(error), Err(_)] => Err(error),
         }
+    }
+
+    fn solve_on_the_grid<R: Rule>(
+        &self,
+        rule: R,
+        n: usize,
+        start: PointSequence<D>,
+        options: &Options<D>,
+    ) -> Result<TautLine<M, R, D>, SolveError> {
+        let starts = Starts::OnTheGrid(vec![start]);
+        self.solve_with(rule, n, &Options { starts, ..options.clone() })
+    }
+
+    /// Adds the energies on the grids of half and a quarter of the chords, as far as there is a minimum
+    /// next to the line.
+    fn with_coarser_grids<R: Rule>(
+        &self,
+        line: TautLine<M, R, D>,
+        options: &Options<D>,
+    ) -> TautLine<M, R, D> {
+        let n = line.sequence().n().get();
+        let mut minimum = line.minimum().clone();
+        for coarser in [2, 4].map(|factor| n.div_ceil(factor)).into_iter().filter(|&m| m < n) {
+            let start = line.sequence().clone();
+            let found = self.solve_on_the_grid(line.rule(), coarser, start, options);
+            let Ok(found) = found else { break };
+            let found = found.minimum();
+            minimum.iterations += found.iterations;
+            if !found.is_local_minimum() || are_apart(&found.sequence, line.sequence()) {
+                break;
+            }
+            minimum.levels.insert(0, Level { n: coarser, energy: found.energy });
+        }
+        line.with_minimum(minimum)
+    }
+}
+
+impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+    /// Adds another line, and what was met on the way to it, to the other minima.
+    fn beside(self, line: &Self) -> Self {
+        let (mut minimum, found) = (self.minimum().clone(), line.minimum());
+        minimum.iterations += found.iterations;
+        let own = Other { sequence: found.sequence.clone(), energy: found.energy };
+        let own = found.is_local_minimum().then_some(own);
+        let mut met: Vec<Other<D>> = std::mem::take(&mut minimum.others);
+        met.extend(own.into_iter().chain(found.others.iter().cloned()));
+        minimum.others = lowest_different(met, self.sequence(), &|_| true);
+        self.with_minimum(minimum)
+    }
+
+    fn with_minimum(self, minimum: Minimum<D>) -> Self {
+        Self::new(Arc::clone(self.prepared()), self.rule(), self.ends().clone(), minimum)
     }
 }

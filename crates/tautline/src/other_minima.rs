@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
 use tautline_metrics::Metric;
-use tautline_optimizers::{Options, Starts, Workspace, are_apart, minimise_by_batches};
+use tautline_optimizers::{Minimum, Options, Starts, Workspace, are_apart, minimise_by_batches};
 use tautline_sets::{ClosedSet, Ends};
 
 use crate::TautLine;
@@ -38,18 +38,28 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         let (n, mut workspace) = (self.sequence().n().get().min(FINEST), Workspace::default());
         let mut others: Vec<Self> = Vec::new();
         for other in &self.minimum().others {
-            let starts = Starts::Only(vec![other.sequence.clone()]);
-            let options = Options { starts, ..Options::default() };
             let (metric, rule) = (Arc::clone(self.prepared()), self.rule());
             let Some(ends) = nearest_pair(self.ends(), &other.sequence) else { continue };
-            let found = minimise_by_batches(&mut workspace, &*metric, &ends, rule, n, &options);
-            let Ok(found) = found else { continue };
-            let is_new = |line: &Self| are_apart(&found.sequence, line.sequence());
-            if found.is_local_minimum() && is_new(self) && others.iter().all(is_new) {
-                others.push(Self::new(metric, rule, ends, found));
+            let mut from = |starts| {
+                let options = Options { starts, ..Options::default() };
+                let found = minimise_by_batches(&mut workspace, &*metric, &ends, rule, n, &options);
+                let found = found.ok().filter(Minimum::is_local_minimum)?;
+                let is_new = |line: &Self| are_apart(&found.sequence, line.sequence());
+                (is_new(self) && others.iter().all(is_new)).then_some(found)
+            };
+            let start = || vec![other.sequence.clone()];
+            // Coarser grids lead elsewhere from a line whose turns are closer than their chords.
+            let is_on_the_grid = other.sequence.n().get() >= n;
+            let found = from(Starts::Only(start()))
+                .filter(|found| !is_on_the_grid || !are_apart(&found.sequence, &other.sequence))
+                .or_else(|| from(Starts::OnTheGrid(is_on_the_grid.then(start)?)));
+            if let Some(found) = found {
+                let line = Self::new(metric, rule, ends, found);
+                let length = line.length().value;
+                let is_shorter = |other: &Self| other.length().value.total_cmp(&length).is_le();
+                others.insert(others.partition_point(is_shorter), line);
             }
         }
-        others.sort_by(|a, b| a.length().value.total_cmp(&b.length().value));
         others
     }
 }

@@ -153,7 +153,7 @@ fn level<const D: usize>(found: &Found<D>) -> Level {
 
 /// Returns the indices that sort the keys stably. If candidates were sorted directly, the sort
 /// would be compiled once for each dimension.
-fn by_key(keys: &[(bool, f64)]) -> Vec<usize> {
+pub(crate) fn by_key(keys: &[(bool, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..keys.len()).collect();
     order.sort_by(|&a, &b| keys[a].0.cmp(&keys[b].0).then(keys[a].1.total_cmp(&keys[b].1)));
     order

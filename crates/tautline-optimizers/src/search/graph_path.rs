@@ -228,13 +228,14 @@ pub fn graph_path<const D: usize>(
         .map(|offset| (offset, SVector::from_fn(|i, _| lattice.spacing[i] * offset[i] as f64)))
         .collect();
     let (mut lengths, mut before) = (vec![f64::INFINITY; count], vec![u32::MAX; count]);
+    // Lengths are not negative, so that their bits have the same order.
     let mut heap = BinaryHeap::new();
     for &(node, _, length) in &first {
         lengths[node] = length;
-        heap.push(Reverse((Ordered(length), node as u32)));
+        heap.push(Reverse((length.to_bits(), node as u32)));
     }
-    while let Some(Reverse((Ordered(length), node))) = heap.pop() {
-        let here = node as usize;
+    while let Some(Reverse((length, node))) = heap.pop() {
+        let (length, here) = (f64::from_bits(length), node as usize);
         if length > lengths[here] {
             continue;
         }
@@ -246,7 +247,7 @@ pub fn graph_path<const D: usize>(
             let longer = length + 0.5 * (norm(h, chord) + norm(other, chord));
             if longer < lengths[there] {
                 (lengths[there], before[there]) = (longer, node);
-                heap.push(Reverse((Ordered(longer), there as u32)));
+                heap.push(Reverse((longer.to_bits(), there as u32)));
             }
         }
     }
@@ -288,22 +289,4 @@ fn of_equal_chords<const D: usize>(
         a + (b - a) * t
     };
     (0..=n).map(&mut at).collect()
-}
-
-/// A length with the order of [`f64::total_cmp`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Ordered(f64);
-
-impl Eq for Ordered {}
-
-impl PartialOrd for Ordered {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Ordered {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
 }

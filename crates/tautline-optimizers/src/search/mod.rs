@@ -9,6 +9,7 @@ pub(crate) mod lengthening;
 pub(crate) mod line_minimum;
 pub(crate) mod local_search;
 pub(crate) mod minimum;
+pub(crate) mod others;
 pub(crate) mod prolongation;
 pub(crate) mod refinement;
 pub(crate) mod saddle;

@@ -1,8 +1,8 @@
 //! Searches that also start from a shortest path along a lattice.
 
 use tautline::{
-    Ends, GraphPathError, Lattice, Metric, Options, Problem, SMatrix, SVector, Scalar, SolveError,
-    Trapezoidal,
+    Ends, GraphPathError, Lattice, Metric, Options, PointSequence, Problem, SMatrix, SVector,
+    Scalar, SolveError, Starts, TautLine, Trapezoidal,
 };
 
 /// The cost 1, and about 100 on a wall along `x₁ = 0` with a gap at `x₂ = 3`.
@@ -17,6 +17,17 @@ impl Metric<2> for Wall {
     }
 }
 
+/// Returns the energy on a finer grid, from the same line.
+fn on_a_grid_of(
+    n: usize,
+    problem: &Problem<Wall, 2>,
+    line: &TautLine<Wall, Trapezoidal, 2>,
+) -> f64 {
+    let starts = Starts::OnTheGrid(vec![line.sequence().clone()]);
+    let options = Options { starts, ..Options::default() };
+    problem.solve_with(Trapezoidal, n, &options).expect("a line").discrete_energy()
+}
+
 #[test]
 fn the_shorter_of_both_lines_is_returned() {
     let problem = Problem::new(Wall, Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite"));
@@ -29,6 +40,18 @@ fn the_shorter_of_both_lines_is_returned() {
     // √40 is the way to the gap and back, without the wall.
     let found = on([-2.0, -1.0], [2.0, 4.0], 0.05).expect("a line");
     assert!((6.3..7.0).contains(&found.length().value) && automatic > 15.0);
+    // The line through the wall is another minimum.
+    let others = found.other_minima();
+    let through = others.iter().map(|other| other.length().value);
+    assert!(through.clone().any(|length| (length - automatic).abs() < 1e-9 * automatic));
+    // The limit of 128, 256 and 512 chords; that of 2048 chords is off by 1/15 of what is between it and
+    // 512, as errors fall with the square.
+    let levels: Vec<usize> = found.minimum().levels.iter().map(|level| level.n).collect();
+    assert_eq!(levels, [128, 256, 512]);
+    let estimate = found.distance_squared_estimate().expect("three grids");
+    let fine = on_a_grid_of(2048, &problem, &found);
+    let off = (found.discrete_energy() - fine).abs() / 15.0;
+    assert!((estimate.value - fine).abs() <= estimate.error + off, "{estimate:?} beside {fine}");
     // A lattice that does not reach the gap finds nothing better.
     let low = on([-2.0, -1.0], [2.0, 1.0], 0.05).expect("a line").length().value;
     assert!(low <= automatic && low > 15.0, "{low} beside {automatic}");
@@ -42,4 +65,21 @@ fn the_shorter_of_both_lines_is_returned() {
     }
     let far = on([4.0, 4.0], [5.0, 5.0], 0.1).expect_err("no path");
     assert_eq!(far, SolveError::GraphPath(GraphPathError::FarFromEnd { end: "first" }));
+}
+
+/// If the line from the path is the longer one, it is another minimum, with all of its turns.
+#[test]
+fn the_longer_line_is_another_minimum() {
+    let problem = Problem::new(Wall, Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite"));
+    let corners = [[-1.0, 0.0], [0.0, 3.0], [1.0, 0.0]].map(SVector::from);
+    let through_the_gap = PointSequence::new(corners.to_vec()).expect("finite");
+    let options =
+        Options { starts: Starts::OnTheGrid(vec![through_the_gap]), ..Options::default() };
+    // The lattice ends below the gap.
+    let lattice = Lattice::new([-2.0, -1.0], [2.0, 1.0], 0.05).expect("a lattice");
+    let line = problem.solve_on_lattice(Trapezoidal, 512, &lattice, &options).expect("a line");
+    assert!((6.3..7.0).contains(&line.length().value));
+    let others = line.other_minima();
+    let [other] = &others[..] else { panic!("{} others", others.len()) };
+    assert!(other.length().value > 15.0 && other.minimum().is_local_minimum());
 }
