@@ -1,5 +1,7 @@
 //! `solve_all`: many problems at once.
 
+use std::sync::OnceLock;
+
 use rayon::prelude::*;
 use tautline_discretizations::Rule;
 use tautline_metrics::Metric;
@@ -60,7 +62,17 @@ where
     R: Rule,
 {
     let options = &Options { threads: 1, ..options.clone() };
-    let solve =
-        |workspace: &mut _, problem: &Problem<M, D>| problem.solve_in(workspace, rule, n, options);
-    problems.par_iter().map_init(Workspace::default, solve).collect()
+    let solved: Vec<OnceLock<_>> = problems.iter().map(|_| OnceLock::new()).collect();
+    for_each(problems.len(), &|workspace, index| {
+        // Each index comes once.
+        let _ = solved[index].set(problems[index].solve_in(workspace, rule, n, options));
+    });
+    let solved = solved.into_iter().map(OnceLock::into_inner);
+    solved.map(|line| line.unwrap_or(Err(SolveError::NoStart))).collect()
+}
+
+/// Calls `task` with each index below `count`, on all threads. Without a type for the task, the threads are
+/// compiled once for each dimension, not for each metric and rule.
+fn for_each<const D: usize>(count: usize, task: &(dyn Fn(&mut Workspace<D>, usize) + Sync)) {
+    (0..count).into_par_iter().for_each_init(Workspace::default, task);
 }
