@@ -32,11 +32,17 @@ impl Array {
     pub fn read(file: &[u8]) -> Result<Self, ArrayError> {
         if file.starts_with(npy::MAGIC) {
             npy::read(file)
-        } else if file.starts_with(picture::MAGIC) {
+        } else if Self::is_picture(file) {
             picture::read(file)
         } else {
             Err(ArrayError::Unknown)
         }
+    }
+
+    /// Returns whether the bytes begin as those of a PNG file, whose last axis, if it has three, are channels.
+    #[must_use]
+    pub fn is_picture(file: &[u8]) -> bool {
+        file.starts_with(picture::MAGIC)
     }
 
     /// Returns the lengths of the axes.

@@ -21,7 +21,7 @@ use crate::{
         pieces::{pieces, region, sampled},
         shape::Piece,
         solve::Solve,
-        tables::{Open, Tables, tables},
+        tables::{Open, Tables, no_file, tables},
         view::{View, view},
     },
     value::Nodes,
@@ -93,10 +93,7 @@ impl Question {
     ///
     /// [`Diagnostic`] with the place in the file.
     pub fn read(file: &str) -> Result<Self, Diagnostic> {
-        Self::read_with(
-            file,
-            &mut |_| Err("a table in another file, which is not read here".into()),
-        )
+        Self::read_with(file, &mut no_file)
     }
 
     /// Reads a problem file. `open` returns the bytes of a file with numbers, or why it cannot be read;

@@ -2,17 +2,12 @@
 
 use std::ops::Range;
 
-use tautline_problem::{Axis, Diagnostic, Open, Question, Sweep, Values};
+use tautline_problem::{Axis, Diagnostic, Open, Question, Sweep, Values, no_file};
 
 use crate::{PlanError, draw::unit, hash::Hash, result_row::COLUMNS};
 
 /// The largest number of problems: ids beyond it are not exact as floating-point numbers.
 pub(crate) const MOST: u64 = 1 << 53;
-
-/// What is said of tables in other files where none are read.
-pub(crate) fn elsewhere(_: &str) -> Result<Vec<u8>, String> {
-    Err("a table in another file, which is not read here".to_owned())
-}
 
 /// What the hash of a plan begins with. Another rule for the rows needs another number.
 const RULE: &str = "tautline plan 1\n";
@@ -36,7 +31,7 @@ impl Plan {
     ///
     /// [`PlanError`], with the place in the file if the file is wrong.
     pub fn read(file: &str) -> Result<Self, PlanError> {
-        Self::read_with(file, &mut elsewhere)
+        Self::read_with(file, &mut no_file)
     }
 
     /// Reads a sweep file: a problem file with a section `[sweep]`. `open` returns the bytes of a file

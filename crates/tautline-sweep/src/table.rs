@@ -2,9 +2,9 @@
 
 use std::{fmt::Write, ops::Range};
 
-use tautline_problem::Open;
+use tautline_problem::{Open, no_file};
 
-use crate::{Plan, PlanError, hash::DIGITS, plan::elsewhere};
+use crate::{Plan, PlanError, hash::DIGITS};
 
 /// How the table begins.
 const TITLE: &str = "# tautline plan 1";
@@ -21,7 +21,7 @@ impl Plan {
     ///
     /// [`PlanError`].
     pub fn of_text(text: &str) -> Result<Self, PlanError> {
-        Self::of_text_with(text, &mut elsewhere)
+        Self::of_text_with(text, &mut no_file)
     }
 
     /// Reads a sweep file, or the table of a plan with all its rows. `open` returns the bytes of a file

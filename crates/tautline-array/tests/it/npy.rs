@@ -32,6 +32,14 @@ fn files_of_numpy_are_read() {
     assert_eq!((array.shape(), array.values()), (&[2][..], &[1.0, 0.0][..]));
 }
 
+/// Python 2 wrote `(2L, 3L)`.
+#[test]
+fn lengths_may_end_in_the_letter_of_long_integers() {
+    let array = Array::read(&file(&header("|u1", "(2L, 1L)"), &[4, 5])).expect("an array");
+    assert_eq!((array.shape(), array.values()), (&[2, 1][..], &[4.0, 5.0][..]));
+    assert!(Array::read(&file(&header("|u1", "(L, 2)"), &[4, 5])).is_err());
+}
+
 #[test]
 fn each_type_of_number_is_read_in_both_orders_of_its_bytes() {
     macro_rules! check {

@@ -21,6 +21,15 @@ pub(crate) type Tables = Arc<[(String, Arc<dyn Table>)]>;
 /// Returns the bytes of a file with this name, or why it cannot be read.
 pub type Open<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
 
+/// Opens no file, for problems whose tables all stand in the text.
+///
+/// # Errors
+///
+/// Always.
+pub fn no_file(_: &str) -> Result<Vec<u8>, String> {
+    Err("a table in another file, which is not read here".to_owned())
+}
+
 /// Reads the tables of a file, in their order.
 pub(crate) fn tables(
     problem: &ProblemFile,
@@ -54,7 +63,14 @@ fn spline(
             let refuse =
                 |what: String| Diagnostic::new(format!("{}: {what}", file.get_ref()), file.span());
             let bytes = open(file.get_ref()).map_err(refuse)?;
-            (Array::read(&bytes).map_err(|error| refuse(error.to_string()))?, file.span())
+            let array = Array::read(&bytes).map_err(|error| refuse(error.to_string()))?;
+            if let (true, None, &[_, _, channels]) =
+                (Array::is_picture(&bytes), component, array.shape())
+            {
+                return Err(refuse(format!("the pixels have {channels} numbers each"))
+                    .help("component = [1] takes the first of them"));
+            }
+            (array, file.span())
         }
         (Some(_), Some(file)) => {
             return Err(Diagnostic::new("a file besides values", file.span())

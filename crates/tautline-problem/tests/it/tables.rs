@@ -73,6 +73,24 @@ fn other_parameters_keep_the_tables() {
     assert_ne!(other.formula::<2>().expect("3"), question.formula::<2>().expect("1"));
 }
 
+/// Three axes are those of a volume only if the file is no picture.
+#[test]
+fn a_picture_with_colours_needs_a_component() {
+    let mut picture = Vec::new();
+    let mut encoder = png::Encoder::new(&mut picture, 2, 3);
+    encoder.set_color(png::ColorType::Rgb);
+    let mut writer = encoder.write_header().expect("a header");
+    writer.write_image_data(&(0..18).collect::<Vec<u8>>()).expect("data");
+    writer.finish().expect("an end");
+    let file = GOOD.replace("values = [[1, 2.5], [3, 4], [2, 1]]", "file = \"h.png\"");
+    let refused = Question::read_with(&file, &mut |_| Ok(picture.clone())).expect_err("colours");
+    assert_eq!(refused.message, "h.png: the pixels have 3 numbers each");
+    assert!(refused.help.is_some_and(|help| help.contains("component = [1]")));
+    let green = file.replace("png\"", "png\"\ncomponent = [2]");
+    let values = vec![1.0, 4.0, 7.0, 10.0, 13.0, 16.0];
+    assert_eq!(formula(&green, &picture), expected(Spline::new(&[3, 2], values).expect("green")));
+}
+
 #[test]
 fn each_mistake_in_a_table_is_underlined() {
     let refused = |file: &str, bytes: &[u8]| -> Diagnostic {

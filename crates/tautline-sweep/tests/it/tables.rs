@@ -56,6 +56,35 @@ fn plans_with_different_files_have_different_hashes() {
     assert_ne!(first.hash(), Plan::read(&chords).expect("a plan").hash());
 }
 
+/// Returns a picture of two by two pixels of this brightness.
+fn picture(grey: u8) -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut writer = png::Encoder::new(&mut file, 2, 2).write_header().expect("a header");
+    writer.write_image_data(&[grey; 4]).expect("data");
+    writer.finish().expect("an end");
+    file
+}
+
+/// A picture ends before its file does, so that two pairs of files may be the same bytes in a row.
+#[test]
+fn the_end_of_one_file_is_not_the_beginning_of_the_next() {
+    let tables = "[tables.f]\nfile = \"f.png\"\n[tables.g]\nfile = \"g.png\"\n";
+    let text = file(SWEEP).replace("[metric]", &format!("{tables}[metric]"));
+    let text = text.replace("\"1 + height*", "\"f(x1, x2) + g(x1, x2) + height*");
+    let hash = |f: Vec<u8>, g: Vec<u8>| {
+        let mut open = |name: &str| Ok(if name == "f.png" { f.clone() } else { g.clone() });
+        Plan::read_with(&text, &mut open).expect("a plan").hash().to_owned()
+    };
+    let [one, two, three] = [1, 2, 3].map(picture);
+    let early = hash(one.clone(), [two.clone(), three.clone()].concat());
+    let late = hash([one.clone(), two.clone()].concat(), three.clone());
+    assert_ne!(early, late);
+    // The rest of a file counts, and each of the two does.
+    assert_ne!(hash(one.clone(), two.clone()), early);
+    assert_ne!(hash(one.clone(), two.clone()), hash(one.clone(), three));
+    assert_eq!(hash(one.clone(), two.clone()), hash(one, two));
+}
+
 /// A digit or a letter is changed in each line of the head, one at a time.
 #[test]
 fn no_line_of_a_head_can_be_changed() {
