@@ -117,19 +117,28 @@ fn interval(bounds: &Bounds) -> String {
     format!("between {lower} and {upper}")
 }
 
+/// The last digit of a percentage that is printed.
+const SHOWN: f64 = 0.01;
+
 /// Returns what the bounds rest on.
 fn note(bounds: &Bounds, converged: bool) -> Option<String> {
     let note = match bounds.global_minimum {
         GlobalMinimum::Proved => return None,
         GlobalMinimum::NotNeeded => {
-            let certified = "the lower bound is that of a certificate, which is about all curves";
-            if bounds.certificate.as_ref().is_some_and(|certificate| certificate.reached) {
-                return Some(certified.to_owned());
-            }
             let percent = 100.0 * (1.0 - bounds.lower.value / bounds.upper.value);
+            let (about, is_close) = match &bounds.certificate {
+                Some(certificate) => (
+                    "the lower bound is that of a certificate, which is about all curves",
+                    certificate.reached,
+                ),
+                None => ("the lower bound is about all curves", percent < SHOWN),
+            };
+            if is_close {
+                return bounds.certificate.is_some().then(|| about.to_owned());
+            }
             // It is rounded up.
-            let percent = (100.0 * percent).ceil() / 100.0;
-            return Some(format!("{certified}; one shorter by {percent:.2} % may exist"));
+            let percent = (percent / SHOWN).ceil() * SHOWN;
+            return Some(format!("{about}; one shorter by {percent:.2} % may exist"));
         }
         GlobalMinimum::Assumed => {
             "the lower bound assumes that the minimum found is the global one"
@@ -228,6 +237,12 @@ mod tests {
             assert!(note.contains("all curves"), "{note}");
             assert_eq!(note.contains("one shorter by 12.35 % may exist"), !reached, "{note}");
         }
+        bounds.certificate = None;
+        let straight = note(&bounds, true).expect("a note");
+        assert_eq!(
+            straight,
+            "the lower bound is about all curves; one shorter by 12.35 % may exist"
+        );
     }
 
     #[test]

@@ -112,9 +112,9 @@ pub struct CertificateAnswer {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum GlobalMinimum {
-    /// Convexity proves it, or the lower bound does not need it.
+    /// Convexity proves it.
     Proved,
-    /// The lower bound does not need it, as a certificate proves it for all curves.
+    /// The lower bound does not need it: it holds for all curves, by a certificate or by their ends.
     NotNeeded,
     /// It is assumed.
     Assumed,

@@ -3,8 +3,8 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    CertifyError, Constants, Formula, LocalError, Metric, PointSequence, ProofError,
-    RuleOfThePaper, SMatrix, SVector, Short, TautLine,
+    CertifyError, Constants, LocalError, Metric, PointSequence, ProofError, RuleOfThePaper,
+    SMatrix, SVector, Short, TautLine,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
     distance::{Ended, Progress},
@@ -14,13 +14,14 @@ use tautline::{
 use crate::{
     BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, Question, UsedConstants,
     certify::ended, constants::too_many_coordinates, dimension::LARGEST_PROVED_DIMENSION,
+    known::Known,
 };
 
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
 pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     proving: Proving,
-    line: &TautLine<Formula<D>, R, D>,
-    others: &[TautLine<Formula<D>, R, D>],
+    line: &TautLine<Known<D>, R, D>,
+    others: &[TautLine<Known<D>, R, D>],
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
@@ -123,7 +124,7 @@ const NOTHING: &str = "nothing: a distance is not negative";
 /// Refuses claims about the eigenvalues of `H` that fail at a point of the curve.
 fn check_claims<const D: usize>(
     claimed: Constants,
-    metric: &Formula<D>,
+    metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
 ) -> Result<(), String> {
     let refuse = |name, claim: f64, x: &SVector<f64, D>, what| {
@@ -188,8 +189,11 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
     let global_minimum = match (enclosure.is_not_global, enclosure.assumes_global_minimum) {
         (true, _) => GlobalMinimum::Refuted,
         (false, true) => GlobalMinimum::Assumed,
-        _ if enclosure.from_below == FromBelow::Certificate => GlobalMinimum::NotNeeded,
-        (false, false) => GlobalMinimum::Proved,
+        (false, false) => match enclosure.from_below {
+            FromBelow::Minimum | FromBelow::Convexity => GlobalMinimum::Proved,
+            // The others bound all curves between the sets, whichever was found.
+            _ => GlobalMinimum::NotNeeded,
+        },
     };
     let lower_by = match enclosure.from_below {
         FromBelow::Euclidean => "Proposition 3.3",

@@ -5,13 +5,13 @@ use core::ops::ControlFlow;
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    CertificateError, Metric, Problem, Rule, TautLine, Trapezoidal,
+    CertificateError, Problem, Rule, TautLine, Trapezoidal,
     check::{self, LARGEST_DIMENSION},
     distance::{Ended, Progress, Wanted},
 };
 use tautline_portrait::Cubes;
 
-use crate::{Answer, Diagnostic, Failure, Float, Question, solve::points};
+use crate::{Answer, Diagnostic, Failure, Float, Question, known::Known, solve::points};
 
 /// Bounds on the distance, with a certificate that anybody can check.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -85,7 +85,7 @@ impl Question {
         wanted: Wanted,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<CertifiedAnswer, Failure> {
-        let problem = Problem::new(self.formula::<D>()?, self.pair::<D>()?);
+        let problem = Problem::new(Known::Formula(self.formula::<D>()?), self.pair::<D>()?);
         let options = self.options::<D>()?;
         let line = self.line(&problem, Trapezoidal, &options, &mut |_: &Answer| ())?;
         self.check_sign(line.sequence())?;
@@ -106,8 +106,8 @@ impl Question {
 
 impl CertifiedAnswer {
     /// Searches for a certificate of the distance, given a line.
-    pub(crate) fn of<M: Metric<D>, R: Rule, const D: usize>(
-        line: &TautLine<M, R, D>,
+    pub(crate) fn of<R: Rule, const D: usize>(
+        line: &TautLine<Known<D>, R, D>,
         wanted: Wanted,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, CertificateError> {

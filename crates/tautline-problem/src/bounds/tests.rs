@@ -41,14 +41,17 @@ fn what_is_known_of_the_minimum_is_said() {
     assert_eq!(known(true, false), GlobalMinimum::Assumed);
     assert_eq!(known(false, true), GlobalMinimum::Refuted);
     assert_eq!(known(false, false), GlobalMinimum::Proved);
-    let certified = Enclosure {
-        assumes_global_minimum: false,
-        from_below: FromBelow::Certificate,
-        ..ENCLOSURE
-    };
-    assert_eq!(bounds(certified).global_minimum, GlobalMinimum::NotNeeded);
-    let refuted = Enclosure { is_not_global: true, ..certified };
-    assert_eq!(bounds(refuted).global_minimum, GlobalMinimum::Refuted);
+    for (from_below, found) in [
+        (FromBelow::Certificate, GlobalMinimum::NotNeeded),
+        (FromBelow::Euclidean, GlobalMinimum::NotNeeded),
+        (FromBelow::Nothing, GlobalMinimum::NotNeeded),
+        (FromBelow::Convexity, GlobalMinimum::Proved),
+    ] {
+        let with = Enclosure { assumes_global_minimum: false, from_below, ..ENCLOSURE };
+        assert_eq!(bounds(with).global_minimum, found);
+        let refuted = Enclosure { is_not_global: true, ..with };
+        assert_eq!(bounds(refuted).global_minimum, GlobalMinimum::Refuted);
+    }
 }
 
 #[test]

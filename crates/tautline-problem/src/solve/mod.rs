@@ -10,8 +10,8 @@ use core::ops::ControlFlow;
 use std::sync::Arc;
 
 use tautline::{
-    Ends, Formula, LeftEndpoint, Options, PointSequence, Prepared, Problem, Rule, SolveError,
-    Starts, Stop, TautLine, Trapezoidal, TrueTrapezoid,
+    Ends, LeftEndpoint, Options, PointSequence, Problem, Rule, SolveError, Starts, TautLine,
+    Trapezoidal, TrueTrapezoid,
     certify::{Progress, Watch},
     distance,
 };
@@ -20,18 +20,20 @@ use tautline_portrait::Shape;
 
 use crate::{
     Answer, Bounds, Diagnostic, Failure, Grid, OtherMinimum, Question,
-    answer::is_shorter,
     bounds::{NO_THEOREM, bounds},
     dimension::{InDimension, in_dimension},
     file::request::RuleName,
+    known::Known,
     reading::shape::{Piece, union, vector},
 };
 
-use self::tolerance::{FINEST_GRID, FIRST_GRID, PATIENCE, finer_grid};
-
 pub use self::programs::Programs;
 
-pub(crate) use self::described::{estimated, extrapolated, points, search};
+pub(crate) use self::{
+    described::{estimated, extrapolated, points, search},
+    sign::least_entry,
+    tolerance::{FIRST_GRID, finer_grid, refined},
+};
 
 impl Question {
     /// Solves the problem, and calls `solved` with the answer as soon as the curve and the other minima
@@ -100,7 +102,7 @@ impl InDimension for Solve<'_> {
                 options.threads = 1;
                 prepared
             }
-            None => Arc::new(Prepared::new(question.formula::<D>()?)),
+            None => Arc::new(Known::Formula(question.formula::<D>()?).prepared()),
         };
         let problem = Problem::with_prepared(prepared, question.pair::<D>()?);
         match question.rule {
@@ -164,11 +166,11 @@ impl Question {
 
     pub(crate) fn line<R: Rule, const D: usize>(
         &self,
-        problem: &Problem<Formula<D>, D>,
+        problem: &Problem<Known<D>, D>,
         rule: R,
         options: &Options<D>,
         solved: &mut dyn FnMut(&Answer),
-    ) -> Result<TautLine<Formula<D>, R, D>, Failure> {
+    ) -> Result<TautLine<Known<D>, R, D>, Failure> {
         let failure = |error: SolveError| self.failure(problem.metric(), &error);
         let first = if let Grid::Chords(n) = self.grid { n } else { FIRST_GRID };
         if let Some(nodes) = &self.lattice {
@@ -181,45 +183,23 @@ impl Question {
                 error => failure(error),
             });
         }
-        let mut line = problem.solve_with(rule, first, options).map_err(failure)?;
+        let line = problem.solve_with(rule, first, options).map_err(failure)?;
         let Grid::Tolerance(tolerance) = self.grid else { return Ok(line) };
-        let converged = |line: &TautLine<_, _, D>| line.minimum().stop == Stop::Converged;
-        let (mut options, mut failures, mut last_converged) = (options.clone(), 0, None);
-        loop {
-            // A search that fails twice on fine grids fails on finer ones.
-            let n = line.sequence().n().get();
-            failures = if converged(&line) { 0 } else { failures + 1 };
-            if failures >= 2 && n >= PATIENCE {
-                break;
+        let mut wrong = None;
+        let line = refined(problem, rule, line, tolerance, options, &mut |coarser| {
+            match self.on_its_own(coarser) {
+                Ok(answer) => solved(&answer),
+                Err(diagnostic) => wrong = Some(diagnostic),
             }
-            let mut starts = vec![line.sequence().clone()];
-            let finer = finer_grid(&line, tolerance).or_else(|| {
-                // On a finer grid a minimum that is shorter should have less energy too.
-                let others = line.other_minima();
-                let length = line.length().value;
-                let shorter =
-                    others.iter().find(|other| is_shorter(other.length().value, length))?;
-                starts.push(shorter.sequence().clone());
-                Some(2 * n)
-            });
-            let finer = finer.map(|finer| finer.min(FINEST_GRID / D));
-            let Some(finer) = finer.filter(|&finer| finer > n) else { break };
-            solved(&self.on_its_own(&line)?);
-            options.starts = also(options.starts, starts);
-            // Without a finer line, the coarser one misses the tolerance, and says so.
-            let Ok(finer) = problem.solve_with(rule, finer, &options) else { break };
-            let coarser = std::mem::replace(&mut line, finer);
-            if converged(&coarser) {
-                last_converged = Some(coarser);
-            }
-        }
-        Ok(if converged(&line) { line } else { last_converged.unwrap_or(line) })
+            if wrong.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        wrong.map_or(Ok(line), |diagnostic| Err(diagnostic.into()))
     }
 
     /// Returns the answer without other minima and without bounds.
     fn on_its_own<R: Rule, const D: usize>(
         &self,
-        line: &TautLine<Formula<D>, R, D>,
+        line: &TautLine<Known<D>, R, D>,
     ) -> Result<Answer, Diagnostic> {
         self.check_sign(line.sequence())?;
         let minimum = line.minimum();
@@ -246,11 +226,11 @@ impl Question {
 
     fn answer<R: Rule, const D: usize>(
         &self,
-        line: &TautLine<Formula<D>, R, D>,
+        line: &TautLine<Known<D>, R, D>,
         bounds: impl FnOnce(
             &Self,
-            &TautLine<Formula<D>, R, D>,
-            &[TautLine<Formula<D>, R, D>],
+            &TautLine<Known<D>, R, D>,
+            &[TautLine<Known<D>, R, D>],
         ) -> Result<Bounds, String>,
         solved: &mut dyn FnMut(&Answer),
     ) -> Result<Answer, Failure> {
@@ -278,16 +258,4 @@ impl Question {
         }
         Ok(answer)
     }
-}
-
-/// Returns starts with further ones. What was found on a coarse grid is then not lost on a finer one,
-/// which has other coarse grids of its own.
-fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Starts<D> {
-    let only = matches!(starts, Starts::Only(_));
-    let mut given = match starts {
-        Starts::Also(given) | Starts::Only(given) => given,
-        _ => Vec::new(),
-    };
-    given.extend(found);
-    if only { Starts::Only(given) } else { Starts::Also(given) }
 }

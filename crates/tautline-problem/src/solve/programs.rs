@@ -3,11 +3,12 @@
 use core::any::Any;
 use std::sync::Arc;
 
-use tautline::{Formula, Prepared};
+use tautline::Prepared;
 
 use crate::{
     Diagnostic, Question,
     dimension::{InDimension, in_dimension},
+    known::Known,
 };
 
 /// The programs of a metric, which are derived once, and which problems with the same formula share.
@@ -16,7 +17,7 @@ pub struct Programs(Arc<dyn Any + Send + Sync>);
 
 impl Programs {
     /// Returns the metric with its programs, if it has `D` coordinates.
-    pub(super) fn prepared<const D: usize>(&self) -> Option<Arc<Prepared<Formula<D>, D>>> {
+    pub(super) fn prepared<const D: usize>(&self) -> Option<Arc<Prepared<Known<D>, D>>> {
         Arc::clone(&self.0).downcast().ok()
     }
 }
@@ -32,11 +33,12 @@ impl InDimension for Derive<'_> {
     fn run<const D: usize>(self) -> Self::Output {
         let formula = self.question.formula::<D>()?;
         let is_same = |last: &&Programs| {
-            last.prepared::<D>().is_some_and(|prepared| *prepared.metric() == formula)
+            let prepared = last.prepared::<D>();
+            prepared.is_some_and(|prepared| prepared.metric().formula() == Ok(&formula))
         };
         Ok(match self.last.filter(is_same) {
             Some(last) => last.clone(),
-            None => Programs(Arc::new(Prepared::new(formula))),
+            None => Programs(Arc::new(Known::Formula(formula).prepared())),
         })
     }
 }

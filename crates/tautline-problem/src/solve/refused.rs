@@ -1,22 +1,20 @@
 //! Why there is no metric along any curve.
 
-use tautline::{Formula, Metric, MetricError, SVector, SolveError};
+use tautline::{Metric, MetricError, SVector, SolveError};
 use tautline_portrait::Shape;
 
-use crate::{Diagnostic, Failure, Question, formula::formula_of, reading::shape::vector};
+use crate::{
+    Diagnostic, Failure, Question, formula::formula_of, known::Known, reading::shape::vector,
+};
 
 impl Question {
     /// Returns the failure of a search.
-    pub(super) fn failure<const D: usize>(
-        &self,
-        formula: &Formula<D>,
-        error: &SolveError,
-    ) -> Failure {
+    pub(super) fn failure<const D: usize>(&self, metric: &Known<D>, error: &SolveError) -> Failure {
         let SolveError::Metric(defect) = error else {
             return Failure::NotComputed(error.to_string());
         };
         let in_obstacle = match defect {
-            MetricError::NotFinite { point, .. } => self.in_obstacle(formula, &vector(point)),
+            MetricError::NotFinite { point, .. } => self.in_obstacle(metric, &vector(point)),
             _ => None,
         };
         let place = self.problem.metric.get_ref().span();
@@ -27,21 +25,18 @@ impl Question {
     /// Explains why there is no metric at a point, if that is due to the obstacles alone.
     fn in_obstacle<const D: usize>(
         &self,
-        formula: &Formula<D>,
+        metric: &Known<D>,
         point: &SVector<f64, D>,
     ) -> Option<Diagnostic> {
         let regions = self.problem.obstacles.as_ref()?.get_ref().regions.span();
-        let is_finite = |formula: &Formula<D>, x: &SVector<f64, D>| {
-            formula.gram(x).iter().all(|h| h.is_finite())
-        };
-        let (metric, numbers) = (self.problem.metric.get_ref(), self.numbers());
-        let without = formula_of::<D>(metric, &self.problem, &numbers, &self.tables, None).ok()?;
+        let (file, numbers) = (self.problem.metric.get_ref(), self.numbers());
+        let without = formula_of::<D>(file, &self.problem, &numbers, &self.tables, None).ok()?;
         if !is_finite(&without, point) {
             return None;
         }
         for piece in self.ends.iter().flatten().flatten() {
             if let Shape::Point(x) = &piece.shape
-                && !is_finite(formula, &vector(x))
+                && !is_finite(metric, &vector(x))
             {
                 let place = piece.places.first().cloned().unwrap_or(regions);
                 return Some(
@@ -59,4 +54,8 @@ impl Question {
             .help("name a way round it: a polygon as starts in [solve], or a lattice"),
         )
     }
+}
+
+fn is_finite<const D: usize>(metric: &impl Metric<D>, x: &SVector<f64, D>) -> bool {
+    metric.gram(x).iter().all(|h| h.is_finite())
 }

@@ -1,6 +1,10 @@
 //! The grids on the way to a tolerance.
 
-use tautline::{Estimate, Formula, Integral, Rule, TautLine};
+use core::ops::ControlFlow;
+
+use tautline::{Estimate, Integral, Options, PointSequence, Problem, Rule, Starts, Stop, TautLine};
+
+use crate::{answer::is_shorter, known::Known};
 
 /// The grid from which a tolerance is judged: that of a problem without a tolerance, so that the
 /// search meets the same minima.
@@ -8,10 +12,10 @@ pub(crate) const FIRST_GRID: usize = crate::question::CHORDS;
 
 /// The finest grid that is tried for a tolerance, times the number of coordinates. Twice as many
 /// chords gain nothing: what remains of the error of smooth metrics is rounding.
-pub(crate) const FINEST_GRID: usize = 1 << 22;
+const FINEST_GRID: usize = 1 << 22;
 
 /// Up to this grid a search that failed is tried on a finer one.
-pub(crate) const PATIENCE: usize = 2048;
+const PATIENCE: usize = 2048;
 
 /// How much finer the next grid is at most if little is known of the error of the length.
 const BLIND: f64 = 4.0;
@@ -19,10 +23,67 @@ const BLIND: f64 = 4.0;
 /// By how much the error of an extrapolation may exceed its estimate, as the kit allows too.
 const OPTIMISM: f64 = 10.0;
 
+/// Follows a line to finer grids until the relative error of its length is at most `tolerance`, by
+/// extrapolation, or until finer grids do not help. `coarser` is told of each line before the last, and may
+/// end this.
+pub(crate) fn refined<R: Rule, const D: usize>(
+    problem: &Problem<Known<D>, D>,
+    rule: R,
+    mut line: TautLine<Known<D>, R, D>,
+    tolerance: f64,
+    options: &Options<D>,
+    coarser: &mut dyn FnMut(&TautLine<Known<D>, R, D>) -> ControlFlow<()>,
+) -> TautLine<Known<D>, R, D> {
+    let converged = |line: &TautLine<_, _, D>| line.minimum().stop == Stop::Converged;
+    let (mut options, mut failures, mut last_converged) = (options.clone(), 0, None);
+    loop {
+        // A search that fails twice on fine grids fails on finer ones.
+        let n = line.sequence().n().get();
+        failures = if converged(&line) { 0 } else { failures + 1 };
+        if failures >= 2 && n >= PATIENCE {
+            break;
+        }
+        let mut starts = vec![line.sequence().clone()];
+        let finer = finer_grid(&line, tolerance).or_else(|| {
+            // On a finer grid a minimum that is shorter should have less energy too.
+            let others = line.other_minima();
+            let length = line.length().value;
+            let shorter = others.iter().find(|other| is_shorter(other.length().value, length))?;
+            starts.push(shorter.sequence().clone());
+            Some(2 * n)
+        });
+        let finer = finer.map(|finer| finer.min(FINEST_GRID / D));
+        let Some(finer) = finer.filter(|&finer| finer > n) else { break };
+        if coarser(&line).is_break() {
+            return line;
+        }
+        options.starts = also(options.starts, starts);
+        // Without a finer line, the coarser one misses the tolerance, and says so.
+        let Ok(finer) = problem.solve_with(rule, finer, &options) else { break };
+        let before = std::mem::replace(&mut line, finer);
+        if converged(&before) {
+            last_converged = Some(before);
+        }
+    }
+    if converged(&line) { line } else { last_converged.unwrap_or(line) }
+}
+
+/// Returns starts with further ones. What was found on a coarse grid is then not lost on a finer one,
+/// which has other coarse grids of its own.
+fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Starts<D> {
+    let only = matches!(starts, Starts::Only(_));
+    let mut given = match starts {
+        Starts::Also(given) | Starts::Only(given) => given,
+        _ => Vec::new(),
+    };
+    given.extend(found);
+    if only { Starts::Only(given) } else { Starts::Also(given) }
+}
+
 /// Returns the next grid, or `None` if the relative error of the length is at most `tolerance`, by
 /// extrapolation.
 pub(crate) fn finer_grid<R: Rule, const D: usize>(
-    line: &TautLine<Formula<D>, R, D>,
+    line: &TautLine<Known<D>, R, D>,
     tolerance: f64,
 ) -> Option<usize> {
     let finer = factor(&line.length(), line.distance_squared_estimate(), tolerance)?;

@@ -1,15 +1,16 @@
 //! Metrics with obstacles.
 
-use std::sync::Arc;
-
 use tautline::{
-    Formula, Prepared,
+    Formula,
     formula::{AnyFormula, Part, Written, WrittenError},
 };
 use tautline_portrait::Shape;
 
-use super::{Given, GivenError, given::Held, sets::check_coordinates};
-use crate::reading::obstacles::{distance, repulsion};
+use super::{Given, GivenError, sets::check_coordinates};
+use crate::{
+    known::Known,
+    reading::obstacles::{distance, repulsion},
+};
 
 /// A region that no curve enters.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,5 +50,5 @@ pub(super) fn avoiding<const D: usize>(
         Written::Scaled(part(&factor), Box::new(Written::Recorded(AnyFormula::from(formula))));
     let formula = Formula::<D>::compose(&[], &[], &definitions, &metric);
     let formula = formula.map_err(|WrittenError { error, .. }| GivenError::Text(error))?;
-    Ok(Given::held(Held(Arc::new(Prepared::new(formula)))))
+    Ok(Given::held(Known::Formula(formula)))
 }

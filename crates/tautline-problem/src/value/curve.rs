@@ -1,22 +1,22 @@
 //! `Curve`: a computed curve whose dimension is known when the program runs.
 
+use core::ops::ControlFlow;
 use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
-    CertificateError, Formula, Interpolation, LeftEndpoint, Rule, TautLine, Trapezoidal,
-    TrueTrapezoid, certify::Watch, distance::Wanted,
+    CertificateError, Interpolation, LeftEndpoint, Rule, TautLine, Trapezoidal, TrueTrapezoid,
+    certify::Watch,
+    distance::{Progress, Wanted},
 };
 
-use super::{
-    Proofs,
-    known::{Known, Observe},
-};
+use super::Proofs;
 use crate::{
     Bounds, CertifiedAnswer, Estimated, Search,
     answer::is_shorter,
     bounds::{NO_THEOREM, Proving, bounds},
     file::request::RuleName,
-    solve::{estimated, extrapolated, search},
+    known::Known,
+    solve::{estimated, extrapolated, finer_grid, search},
 };
 
 /// How much more energy another minimum may have, and be shorter.
@@ -24,6 +24,9 @@ const NEAR: f64 = 1.02;
 
 /// The same, where the chords do not resolve the metric.
 const NOT_RESOLVED: f64 = 1.2;
+
+/// Is told of every level of a certificate, and may end the search.
+pub type Observe<'o> = &'o mut dyn FnMut(Progress) -> ControlFlow<()>;
 
 /// A computed discrete minimiser, and the curve that joins its points.
 pub trait Curve: Debug + Send + Sync {
@@ -60,6 +63,10 @@ pub trait Curve: Debug + Send + Sync {
 
     /// Returns whether the chords resolve the metric.
     fn is_resolved(&self) -> bool;
+
+    /// Returns whether the relative error of the length, as a distance, is at most `tolerance`, by
+    /// extrapolation: an estimate, not a bound.
+    fn is_within(&self, tolerance: f64) -> bool;
 
     /// Returns the speeds of the chords, in `m`.
     fn speeds(&self) -> Vec<f64>;
@@ -104,7 +111,7 @@ pub(super) trait NamedRule: Rule + 'static {
 
     /// Proves bounds on the distance.
     fn bounds<const D: usize>(
-        line: &TautLine<Formula<D>, Self, D>,
+        line: &TautLine<Known<D>, Self, D>,
         proving: Proving,
         watch: &dyn Watch,
         observe: Observe<'_>,
@@ -117,7 +124,7 @@ macro_rules! of_the_paper {
             const NAME: RuleName = RuleName::$rule;
 
             fn bounds<const D: usize>(
-                line: &TautLine<Formula<D>, Self, D>,
+                line: &TautLine<Known<D>, Self, D>,
                 proving: Proving,
                 watch: &dyn Watch,
                 observe: Observe<'_>,
@@ -135,7 +142,7 @@ impl NamedRule for TrueTrapezoid {
     const NAME: RuleName = RuleName::TrueTrapezoid;
 
     fn bounds<const D: usize>(
-        _: &TautLine<Formula<D>, Self, D>,
+        _: &TautLine<Known<D>, Self, D>,
         _: Proving,
         _: &dyn Watch,
         _: Observe<'_>,
@@ -144,7 +151,7 @@ impl NamedRule for TrueTrapezoid {
     }
 }
 
-impl<M: Known<D>, R: NamedRule, const D: usize> Curve for TautLine<M, R, D> {
+impl<R: NamedRule, const D: usize> Curve for TautLine<Known<D>, R, D> {
     fn dimension(&self) -> usize {
         D
     }
@@ -189,6 +196,11 @@ impl<M: Known<D>, R: NamedRule, const D: usize> Curve for TautLine<M, R, D> {
         TautLine::is_resolved(self)
     }
 
+    fn is_within(&self, tolerance: f64) -> bool {
+        // NaN is no tolerance.
+        tolerance > 0.0 && finer_grid(self, tolerance).is_none()
+    }
+
     fn speeds(&self) -> Vec<f64> {
         TautLine::speeds(self)
     }
@@ -228,7 +240,8 @@ impl<M: Known<D>, R: NamedRule, const D: usize> Curve for TautLine<M, R, D> {
         watch: &dyn Watch,
         observe: Observe<'_>,
     ) -> Result<Bounds, String> {
-        M::bounds(self, proofs.proving(D), watch, observe)
+        self.metric().formula().map_err(|error| error.to_string())?;
+        R::bounds(self, proofs.proving(D), watch, observe)
     }
 
     fn certificate(
@@ -236,6 +249,7 @@ impl<M: Known<D>, R: NamedRule, const D: usize> Curve for TautLine<M, R, D> {
         wanted: Wanted,
         observe: Observe<'_>,
     ) -> Result<CertifiedAnswer, CertificateError> {
-        M::certificate(self, wanted, observe)
+        self.metric().formula()?;
+        CertifiedAnswer::of(self, wanted, observe)
     }
 }

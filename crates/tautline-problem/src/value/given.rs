@@ -1,25 +1,18 @@
 //! `Given`: a metric whose dimension is known when the program runs.
 
-use std::{fmt::Debug, sync::Arc};
+use std::sync::Arc;
 
-use tautline::{
-    BlackBox, Ends, Formula, Lattice, LeftEndpoint, Options, Prepared, Problem, SolveError, Table,
-    TautLine, Trapezoidal, TrueTrapezoid, Values, certify::Watch, solve_all,
-};
+use tautline::{BlackBox, Formula, Table, Values, certify::Watch};
 use tautline_portrait::Shape;
 
 use super::{
-    Curve, GivenError, Nodes, Proofs, Region, Request,
-    avoiding::avoiding,
-    curve::NamedRule,
-    known::Known,
-    sets::{check_coordinates, point, set},
+    Curve, GivenError, Proofs, Region, Request,
+    held::{AnyDimension, Held},
 };
 use crate::{
     ConstantsAnswer,
     dimension::{InDimension, in_dimension},
-    file::request::RuleName,
-    reading::shape::vector,
+    known::Known,
 };
 
 /// A metric on `R^d`, where `d` is known when the program runs. Its programs are derived once, and
@@ -31,6 +24,9 @@ pub struct Given {
 
 /// A curve, or why there is none.
 pub type Found = Result<Arc<dyn Curve>, GivenError>;
+
+/// A value, and the point where it is.
+pub type Least = (f64, Vec<f64>);
 
 impl Given {
     /// Parses a metric, given values for named parameters, and tables that it may call by their names:
@@ -65,8 +61,8 @@ impl Given {
     }
 
     /// Takes a metric in its dimension.
-    pub(super) fn held<M: Known<D>, const D: usize>(metric: Held<M, D>) -> Self {
-        Self { metric: Arc::new(metric) }
+    pub(super) fn held<const D: usize>(metric: Known<D>) -> Self {
+        Self { metric: Arc::new(Held(Arc::new(metric.prepared()))) }
     }
 
     /// Returns the metric with obstacles: with the distances `δₖ(x)` from the regions and the margin `m`,
@@ -120,6 +116,20 @@ impl Given {
         self.metric.is_positive_everywhere()
     }
 
+    /// Returns the least value of the first entry of `H` at the points of a curve and in the middles of
+    /// its chords, and where it is.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError::Coordinates`].
+    pub fn least_entry_along(&self, curve: &dyn Curve) -> Result<Option<Least>, GivenError> {
+        let (found, dimension) = (curve.dimension(), self.dimension());
+        if found != dimension {
+            return Err(GivenError::Coordinates { what: "a curve", found, dimension });
+        }
+        self.metric.least_entry_along(&curve.points())
+    }
+
     /// Proves the constants of the metric from its formula, in a ball or a box, or on all of space if
     /// the formula shows what happens far out. `watch` is told of the progress, and may end the search
     /// for a constant; the bounds found so far are then the answer.
@@ -165,7 +175,7 @@ impl InDimension for Parse<'_> {
 
     fn run<const D: usize>(self) -> Self::Output {
         let formula = Formula::<D>::parse_with(self.text, self.parameters, self.tables)?;
-        Ok(Given { metric: Arc::new(Held(Arc::new(Prepared::new(formula)))) })
+        Ok(Given::held(Known::Formula(formula)))
     }
 }
 
@@ -180,141 +190,6 @@ impl InDimension for InBlackBox {
     fn run<const D: usize>(self) -> Self::Output {
         let Self { values, step } = self;
         let metric = BlackBox::<D>::new(values, step).ok_or(GivenError::Step { step })?;
-        let prepared = Prepared::of_black_box(metric.clone(), metric);
-        Ok(Given { metric: Arc::new(Held(Arc::new(prepared))) })
-    }
-}
-
-/// What can be done with a metric without knowing its dimension.
-trait AnyDimension: Debug + Send + Sync {
-    fn dimension(&self) -> usize;
-    fn text(&self) -> Option<String>;
-    fn tables(&self) -> &[Arc<dyn Table>];
-    fn gram(&self, x: &[f64]) -> Vec<f64>;
-    fn is_positive_everywhere(&self) -> bool;
-    fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Given, GivenError>;
-    fn constants(
-        &self,
-        within: Option<&Shape>,
-        proofs: &Proofs,
-        watch: &dyn Watch,
-    ) -> Result<ConstantsAnswer, GivenError>;
-    fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found;
-    fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found>;
-}
-
-/// A metric in `D` dimensions.
-#[derive(Debug)]
-pub(super) struct Held<M, const D: usize>(pub(super) Arc<Prepared<M, D>>);
-
-impl<M: Known<D>, const D: usize> Held<M, D> {
-    fn problem(&self, pieces: [&[Shape]; 2]) -> Result<Problem<M, D>, GivenError> {
-        let ends = match pieces {
-            // Of two points more is proved.
-            [[Shape::Point(a)], [Shape::Point(b)]] => Ends::points(point::<D>(a)?, point::<D>(b)?)?,
-            [from, to] => Ends::new(set("first", from)?, set("second", to)?)?,
-        };
-        Ok(Problem::with_prepared(Arc::clone(&self.0), ends))
-    }
-
-    fn by<R: NamedRule>(
-        problem: &Problem<M, D>,
-        rule: R,
-        n: usize,
-        options: &Options<D>,
-        lattice: Option<&Lattice<D>>,
-    ) -> Found {
-        held(match lattice {
-            Some(lattice) => problem.solve_on_lattice(rule, n, lattice, options),
-            None => problem.solve_with(rule, n, options),
-        })
-    }
-
-    fn all_by<R: NamedRule>(
-        problems: Vec<Result<Problem<M, D>, GivenError>>,
-        rule: R,
-        n: usize,
-        options: &Options<D>,
-    ) -> Vec<Found> {
-        let posed: Vec<_> = problems.iter().filter_map(|problem| problem.as_ref().ok()).collect();
-        let posed: Vec<Problem<M, D>> = posed.into_iter().cloned().collect();
-        let mut solved = solve_all(&posed, rule, n, options).into_iter();
-        let next = |problem: Result<_, _>| {
-            problem.and_then(|_| held(solved.next().unwrap_or(Err(SolveError::NoStart))))
-        };
-        problems.into_iter().map(next).collect()
-    }
-}
-
-fn held<M: Known<D>, R: NamedRule, const D: usize>(
-    line: Result<TautLine<M, R, D>, SolveError>,
-) -> Found {
-    Ok(Arc::new(line?))
-}
-
-impl<M: Known<D>, const D: usize> AnyDimension for Held<M, D> {
-    fn dimension(&self) -> usize {
-        D
-    }
-
-    fn text(&self) -> Option<String> {
-        self.0.metric().text()
-    }
-
-    fn tables(&self) -> &[Arc<dyn Table>] {
-        self.0.metric().tables()
-    }
-
-    fn gram(&self, x: &[f64]) -> Vec<f64> {
-        self.0.metric().gram(&vector::<D>(x)).as_slice().to_vec()
-    }
-
-    fn is_positive_everywhere(&self) -> bool {
-        self.0.metric().is_positive_everywhere()
-    }
-
-    fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Given, GivenError> {
-        let formula = self.0.metric().formula().ok_or(GivenError::NoFormula)?;
-        avoiding(formula, regions, margin)
-    }
-
-    fn constants(
-        &self,
-        within: Option<&Shape>,
-        proofs: &Proofs,
-        watch: &dyn Watch,
-    ) -> Result<ConstantsAnswer, GivenError> {
-        if let Some(shape) = within {
-            check_coordinates::<D>(shape)?;
-        }
-        self.0.metric().constants(within, proofs.accuracy(D), watch)
-    }
-
-    fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found {
-        let (problem, options, n) = (self.problem(ends)?, request.options::<D>()?, request.n);
-        let lattice = request.lattice.as_ref().map(Nodes::lattice::<D>).transpose()?;
-        let lattice = lattice.as_ref();
-        match request.rule {
-            RuleName::Trapezoidal => Self::by(&problem, Trapezoidal, n, &options, lattice),
-            RuleName::LeftEndpoint => Self::by(&problem, LeftEndpoint, n, &options, lattice),
-            RuleName::TrueTrapezoid => Self::by(&problem, TrueTrapezoid, n, &options, lattice),
-        }
-    }
-
-    fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
-        if request.lattice.is_some() {
-            return ends.iter().map(|&ends| self.solve(ends, request)).collect();
-        }
-        let n = request.n;
-        let options = match request.options::<D>() {
-            Ok(options) => options,
-            Err(error) => return vec![Err(error); ends.len()],
-        };
-        let problems = ends.iter().map(|&ends| self.problem(ends)).collect();
-        match request.rule {
-            RuleName::Trapezoidal => Self::all_by(problems, Trapezoidal, n, &options),
-            RuleName::LeftEndpoint => Self::all_by(problems, LeftEndpoint, n, &options),
-            RuleName::TrueTrapezoid => Self::all_by(problems, TrueTrapezoid, n, &options),
-        }
+        Ok(Given::held(Known::BlackBox(metric)))
     }
 }

@@ -2,7 +2,7 @@
 
 use tautline::{SequenceError, SetError, SolveError, TextError};
 
-use crate::{ConstantsError, LARGEST_DIMENSION};
+use crate::{ConstantsError, LARGEST_DIMENSION, LEAST_TOLERANCE};
 
 /// Why a problem has no curve.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -39,6 +39,15 @@ pub enum GivenError {
     /// A start is no sequence of points.
     #[error("a start: {0}")]
     Start(#[from] SequenceError),
+    /// The tolerance is too small, or not less than 1.
+    #[error("the tolerance is {tolerance}; it must be between {LEAST_TOLERANCE} and 1")]
+    Tolerance {
+        /// The relative error of the length that was wanted.
+        tolerance: f64,
+    },
+    /// A lattice was given besides a tolerance.
+    #[error("a lattice besides a tolerance: a search along a lattice has a number of chords")]
+    LatticeAndTolerance,
     /// The step of differences is not positive and finite.
     #[error("the step of differences is {step}; it must be positive and finite")]
     Step {

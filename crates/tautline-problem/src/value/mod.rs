@@ -17,17 +17,16 @@ mod avoiding;
 mod curve;
 mod given;
 mod given_error;
-mod known;
+mod held;
 mod request;
 mod sets;
 
 pub use avoiding::Region;
-pub use curve::Curve;
-pub use given::{Found, Given};
+pub use curve::{Curve, Observe};
+pub use given::{Found, Given, Least};
 pub use given_error::GivenError;
-pub use known::Observe;
 pub use request::{Nodes, Proofs, Request};
 
-pub use crate::file::request::RuleName;
+pub use crate::{Grid, file::request::RuleName};
 pub use tautline::{TextError, Values};
 pub use tautline_portrait::Shape;

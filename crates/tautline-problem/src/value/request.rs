@@ -6,6 +6,7 @@ use tautline::{
 
 use super::GivenError;
 use crate::{
+    Grid,
     bounds::Proving,
     file::request::RuleName,
     question::{ACCURACY, CHORDS, default_boxes},
@@ -17,14 +18,14 @@ use crate::{
 pub struct Request {
     /// The rule of numerical integration.
     pub rule: RuleName,
-    /// The number of chords.
-    pub n: usize,
+    /// The number of chords, or the relative error of the length.
+    pub grid: Grid,
     /// Polygons from which a search starts, in addition to the automatic starts.
     pub starts: Vec<Vec<Vec<f64>>>,
     /// Whether they replace the automatic starts.
     pub only_these_starts: bool,
-    /// Nodes; a search also starts, with `n` chords, from a shortest path along them. See
-    /// [`solve_on_lattice`](tautline::Problem::solve_on_lattice).
+    /// Nodes; a search also starts from a shortest path along them, with all of the chords. It needs
+    /// their number. See [`solve_on_lattice`](tautline::Problem::solve_on_lattice).
     pub lattice: Option<Nodes>,
     /// The largest number of Newton steps of a local search on one grid.
     pub steps: usize,
@@ -38,7 +39,7 @@ impl Default for Request {
         let Options { iterations, threads, .. } = Options::<1>::default();
         Self {
             rule: RuleName::default(),
-            n: CHORDS,
+            grid: Grid::Chords(CHORDS),
             starts: Vec::new(),
             only_these_starts: false,
             lattice: None,

@@ -5,7 +5,7 @@ use std::{ops::ControlFlow, sync::Arc};
 use tautline::{CertificateError, Constants, RecordError, certify, distance::Wanted};
 use tautline_problem::{
     Question,
-    value::{Given, GivenError, Proofs, Request, RuleName, Shape, Values},
+    value::{Given, GivenError, Grid, Proofs, Request, RuleName, Shape, Values},
 };
 
 const HILL: &str = "cost(1 + 4*exp(-2*(x1^2 + x2^2)))";
@@ -34,7 +34,7 @@ fn a_curve_of_values_is_that_of_a_file() {
         );
         let answer = Question::read(&file).expect("a file").solve(&mut |_| ()).expect("solved");
         let ball = [Shape::Ball { centre: vec![1.5, -0.1], radius: 0.25 }];
-        let request = Request { rule, n: 64, ..Request::default() };
+        let request = Request { rule, grid: Grid::Chords(64), ..Request::default() };
         let curve = hill().solve([&point(&[-1.5, 0.05]), &ball], &request).expect("solved");
         assert_eq!(curve.points(), answer.curve.concat());
         assert_eq!(curve.length(), answer.length);
@@ -45,13 +45,33 @@ fn a_curve_of_values_is_that_of_a_file() {
     }
 }
 
+#[test]
+fn a_tolerance_of_values_is_that_of_a_file() {
+    let file = "[metric]\ncost = \"1 + 4*exp(-2*(x1^2 + x2^2))\"\n[from]\npoint = [-1.5, 0.05]\n\
+                [to]\npoint = [1.5, -0.1]\n[solve]\ntolerance = 1e-9\n[certify]\nbound = false\n";
+    let answer = Question::read(file).expect("a file").solve(&mut |_| ()).expect("solved");
+    let with = |grid| {
+        let request = Request { grid, ..Request::default() };
+        hill().solve([&point(&[-1.5, 0.05]), &point(&[1.5, -0.1])], &request)
+    };
+    let curve = with(Grid::Tolerance(1e-9)).expect("solved");
+    assert_eq!((curve.points(), curve.length()), (answer.curve.concat(), answer.length));
+    assert!(answer.n > 256 && answer.within_tolerance == Some(true) && curve.is_within(1e-9));
+    let coarse = with(Grid::Chords(answer.n / 4)).expect("solved");
+    assert!(!coarse.is_within(1e-9) && coarse.is_within(1e-7) && !coarse.is_within(f64::NAN));
+    for tolerance in [0.0, 1e-14, 1.0, f64::NAN] {
+        let refused = with(Grid::Tolerance(tolerance)).expect_err("no tolerance").to_string();
+        assert!(refused.contains("must be between 0.0000000000001 and 1"), "{refused}");
+    }
+}
+
 /// An error in one problem does not move the curves of the others.
 #[test]
 fn many_problems_have_the_curves_of_single_ones() {
     let ends = [[-1.5, 0.05], [f64::NAN, 0.0], [0.0, 1.5], [0.3, 0.2]].map(|x| point(&x));
     let goal = point(&[1.5, -0.1]);
     let pairs: Vec<[&[Shape]; 2]> = ends.iter().map(|end| [&end[..], &goal[..]]).collect();
-    let request = Request { n: 32, threads: 1, ..Request::default() };
+    let request = Request { grid: Grid::Chords(32), threads: 1, ..Request::default() };
     let all = hill().solve_all(&pairs, &request);
     assert!(matches!(all[1], Err(GivenError::Set(_))), "{:?}", all[1]);
     for (found, pair) in all.iter().zip(&pairs).filter(|(found, _)| found.is_ok()) {
@@ -89,7 +109,10 @@ fn what_is_wrong_is_said_with_its_numbers() {
         (solve([&ends[0], &flat], &request), "a segment has 1 coordinates in 2 dimensions"),
         (solve([&ends[0], &[]], &request), "the second set has no pieces"),
         (solve([&ends[0], &ends[1]], &odd), "a point of a start has 1 coordinates"),
-        (solve([&ends[0], &ends[1]], &Request { n: 0, ..request.clone() }), "N = 0"),
+        (
+            solve([&ends[0], &ends[1]], &Request { grid: Grid::Chords(0), ..request.clone() }),
+            "N = 0",
+        ),
     ];
     for (found, expected) in cases {
         assert!(found.contains(expected), "{found}, not {expected}");
@@ -129,7 +152,7 @@ fn a_black_box_has_the_minimum_of_the_formula_and_no_certificate() {
     let ends = [&ends[0][..], &ends[1][..]];
     let black_box = Given::black_box(Arc::new(Hill), 2, 1e-3).expect("a step");
     for n in [32, 256] {
-        let request = Request { n, ..Request::default() };
+        let request = Request { grid: Grid::Chords(n), ..Request::default() };
         let [found, expected] =
             [&black_box, &hill()].map(|metric| metric.solve(ends, &request).expect("solved"));
         assert!(found.search().converged, "{:?}", found.search());
@@ -153,7 +176,7 @@ fn bounds_and_constants_are_those_of_a_file() {
     let answer = question.solve(&mut |_| ()).expect("solved");
     let valleys = Given::parse("cost(2 - cos(x1))", 2, &[], &[]).expect("a formula");
     let ends = [point(&[0.0, 0.0]), point(&[1.0, 0.5])];
-    let request = Request { n: 128, ..Request::default() };
+    let request = Request { grid: Grid::Chords(128), ..Request::default() };
     let curve = valleys.solve([&ends[0], &ends[1]], &request).expect("solved");
     let (watch, proofs) = (|_: certify::Progress| true, Proofs::default());
     let go_on = &mut |_| ControlFlow::Continue(());

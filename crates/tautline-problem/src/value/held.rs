@@ -1,0 +1,167 @@
+//! `Held`: a metric in its dimension, behind a trait that does not know it.
+
+use core::ops::ControlFlow::Continue;
+use std::{fmt::Debug, sync::Arc};
+
+use tautline::{
+    Ends, LeftEndpoint, Metric, Options, PointSequence, Prepared, Problem, SolveError, Table,
+    TautLine, Trapezoidal, TrueTrapezoid, certify::Watch, solve_all,
+};
+use tautline_portrait::Shape;
+
+use super::{
+    Found, Given, GivenError, Least, Nodes, Proofs, Region, Request,
+    avoiding::avoiding,
+    curve::NamedRule,
+    sets::{check_coordinates, point, set},
+};
+use crate::{
+    ConstantsAnswer, Grid, LEAST_TOLERANCE,
+    constants::{ConstantsError, constants},
+    file::request::RuleName,
+    known::Known,
+    reading::shape::vector,
+    solve::{FIRST_GRID, least_entry, refined},
+};
+
+/// What can be done with a metric without knowing its dimension.
+pub(super) trait AnyDimension: Debug + Send + Sync {
+    fn dimension(&self) -> usize;
+    fn text(&self) -> Option<String>;
+    fn tables(&self) -> &[Arc<dyn Table>];
+    fn gram(&self, x: &[f64]) -> Vec<f64>;
+    fn is_positive_everywhere(&self) -> bool;
+    fn least_entry_along(&self, points: &[f64]) -> Result<Option<Least>, GivenError>;
+    fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Given, GivenError>;
+    fn constants(
+        &self,
+        within: Option<&Shape>,
+        proofs: &Proofs,
+        watch: &dyn Watch,
+    ) -> Result<ConstantsAnswer, GivenError>;
+    fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found;
+    fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found>;
+}
+
+/// A metric in `D` dimensions.
+#[derive(Debug)]
+pub(super) struct Held<const D: usize>(pub(super) Arc<Prepared<Known<D>, D>>);
+
+impl<const D: usize> Held<D> {
+    fn problem(&self, pieces: [&[Shape]; 2]) -> Result<Problem<Known<D>, D>, GivenError> {
+        let ends = match pieces {
+            // Of two points more is proved.
+            [[Shape::Point(a)], [Shape::Point(b)]] => Ends::points(point::<D>(a)?, point::<D>(b)?)?,
+            [from, to] => Ends::new(set("first", from)?, set("second", to)?)?,
+        };
+        Ok(Problem::with_prepared(Arc::clone(&self.0), ends))
+    }
+
+    fn by<R: NamedRule>(problem: &Problem<Known<D>, D>, rule: R, request: &Request) -> Found {
+        let options = request.options::<D>()?;
+        let lattice = request.lattice.as_ref().map(Nodes::lattice::<D>).transpose()?;
+        held(match (request.grid, lattice) {
+            (Grid::Chords(n), None) => problem.solve_with(rule, n, &options),
+            (Grid::Chords(n), Some(lattice)) => {
+                problem.solve_on_lattice(rule, n, &lattice, &options)
+            }
+            (Grid::Tolerance(_), Some(_)) => return Err(GivenError::LatticeAndTolerance),
+            (Grid::Tolerance(tolerance), None) => {
+                if !(LEAST_TOLERANCE..1.0).contains(&tolerance) {
+                    return Err(GivenError::Tolerance { tolerance });
+                }
+                let line = problem.solve_with(rule, FIRST_GRID, &options)?;
+                Ok(refined(problem, rule, line, tolerance, &options, &mut |_| Continue(())))
+            }
+        })
+    }
+
+    fn all_by<R: NamedRule>(
+        problems: Vec<Result<Problem<Known<D>, D>, GivenError>>,
+        rule: R,
+        n: usize,
+        options: &Options<D>,
+    ) -> Vec<Found> {
+        let posed: Vec<_> = problems.iter().filter_map(|problem| problem.as_ref().ok()).collect();
+        let posed: Vec<Problem<Known<D>, D>> = posed.into_iter().cloned().collect();
+        let mut solved = solve_all(&posed, rule, n, options).into_iter();
+        let next = |problem: Result<_, _>| {
+            problem.and_then(|_| held(solved.next().unwrap_or(Err(SolveError::NoStart))))
+        };
+        problems.into_iter().map(next).collect()
+    }
+}
+
+fn held<R: NamedRule, const D: usize>(line: Result<TautLine<Known<D>, R, D>, SolveError>) -> Found {
+    Ok(Arc::new(line?))
+}
+
+impl<const D: usize> AnyDimension for Held<D> {
+    fn dimension(&self) -> usize {
+        D
+    }
+
+    fn text(&self) -> Option<String> {
+        self.0.metric().formula().ok().map(ToString::to_string)
+    }
+
+    fn tables(&self) -> &[Arc<dyn Table>] {
+        self.0.metric().tables()
+    }
+
+    fn gram(&self, x: &[f64]) -> Vec<f64> {
+        self.0.metric().gram(&vector::<D>(x)).as_slice().to_vec()
+    }
+
+    fn is_positive_everywhere(&self) -> bool {
+        self.0.metric().is_positive_everywhere()
+    }
+
+    fn least_entry_along(&self, points: &[f64]) -> Result<Option<Least>, GivenError> {
+        let points = PointSequence::new(points.chunks(D).map(vector::<D>).collect());
+        Ok(least_entry(&*self.0, &points?).map(|(x, value)| (value, x.as_slice().to_vec())))
+    }
+
+    fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Given, GivenError> {
+        let formula = self.0.metric().formula().map_err(|_| GivenError::NoFormula)?;
+        avoiding(formula, regions, margin)
+    }
+
+    fn constants(
+        &self,
+        within: Option<&Shape>,
+        proofs: &Proofs,
+        watch: &dyn Watch,
+    ) -> Result<ConstantsAnswer, GivenError> {
+        if let Some(shape) = within {
+            check_coordinates::<D>(shape)?;
+        }
+        let formula = self.0.metric().formula().map_err(ConstantsError::NotRecorded)?;
+        Ok(constants(formula, within, proofs.accuracy(D), watch)?)
+    }
+
+    fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found {
+        let problem = self.problem(ends)?;
+        match request.rule {
+            RuleName::Trapezoidal => Self::by(&problem, Trapezoidal, request),
+            RuleName::LeftEndpoint => Self::by(&problem, LeftEndpoint, request),
+            RuleName::TrueTrapezoid => Self::by(&problem, TrueTrapezoid, request),
+        }
+    }
+
+    fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
+        let (Grid::Chords(n), None) = (request.grid, &request.lattice) else {
+            return ends.iter().map(|&ends| self.solve(ends, request)).collect();
+        };
+        let options = match request.options::<D>() {
+            Ok(options) => options,
+            Err(error) => return vec![Err(error); ends.len()],
+        };
+        let problems = ends.iter().map(|&ends| self.problem(ends)).collect();
+        match request.rule {
+            RuleName::Trapezoidal => Self::all_by(problems, Trapezoidal, n, &options),
+            RuleName::LeftEndpoint => Self::all_by(problems, LeftEndpoint, n, &options),
+            RuleName::TrueTrapezoid => Self::all_by(problems, TrueTrapezoid, n, &options),
+        }
+    }
+}
