@@ -19,13 +19,17 @@ pub(crate) enum SetOrText {
     Text(String),
 }
 
-/// The steps of the formula of a metric with obstacles, and the tables that it calls by their names.
+/// The steps of a formula, the tables that it calls by their names, and the name and the steps of a cost
+/// or a speed that is to be positive.
+type Parts = (String, Vec<(String, Spline)>, Option<(String, String)>);
+
+/// The parts of a metric with obstacles.
 #[pyfunction]
 pub(crate) fn avoiding(
     program: &Program,
     obstacles: Vec<SetOrText>,
     margin: f64,
-) -> PyResult<(String, Vec<(String, Spline)>)> {
+) -> PyResult<Parts> {
     let regions: Vec<Region> = obstacles
         .into_iter()
         .flat_map(|obstacle| match obstacle {
@@ -34,7 +38,9 @@ pub(crate) fn avoiding(
         })
         .collect();
     let given = program.given.avoiding(&regions, margin).map_err(|error| raised(&error))?;
+    // The cost calls the tables of its square in the same order, and the distances call none.
+    let sign = program.sign.as_ref().and_then(|sign| Some((sign.name.clone(), sign.phi.text()?)));
     let tables = called(&given)?.into_iter().enumerate();
     let tables = tables.map(|(k, table)| (format!("table{}", k + 1), table)).collect();
-    Ok((given.text().unwrap_or_default(), tables))
+    Ok((given.text().unwrap_or_default(), tables, sign))
 }

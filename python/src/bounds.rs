@@ -72,8 +72,6 @@ impl From<problem::Bounds> for Bounds {
             lower: bounds.lower.value,
             upper: bounds.upper.value,
             global_minimum: match bounds.global_minimum {
-                // The straight distance times the root of c1, or 0, bounds all curves.
-                GlobalMinimum::Proved if is_about_all_curves(&bounds.lower_by) => "not needed",
                 GlobalMinimum::Proved => "proved",
                 GlobalMinimum::NotNeeded => "not needed",
                 GlobalMinimum::Assumed => "assumed",
@@ -91,11 +89,6 @@ impl From<problem::Bounds> for Bounds {
 
 /// What bounds are made of.
 type BoundsParts = (f64, f64, String, String, String, FourConstants, bool, Option<(Vec<f64>, f64)>);
-
-/// Returns whether the statement gives a bound that does not depend on the curve that was found.
-fn is_about_all_curves(statement: &str) -> bool {
-    statement == "Proposition 3.3" || statement.starts_with("nothing")
-}
 
 #[pymethods]
 impl Bounds {

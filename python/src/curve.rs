@@ -140,6 +140,12 @@ impl Curve {
         self.curve.is_resolved()
     }
 
+    /// Whether the relative error of the length, as a distance, is at most `tolerance`, by extrapolation:
+    /// an estimate, not a bound.
+    fn is_within(&self, tolerance: f64) -> bool {
+        self.curve.is_within(tolerance)
+    }
+
     /// Other local minima that were met, shortest first.
     #[getter]
     fn other_minima(&self, py: Python<'_>) -> Vec<Curve> {

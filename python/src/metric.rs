@@ -8,7 +8,7 @@ use numpy::{
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use tautline::Table;
-use tautline_problem::value::{self, Found, Given, Nodes, Proofs, Request, RuleName, Shape};
+use tautline_problem::value::{self, Found, Given, Grid, Nodes, Proofs, Request, RuleName, Shape};
 
 use crate::{
     black_box::Callback,
@@ -31,7 +31,7 @@ pub(crate) struct Program {
     /// What the metric calls, if it is a black box.
     callback: Option<Arc<Callback>>,
     /// What must be positive, if it is a cost or a speed.
-    sign: Option<Sign>,
+    pub(crate) sign: Option<Sign>,
 }
 
 /// How problems are to be solved, as a dictionary with these keys.
@@ -39,6 +39,8 @@ pub(crate) struct Program {
 #[pyo3(from_item_all)]
 pub(crate) struct Options {
     n: usize,
+    /// In place of n.
+    tolerance: Option<f64>,
     rule: String,
     starts: Vec<Vec<Vec<f64>>>,
     only_these_starts: bool,
@@ -262,7 +264,9 @@ impl Program {
     }
 
     fn request(&self, options: Options) -> PyResult<Request> {
-        let Options { n, rule, starts, only_these_starts, lattice, steps, threads } = options;
+        let Options { n, tolerance, rule, starts, only_these_starts, lattice, steps, threads } =
+            options;
+        let grid = tolerance.map_or(Grid::Chords(n), Grid::Tolerance);
         let lattice = lattice.map(|(lower, upper, spacing)| Nodes { lower, upper, spacing });
         let rule = match &rule[..] {
             "trapezoidal" => RuleName::Trapezoidal,
@@ -279,6 +283,6 @@ impl Program {
         // Python runs one thread at a time.
         let own = if self.callback.is_some() { 1 } else { default.threads };
         let (steps, threads) = (steps.unwrap_or(default.steps), threads.unwrap_or(own));
-        Ok(Request { rule, n, starts, only_these_starts, lattice, steps, threads })
+        Ok(Request { rule, grid, starts, only_these_starts, lattice, steps, threads })
     }
 }

@@ -20,18 +20,7 @@ impl Sign {
     /// Returns what is wrong if the function is negative at a point of a curve, or in the middle of a
     /// chord.
     pub(crate) fn wrong(&self, curve: &dyn Curve) -> Result<Option<String>, GivenError> {
-        let (points, dimension) = (curve.points(), curve.dimension());
-        let rows: Vec<&[f64]> = points.chunks(dimension).collect();
-        let middle =
-            |pair: &[&[f64]]| pair[0].iter().zip(pair[1]).map(|(a, b)| 0.5 * (a + b)).collect();
-        let middles: Vec<Vec<f64>> = rows.windows(2).map(middle).collect();
-        let mut least: Option<(f64, &[f64])> = None;
-        for x in rows.iter().copied().chain(middles.iter().map(Vec::as_slice)) {
-            let value = self.phi.gram(x)?[0];
-            if value < least.map_or(0.0, |(least, _)| least) {
-                least = Some((value, x));
-            }
-        }
+        let least = self.phi.least_entry_along(curve)?.filter(|(value, _)| *value < 0.0);
         let message = |(value, x)| {
             format!("the {} is {value:?} at {x:?}; expected a positive function", self.name)
         };

@@ -167,10 +167,20 @@ def _said(file: str, arguments: Sequence[str]) -> dict[str, Any]:
 
 
 def _audit(document: dict[str, Any]) -> Audit:
+    """The report of a document."""
+    try:
+        return _read(document)
+    except KeyError as error:
+        raise RuntimeError(
+            f"the report of {PROGRAM} has no {error}: it is of another version than tautline"
+        ) from None
+
+
+def _read(document: dict[str, Any]) -> Audit:
     used = document["constants"]
     return Audit(
         verdict=document["verdict"],
-        lies=[Lie(**lie) for lie in document["lies"]],
+        lies=[Lie(*(lie[name] for name in Lie._fields)) for lie in document["lies"]],
         laws=[
             Law(law["law"], law["says"], law["status"], law["reason"]) for law in document["laws"]
         ],

@@ -96,6 +96,7 @@ class Metric:
         size = whole(dimension, "the dimension")
         made = of_form(form, what, size) if form else of_matrix(what, size)
         check_used(values, words(made.text))
+        check_used(tables or {}, words(made.text), "table")
         named = {
             name: table if isinstance(table, Table) else Table(table)
             for name, table in (tables or {}).items()
@@ -179,12 +180,9 @@ class Metric:
         The shortest way round the disc is 6.34. Raises `MetricError` if an end is in an obstacle, or if
         every search runs into one: then a `lattice` or `starts` of `solve` name a way round.
         """
-        text, tables = avoiding(self.program, list(obstacles), number(margin, "the margin"))
-        metric = Metric.__new__(Metric)
-        metric._parts = (text, self.dimension, {}, dict(tables), 0, None)
-        metric.program = Program(*metric._parts)
-        metric.lattice, metric._free = self.lattice, self
-        return metric
+        text, tables, sign = avoiding(self.program, list(obstacles), number(margin, "the margin"))
+        parts = (text, self.dimension, {}, dict(tables), 0, sign)
+        return _made(False, parts, self.lattice, self)
 
     @classmethod
     def black_box(
@@ -215,10 +213,7 @@ class Metric:
         >>> round(float(curve.extrapolated), 6)
         4.2
         """
-        metric = cls.__new__(cls)
-        metric._parts = (dimension, h, first, second, step)
-        metric.program = Program.black_box(*metric._parts)
-        return metric
+        return _made(True, (dimension, h, first, second, step), None, None)
 
     @classmethod
     def cost(cls, f: Any, dimension: int | None = None, **options: Any) -> Metric:
@@ -312,15 +307,17 @@ class Metric:
     def __reduce__(self) -> tuple[Callable[..., Metric], tuple[Any, ...]]:
         """Another process makes it again from its text and its tables. A black box goes there if its
         functions do."""
-        return _made, (self.program.text is None, self._parts, self.lattice)
+        return _made, (self.program.text is None, self._parts, self.lattice, self._free)
 
     def __repr__(self) -> str:
         return f"<tautline.Metric in {self.dimension} dimensions>"
 
 
-def _made(is_black_box: bool, parts: tuple[Any, ...], lattice: Lattice | None) -> Metric:
+def _made(
+    is_black_box: bool, parts: tuple[Any, ...], lattice: Lattice | None, free: Metric | None
+) -> Metric:
     metric = Metric.__new__(Metric)
-    metric.lattice = lattice
+    metric.lattice, metric._free = lattice, free
     metric._parts = parts
     metric.program = Program.black_box(*parts) if is_black_box else Program(*parts)
     return metric

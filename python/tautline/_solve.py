@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import NDArray
 
-from ._convert import array, finite_rows, rows, vector, whole
+from ._convert import array, finite_rows, number, rows, vector, whole
 from ._metric import Metric
 from ._sets import SetLike, as_set
 from ._tautline import Curve, LatticeError, MetricError, ProblemError, Set
@@ -29,7 +29,8 @@ def solve(
     start: SetLike,
     goal: SetLike,
     *,
-    n: int = 256,
+    n: int | None = None,
+    tolerance: float | None = None,
     rule: str = "trapezoidal",
     starts: Starts = (),
     only_these_starts: bool = False,
@@ -37,6 +38,9 @@ def solve(
     threads: int | None = None,
 ) -> Curve:
     """A shortest curve of `n` chords from `start` to `goal`: sets, or points of shape (D,).
+
+    Without `n` there are 256 chords, or as many as are needed for a relative error of the length of at most
+    `tolerance`, by extrapolation: see `Curve.is_within`.
 
     `rule` is "trapezoidal" (the metric in the middle of each chord), "left_endpoint" or
     "true_trapezoid". `starts` are polygons from which a search starts besides the automatic ones, or
@@ -48,10 +52,15 @@ def solve(
     shorter.
 
     Warns with `UnresolvedWarning` if the chords do not resolve the metric, if a shorter local minimum was
-    met, or if no path along the lattice joins the sets. Raises `MetricError` if the metric is not
+    met, if the tolerance is missed, or if no path along the lattice joins the sets. Raises `MetricError` if the metric is not
     finite, symmetric and positive definite along a curve, `ProblemError` if the input is wrong.
     """
-    options = _options(metric, n, rule, steps, threads, _polygons(starts), only_these_starts)
+    if n is not None and tolerance is not None:
+        raise ProblemError(f"n = {n} and tolerance = {tolerance}; expected one of them")
+    chords = 256 if n is None else n
+    options = _options(metric, chords, rule, steps, threads, _polygons(starts), only_these_starts)
+    if tolerance is not None:
+        options["tolerance"] = number(tolerance, "the tolerance")
     if metric.lattice is not None and not only_these_starts:
         options["lattice"] = _lattice(metric.lattice)
     ends = as_set(start, "the start"), as_set(goal, "the goal")
@@ -65,6 +74,8 @@ def solve(
         curve = metric.program.solve(*ends, {**options, "lattice": None})
         beside = str(error)
     doubts = [*([beside] if beside else []), *curve.doubts]
+    if tolerance is not None and not curve.is_within(tolerance):
+        doubts.append(f"the relative error of its length may exceed {tolerance} with {curve.n} chords")
     if doubts:
         warnings.warn(
             f"the curve of length {float(curve.length)!r} may not be a shortest one: "
@@ -217,6 +228,7 @@ def _options(
         )
     return {
         "n": whole(n, "n"),
+        "tolerance": None,
         "rule": rule if isinstance(rule, str) else repr(rule),
         "steps": None if steps is None else whole(steps, "steps"),
         "threads": None if threads is None else whole(threads, "threads"),

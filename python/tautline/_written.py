@@ -94,10 +94,10 @@ def of_sympy(
     return lambda x: function(*x, *values)
 
 
-def check_used(parameters: Mapping[str, float], names: set[str]) -> None:
-    """Refuses parameters that a metric does not use."""
-    if unused := [name for name in parameters if name not in names]:
-        raise ProblemError(f"the parameter {unused[0]} is not used")
+def check_used(given: Mapping[str, Any], names: set[str], what: str = "parameter") -> None:
+    """Refuses parameters, or tables, that a metric does not use."""
+    if unused := [name for name in given if name not in names]:
+        raise ProblemError(f"the {what} {unused[0]} is not used")
 
 
 def words(text: str) -> set[str]:
@@ -141,9 +141,14 @@ def _values(function: Callable[[np.ndarray], Any], dimension: int) -> np.ndarray
     try:
         found = function(x)
     except TypeError as error:
+        # Of NumPy, which does not ask the symbols in an array.
+        if "ufunc" in str(error) and "dtype('O')" not in str(error):
+            raise TraceError(
+                f"a function of NumPy does not take an array of symbols: {error}. Call it for each entry, "
+                "as in np.hypot(1.0, x[0])"
+            ) from None
         if "dtype('O')" not in str(error):
             raise
-        # Of NumPy, which does not ask the symbols.
         raise TraceError(
             "symbols were added into an array of floats, as by `a += x`: write `a = a + x`, or make the "
             f"array with dtype=object ({error})"

@@ -163,6 +163,9 @@ class WithoutTheProgram(unittest.TestCase):
 
     @unittest.skipUnless(os.name == "posix", "the program is a script")
     def test_ctrl_c_ends_the_program(self):
+        # A job in the background of a shell ignores it.
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
         with tempfile.TemporaryDirectory() as folder:
             program, pid = pathlib.Path(folder, "tautline-audit"), pathlib.Path(folder, "pid")
             program.write_text(f"#!/bin/sh\necho $$ > {pid}\nexec sleep 60\n")

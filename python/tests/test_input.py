@@ -175,6 +175,8 @@ class Metrics(unittest.TestCase):
     def test_parameters_are_numbers_that_are_used(self):
         with self.assertRaisesRegex(tl.ProblemError, "the parameter k is nan"):
             tl.Metric.cost("2 + k*x1", 1, parameters={"k": float("nan")})
+        with self.assertRaisesRegex(tl.ProblemError, "the table f is not used"):
+            tl.Metric.cost("1 + x1^2", 2, tables={"f": np.ones((3, 3))})
         with self.assertRaisesRegex(tl.ProblemError, "the parameter k is not used"):
             tl.Metric.cost("2 + kk*x1", 1, parameters={"kk": 0.5, "k": 1})
 

@@ -48,13 +48,22 @@ class Obstacles(unittest.TestCase):
         np.testing.assert_array_equal(curves[0].points, curves[1].points)
         self.assertGreater(np.hypot(*(curves[0].points - [5, 4]).T).min(), 2)
 
+    def test_a_cost_stays_positive_beside_obstacles(self):
+        table = tl.Table(np.full((4, 2), -2.0))
+        for cost in (tl.Metric.cost("x1 - 5", 2), tl.Metric.cost(lambda x: table(*x), 2)):
+            metric = cost.avoiding(tl.ball([9, 9], 1), margin=0.1)
+            for each in (metric, pickle.loads(pickle.dumps(metric))):
+                with self.assertRaisesRegex(tl.MetricError, "the cost is -.*expected a positive"):
+                    tl.solve(each, [0, 0.5], [3, 0.5], n=16)
+
     def test_what_is_in_an_obstacle_is_said(self):
         metric = self.free.avoiding(tl.ball([0, 0], 1), margin=0.1)
         with self.assertRaisesRegex(tl.MetricError, r"the point \[0.5, 0.0\] is in an obstacle"):
             tl.solve(metric, [0.5, 0], [3, 0])
         wall = self.free.avoiding("x1^2 - 1", margin=0.1)
-        with self.assertRaisesRegex(tl.MetricError, "every search runs into an obstacle"):
-            tl.solve(wall, *ENDS)
+        for each in (wall, pickle.loads(pickle.dumps(wall))):
+            with self.assertRaisesRegex(tl.MetricError, "every search runs into an obstacle"):
+                tl.solve(each, *ENDS)
 
     def test_what_is_no_obstacle_is_refused(self):
         for obstacle, margin, says in [

@@ -80,6 +80,28 @@ class Proofs(unittest.TestCase):
         upper = f"upper = {good.upper!r}>"
         self.assertTrue(repr(tl.check(good.text)).endswith(upper))
 
+    def test_a_tolerance_takes_as_many_chords_as_it_needs(self):
+        hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
+        ends = [-1.5, 0.05], [1.5, -0.1]
+        distance = float(tl.solve(hill, *ends, n=8192).extrapolated)
+        for tolerance in (1e-4, 1e-9):
+            curve = tl.solve(hill, *ends, tolerance=tolerance)
+            error = float(curve.length) / distance - 1
+            self.assertTrue(abs(error) <= tolerance and curve.is_within(tolerance))
+            self.assertEqual(curve.n > 256, tolerance == 1e-9)
+        # The excess itself is above a hundredth of the tolerance.
+        self.assertTrue(error > 1e-11 and not curve.is_within(1e-11))
+        self.assertFalse(curve.is_within(float("nan")) or curve.is_within(0))
+        with self.assertWarnsRegex(tl.UnresolvedWarning, "may exceed 1e-06 with"):
+            tl.solve(hill, *ends, tolerance=1e-6, steps=1)
+        with self.assertRaisesRegex(tl.ProblemError, "n = 256 and tolerance = 0.1"):
+            tl.solve(hill, *ends, n=256, tolerance=0.1)
+        for wrong in (0, -1.0, 1.0, 1e-300):
+            with self.assertRaisesRegex(tl.ProblemError, "must be between"):
+                tl.solve(hill, *ends, tolerance=wrong)
+        with self.assertRaisesRegex(tl.ProblemError, "a lattice besides a tolerance"):
+            tl.solve(tl.Metric.image(np.ones((4, 4))), [0, 0], [3, 3], tolerance=1e-3)
+
     def test_the_straight_distance_needs_no_global_minimum(self):
         # A curve on the wrong side of a hill, and a bound that holds for all curves.
         hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)

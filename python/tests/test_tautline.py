@@ -111,6 +111,9 @@ class Solving(unittest.TestCase):
             curve.bounds(claimed=(2, 1, 1, None))
 
     def test_control_c_ends_a_search(self):
+        # A job in the background of a shell ignores it.
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
         hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
         curve = tl.solve(hill, [-1.5, 0.05], [1.5, -0.1])
         for search in (

@@ -83,6 +83,13 @@ class Functions(unittest.TestCase):
         with self.assertRaisesRegex(tl.TraceError, "power 0.3: exponents are integers or halves"):
             tl.Metric.phi(lambda x: (1 + x[0] ** 2) ** 0.3, 1)
 
+    def test_functions_of_arrays_that_numpy_does_not_know_say_what_to_write(self):
+        for function in (lambda x: np.hypot(1.0, x).sum(), lambda x: np.float_power(x, 2).sum()):
+            with self.assertRaisesRegex(tl.TraceError, "for each entry"):
+                tl.Metric.cost(function, 2)
+        each = tl.Metric.cost(lambda x: np.hypot(1.0, x[0]) + np.float_power(x[1], 2), 2)
+        self.assertAlmostEqual(each([0.75, 2.0])[0, 0], 5.25**2)
+
     def test_functions_with_kinks_have_smooth_replacements(self):
         for function, instead in (
             (lambda x: np.abs(x[0]), r"np.sqrt\(u\*\*2 \+ 1e-4\)"),
