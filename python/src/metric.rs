@@ -1,6 +1,9 @@
 //! `Program`: a metric as a recorded formula.
 
-use std::{collections::HashMap, sync::Arc};
+use std::{
+    collections::HashMap,
+    sync::{Arc, atomic::Ordering},
+};
 
 use numpy::{
     IntoPyArray, PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
@@ -165,7 +168,19 @@ impl Program {
 
     fn solve(&self, py: Python<'_>, start: &Set, goal: &Set, options: Options) -> PyResult<Curve> {
         let request = self.request(options)?;
-        let found = py.detach(|| self.given.solve([&start.pieces, &goal.pieces], &request));
+        let found = match request.grid {
+            Grid::Chords(_) => {
+                py.detach(|| self.given.solve([&start.pieces, &goal.pieces], &request))
+            }
+            // It may take minutes.
+            Grid::Tolerance(_) => {
+                let (given, start, goal) = (self.given.clone(), start.clone(), goal.clone());
+                interruptible(py, move |stopped| {
+                    let ends: [&[Shape]; 2] = [&start.pieces, &goal.pieces];
+                    given.solve_while(ends, &request, &|| !stopped.load(Ordering::Relaxed))
+                })?
+            }
+        };
         self.unless_raised()?;
         let curve = found.map_err(|error| raised(&error))?;
         match self.wrong_sign(&*curve) {

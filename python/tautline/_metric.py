@@ -181,7 +181,7 @@ class Metric:
         every search runs into one: then a `lattice` or `starts` of `solve` name a way round.
         """
         text, tables, sign = avoiding(self.program, list(obstacles), number(margin, "the margin"))
-        parts = (text, self.dimension, {}, dict(tables), 0, sign)
+        parts: tuple[Any, ...] = (text, self.dimension, {}, dict(tables), 0, sign)
         return _made(False, parts, self.lattice, self)
 
     @classmethod

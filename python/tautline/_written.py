@@ -13,7 +13,7 @@ from ._convert import array, plain
 from ._recorded import coordinates, written
 from ._table import Table
 from ._tautline import ProblemError
-from ._trace import Number, TraceError
+from ._trace import UFUNCS, Number, TraceError
 
 # The forms that take one function.
 SCALARS = ("cost", "speed", "phi", "graph")
@@ -140,9 +140,11 @@ def _values(function: Callable[[np.ndarray], Any], dimension: int) -> np.ndarray
             ) from None
     try:
         found = function(x)
-    except TypeError as error:
+    except (TypeError, AttributeError) as error:
         # Of NumPy, which does not ask the symbols in an array.
-        if "ufunc" in str(error) and "dtype('O')" not in str(error):
+        missing = re.search(r"'(?:float|int)' object has no attribute '(\w+)'", str(error))
+        is_missing = missing is not None and missing[1] in UFUNCS
+        if is_missing or "ufunc" in str(error) and "dtype('O')" not in str(error):
             raise TraceError(
                 f"a function of NumPy does not take an array of symbols: {error}. Call it for each entry, "
                 "as in np.hypot(1.0, x[0])"

@@ -4,6 +4,7 @@ import math
 import operator
 import unittest
 import warnings
+from unittest import mock
 
 import numpy as np
 
@@ -92,8 +93,12 @@ class Proofs(unittest.TestCase):
         # The excess itself is above a hundredth of the tolerance.
         self.assertTrue(error > 1e-11 and not curve.is_within(1e-11))
         self.assertFalse(curve.is_within(float("nan")) or curve.is_within(0))
-        with self.assertWarnsRegex(tl.UnresolvedWarning, "may exceed 1e-06 with"):
-            tl.solve(hill, *ends, tolerance=1e-6, steps=1)
+        # A search that ends too early.
+        coarse = tl.solve(hill, *ends)
+        ended = tl.Metric.cost("1", 2)
+        ended.program = mock.Mock(solve=lambda *_: coarse)
+        with self.assertWarnsRegex(tl.UnresolvedWarning, "may exceed 1e-09 with 256 chords"):
+            tl.solve(ended, *ends, tolerance=1e-9)
         with self.assertRaisesRegex(tl.ProblemError, "n = 256 and tolerance = 0.1"):
             tl.solve(hill, *ends, n=256, tolerance=0.1)
         for wrong in (0, -1.0, 1.0, 1e-300):

@@ -116,8 +116,11 @@ class Solving(unittest.TestCase):
         self.addCleanup(signal.signal, signal.SIGINT, before)
         hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
         curve = tl.solve(hill, [-1.5, 0.05], [1.5, -0.1])
+        far = tl.Metric.cost("1 + 4*exp(-2*((x1 - 1e6)^2 + x2^2))", 2)
         for search in (
             lambda: curve.certificate(1e-12, cubes=10**8),
+            # Rounding is far above the tolerance.
+            lambda: tl.solve(far, [1e6 - 1.5, 0.05], [1e6 + 1.5, -0.1], tolerance=1e-13),
             lambda: tl.Metric.phi("2 + sin(7*x1)*sin(5*x2)*sin(x3)*sin(x4)", 4).constants(
                 tolerance=1e-9, boxes=10**9
             ),

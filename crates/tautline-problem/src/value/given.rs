@@ -153,7 +153,22 @@ impl Given {
     ///
     /// [`GivenError`].
     pub fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found {
-        self.metric.solve(ends, request)
+        self.solve_while(ends, request, &|| true)
+    }
+
+    /// Does the same. With a tolerance, it goes on to a finer grid only while `goes_on` says so, and returns
+    /// the curve on the last grid otherwise.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError`].
+    pub fn solve_while(
+        &self,
+        ends: [&[Shape]; 2],
+        request: &Request,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Found {
+        self.metric.solve(ends, request, goes_on)
     }
 
     /// Solves many problems on all threads, and returns the curves in order, bit for bit those of

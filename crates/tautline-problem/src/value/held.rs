@@ -1,6 +1,6 @@
 //! `Held`: a metric in its dimension, behind a trait that does not know it.
 
-use core::ops::ControlFlow::Continue;
+use core::ops::ControlFlow::{Break, Continue};
 use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
@@ -39,7 +39,7 @@ pub(super) trait AnyDimension: Debug + Send + Sync {
         proofs: &Proofs,
         watch: &dyn Watch,
     ) -> Result<ConstantsAnswer, GivenError>;
-    fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found;
+    fn solve(&self, ends: [&[Shape]; 2], request: &Request, goes_on: &dyn Fn() -> bool) -> Found;
     fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found>;
 }
 
@@ -57,7 +57,12 @@ impl<const D: usize> Held<D> {
         Ok(Problem::with_prepared(Arc::clone(&self.0), ends))
     }
 
-    fn by<R: NamedRule>(problem: &Problem<Known<D>, D>, rule: R, request: &Request) -> Found {
+    fn by<R: NamedRule>(
+        problem: &Problem<Known<D>, D>,
+        rule: R,
+        request: &Request,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Found {
         let options = request.options::<D>()?;
         let lattice = request.lattice.as_ref().map(Nodes::lattice::<D>).transpose()?;
         held(match (request.grid, lattice) {
@@ -71,7 +76,8 @@ impl<const D: usize> Held<D> {
                     return Err(GivenError::Tolerance { tolerance });
                 }
                 let line = problem.solve_with(rule, FIRST_GRID, &options)?;
-                Ok(refined(problem, rule, line, tolerance, &options, &mut |_| Continue(())))
+                let go_on = || if goes_on() { Continue(()) } else { Break(()) };
+                Ok(refined(problem, rule, line, tolerance, &options, &mut |_| go_on()))
             }
         })
     }
@@ -140,18 +146,18 @@ impl<const D: usize> AnyDimension for Held<D> {
         Ok(constants(formula, within, proofs.accuracy(D), watch)?)
     }
 
-    fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found {
+    fn solve(&self, ends: [&[Shape]; 2], request: &Request, goes_on: &dyn Fn() -> bool) -> Found {
         let problem = self.problem(ends)?;
         match request.rule {
-            RuleName::Trapezoidal => Self::by(&problem, Trapezoidal, request),
-            RuleName::LeftEndpoint => Self::by(&problem, LeftEndpoint, request),
-            RuleName::TrueTrapezoid => Self::by(&problem, TrueTrapezoid, request),
+            RuleName::Trapezoidal => Self::by(&problem, Trapezoidal, request, goes_on),
+            RuleName::LeftEndpoint => Self::by(&problem, LeftEndpoint, request, goes_on),
+            RuleName::TrueTrapezoid => Self::by(&problem, TrueTrapezoid, request, goes_on),
         }
     }
 
     fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
         let (Grid::Chords(n), None) = (request.grid, &request.lattice) else {
-            return ends.iter().map(|&ends| self.solve(ends, request)).collect();
+            return ends.iter().map(|&ends| self.solve(ends, request, &|| true)).collect();
         };
         let options = match request.options::<D>() {
             Ok(options) => options,
