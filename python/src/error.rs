@@ -18,6 +18,12 @@ create_exception!(
 );
 create_exception!(
     tautline,
+    SignError,
+    MetricError,
+    "The cost or the speed of a metric is negative at a point of a curve."
+);
+create_exception!(
+    tautline,
     LatticeError,
     ProblemError,
     "The nodes of a lattice are not near the sets, or no path along them joins the sets."

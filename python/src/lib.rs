@@ -29,7 +29,7 @@ mod _tautline {
         bounds::{Bounds, Constant, theorem_1_1, theorem_1_3},
         certificate::{Certificate, Verdict, check},
         curve::Curve,
-        error::{LatticeError, MetricError, NotCertified, ProblemError},
+        error::{LatticeError, MetricError, NotCertified, ProblemError, SignError},
         estimate::Estimate,
         metric::Program,
         problem_file::problem_file,

@@ -17,7 +17,7 @@ use crate::{
     black_box::Callback,
     bounds::Constant,
     curve::{Curve, unless},
-    error::{MetricError, ProblemError, raised},
+    error::{ProblemError, SignError, raised},
     interruptible::interruptible,
     pool::{self, pool},
     set::Set,
@@ -185,7 +185,7 @@ impl Program {
         let curve = found.map_err(|error| raised(&error))?;
         match self.wrong_sign(&*curve) {
             None => Ok(curve.into()),
-            Some(wrong) => Err(MetricError::new_err(wrong)),
+            Some(wrong) => Err(SignError::new_err(wrong)),
         }
     }
 

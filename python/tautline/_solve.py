@@ -13,15 +13,15 @@ from numpy.typing import NDArray
 from ._convert import array, finite_rows, number, rows, vector, whole
 from ._metric import Metric
 from ._sets import SetLike, as_set
-from ._tautline import Curve, LatticeError, MetricError, ProblemError, Set
+from ._tautline import Curve, LatticeError, MetricError, ProblemError, Set, SignError
 
 # A polygon from which a search starts, or several.
 Starts: TypeAlias = Union[Curve, npt.ArrayLike, Sequence[Any]]
 
 
 class UnresolvedWarning(UserWarning):
-    """A curve may not be a shortest one: its chords do not resolve the metric, or another minimum that
-    was met is shorter."""
+    """A curve may not be a shortest one: its chords do not resolve the metric, its length misses the
+    tolerance, or another minimum that was met is shorter."""
 
 
 def solve(
@@ -40,7 +40,7 @@ def solve(
     """A shortest curve of `n` chords from `start` to `goal`: sets, or points of shape (D,).
 
     Without `n` there are 256 chords, or as many as are needed for a relative error of the length of at most
-    `tolerance`, by extrapolation: see `Curve.is_within`.
+    `tolerance`, by extrapolation: see `Curve.is_within`. A search along a `lattice` needs `n`.
 
     `rule` is "trapezoidal" (the metric in the middle of each chord), "left_endpoint" or
     "true_trapezoid". `starts` are polygons from which a search starts besides the automatic ones, or
@@ -57,16 +57,24 @@ def solve(
     """
     if n is not None and tolerance is not None:
         raise ProblemError(f"n = {n} and tolerance = {tolerance}; expected one of them")
+    searches_lattice = metric.lattice is not None and not only_these_starts
+    if tolerance is not None and searches_lattice:
+        raise ProblemError(
+            "a tolerance besides a lattice, which the metric has: a search along a lattice has a number of "
+            "chords. Give n, or set metric.lattice = None"
+        )
     chords = 256 if n is None else n
     options = _options(metric, chords, rule, steps, threads, _polygons(starts), only_these_starts)
     if tolerance is not None:
         options["tolerance"] = number(tolerance, "the tolerance")
-    if metric.lattice is not None and not only_these_starts:
+    if searches_lattice:
         options["lattice"] = _lattice(metric.lattice)
     ends = as_set(start, "the start"), as_set(goal, "the goal")
     beside = ""
     try:
         curve = metric.program.solve(*ends, options)
+    except SignError as error:
+        raise MetricError(str(error)) from None
     except MetricError as error:
         why = _in_obstacle(metric, start, goal)
         raise MetricError(f"{why}: {error}" if why else str(error)) from None
@@ -77,9 +85,10 @@ def solve(
     if tolerance is not None and not curve.is_within(tolerance):
         doubts.append(f"the relative error of its length may exceed {tolerance} with {curve.n} chords")
     if doubts:
+        help = "Other `starts`" if tolerance is not None else "More chords `n` or other `starts`"
         warnings.warn(
             f"the curve of length {float(curve.length)!r} may not be a shortest one: "
-            f"{'; '.join(doubts)}. More chords `n` or other `starts` may help",
+            f"{'; '.join(doubts)}. {help} may help",
             UnresolvedWarning,
             stacklevel=2,
         )
@@ -182,8 +191,9 @@ def distance_matrix(
     """The lengths of the curves between the rows of `a` and those of `b`, of shape (len(a), len(b)).
 
     Without `b` the rows of `a` are paired with each other: the matrix is symmetric, and each pair is
-    solved once. NaN where there is no curve. The `lattice` of an image is not searched. Warns with `UnresolvedWarning` how many of the curves are
-    not resolved, or longer than another local minimum that was met.
+    solved once. NaN where there is no curve. The `lattice` of an image is not searched. Warns with
+    `UnresolvedWarning` how many of the curves are not resolved, or longer than another local minimum that
+    was met.
     """
     options, x = _options(metric, n, rule, None, threads), finite_rows(a, "a")
     if b is None:

@@ -147,7 +147,7 @@ def _values(function: Callable[[np.ndarray], Any], dimension: int) -> np.ndarray
         if is_missing or "ufunc" in str(error) and "dtype('O')" not in str(error):
             raise TraceError(
                 f"a function of NumPy does not take an array of symbols: {error}. Call it for each entry, "
-                "as in np.hypot(1.0, x[0])"
+                f"as in np.hypot(1.0, x[0]); there are {', '.join(sorted(UFUNCS))}"
             ) from None
         if "dtype('O')" not in str(error):
             raise

@@ -139,6 +139,17 @@ class Audits(unittest.TestCase):
 
 
 class WithoutTheProgram(unittest.TestCase):
+    def test_a_report_of_another_version_is_named_or_read(self):
+        lie = dict.fromkeys(tl.Lie._fields, None) | {"about": "L_H", "a later field": 7}
+        report = {"verdict": "lies", "lies": [lie], "laws": [], "constants": None, "text": "…"}
+        self.assertEqual(_audit._audit(report).lies[0].about, "L_H")
+        for missing in ("verdict", "laws", "constants", "text"):
+            with self.assertRaisesRegex(RuntimeError, f"no '{missing}': it is of another version"):
+                _audit._audit({name: value for name, value in report.items() if name != missing})
+        del lie["formula"]
+        with self.assertRaisesRegex(RuntimeError, "no 'formula'"):
+            _audit._audit(report)
+
     def test_a_black_box_has_no_formula(self):
         black_box = tl.Metric.black_box(lambda x: np.ones((len(x), 1, 1)), 1)
         with self.assertRaisesRegex(tl.NotCertified, "no formula to audit"):

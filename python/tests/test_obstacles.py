@@ -53,7 +53,7 @@ class Obstacles(unittest.TestCase):
         for cost in (tl.Metric.cost("x1 - 5", 2), tl.Metric.cost(lambda x: table(*x), 2)):
             metric = cost.avoiding(tl.ball([9, 9], 1), margin=0.1)
             for each in (metric, pickle.loads(pickle.dumps(metric))):
-                with self.assertRaisesRegex(tl.MetricError, "the cost is -.*expected a positive"):
+                with self.assertRaisesRegex(tl.MetricError, "^the cost is -.*expected a positive"):
                     tl.solve(each, [0, 0.5], [3, 0.5], n=16)
 
     def test_what_is_in_an_obstacle_is_said(self):

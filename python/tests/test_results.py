@@ -102,10 +102,13 @@ class Proofs(unittest.TestCase):
         with self.assertRaisesRegex(tl.ProblemError, "n = 256 and tolerance = 0.1"):
             tl.solve(hill, *ends, n=256, tolerance=0.1)
         for wrong in (0, -1.0, 1.0, 1e-300):
-            with self.assertRaisesRegex(tl.ProblemError, "must be between"):
+            with self.assertRaisesRegex(tl.ProblemError, "must be at least 1e-13"):
                 tl.solve(hill, *ends, tolerance=wrong)
-        with self.assertRaisesRegex(tl.ProblemError, "a lattice besides a tolerance"):
+        with self.assertRaisesRegex(tl.ProblemError, "a tolerance besides a lattice.*metric.lattice = None"):
             tl.solve(tl.Metric.image(np.ones((4, 4))), [0, 0], [3, 3], tolerance=1e-3)
+        image = tl.Metric.image(np.ones((4, 4)))
+        image.lattice = None
+        self.assertAlmostEqual(float(tl.solve(image, [0, 0], [3, 3], tolerance=1e-3).length), 18**0.5)
 
     def test_the_straight_distance_needs_no_global_minimum(self):
         # A curve on the wrong side of a hill, and a bound that holds for all curves.

@@ -125,13 +125,15 @@ fn note(bounds: &Bounds, converged: bool) -> Option<String> {
     let note = match bounds.global_minimum {
         GlobalMinimum::Proved => return None,
         GlobalMinimum::NotNeeded => {
-            let percent = 100.0 * (1.0 - bounds.lower.value / bounds.upper.value);
+            let (lower, upper) = (bounds.lower.value, bounds.upper.value);
+            // Sets that touch have the distance 0.
+            let percent = if upper > lower { 100.0 * (1.0 - lower / upper) } else { 0.0 };
             let (about, is_close) = match &bounds.certificate {
                 Some(certificate) => (
                     "the lower bound is that of a certificate, which is about all curves",
                     certificate.reached,
                 ),
-                None => ("the lower bound is about all curves", percent < SHOWN),
+                None => ("the lower bound holds for all curves", percent < SHOWN),
             };
             if is_close {
                 return bounds.certificate.is_some().then(|| about.to_owned());
@@ -243,6 +245,10 @@ mod tests {
             straight,
             "the lower bound is about all curves; one shorter by 12.35 % may exist"
         );
+        for (lower, upper) in [(0.0, 0.0), (0.9999, 1.0)] {
+            (bounds.lower, bounds.upper) = (lower.into(), upper.into());
+            assert_eq!(note(&bounds, true).is_none(), upper == 0.0);
+        }
     }
 
     #[test]

@@ -191,8 +191,10 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
         (false, true) => GlobalMinimum::Assumed,
         (false, false) => match enclosure.from_below {
             FromBelow::Minimum | FromBelow::Convexity => GlobalMinimum::Proved,
-            // The others bound all curves between the sets, whichever was found.
-            _ => GlobalMinimum::NotNeeded,
+            // These bound all curves between the sets, whichever was found.
+            FromBelow::Nothing | FromBelow::Euclidean | FromBelow::Certificate => {
+                GlobalMinimum::NotNeeded
+            }
         },
     };
     let lower_by = match enclosure.from_below {

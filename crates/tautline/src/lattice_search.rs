@@ -50,10 +50,12 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
             [Ok(first), Ok(second)] => {
                 // A line whose length is NaN is not the shorter one.
                 let is_shorter = second.length().value < first.length().value;
+                // The path has no coarsest grid of its own.
+                let local_minima = first.minimum().local_minima.clone();
                 Ok(if is_shorter || first.length().value.is_nan() {
-                    self.with_coarser_grids(second, options).beside(&first)
+                    self.with_coarser_grids(second, options).beside(&first, local_minima)
                 } else {
-                    first.beside(&second)
+                    first.beside(&second, local_minima)
                 })
             }
             [Ok(line), Err(_)] => Ok(line),
@@ -73,8 +75,8 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         self.solve_with(rule, n, &Options { starts, ..options.clone() })
     }
 
-    /// Adds the energies on the grids of half and a quarter of the chords, as far as there is a minimum
-    /// next to the line.
+    /// Adds the energies on the grids of half and a quarter of the chords, as far as they resolve the
+    /// metric and have a minimum next to the line.
     fn with_coarser_grids<R: Rule>(
         &self,
         line: TautLine<M, R, D>,
@@ -82,31 +84,42 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ) -> TautLine<M, R, D> {
         let n = line.sequence().n().get();
         let mut minimum = line.minimum().clone();
-        for coarser in [2, 4].map(|factor| n.div_ceil(factor)).into_iter().filter(|&m| m < n) {
+        for coarser in [n.div_ceil(2), n.div_ceil(4)] {
+            if coarser >= minimum.levels[0].n {
+                break;
+            }
             let start = line.sequence().clone();
             let found = self.solve_on_the_grid(line.rule(), coarser, start, options);
             let Ok(found) = found else { break };
-            let found = found.minimum();
-            minimum.iterations += found.iterations;
-            if !found.is_local_minimum() || are_apart(&found.sequence, line.sequence()) {
+            minimum.iterations += found.minimum().iterations;
+            let is_there = found.minimum().is_local_minimum() && found.is_resolved();
+            if !is_there || are_apart(found.sequence(), line.sequence()) {
                 break;
             }
-            minimum.levels.insert(0, Level { n: coarser, energy: found.energy });
+            minimum.levels.insert(0, Level { n: coarser, energy: found.discrete_energy() });
         }
         line.with_minimum(minimum)
     }
 }
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
-    /// Adds another line, and what was met on the way to it, to the other minima.
-    fn beside(self, line: &Self) -> Self {
+    /// Adds another line to the other minima, and the lowest of what was met on the way to it.
+    fn beside(self, line: &Self, local_minima: Vec<f64>) -> Self {
         let (mut minimum, found) = (self.minimum().clone(), line.minimum());
         minimum.iterations += found.iterations;
+        minimum.local_minima = local_minima;
         let own = Other { sequence: found.sequence.clone(), energy: found.energy };
-        let own = found.is_local_minimum().then_some(own);
-        let mut met: Vec<Other<D>> = std::mem::take(&mut minimum.others);
-        met.extend(own.into_iter().chain(found.others.iter().cloned()));
-        minimum.others = lowest_different(met, self.sequence(), &|_| true);
+        let is_other = found.is_local_minimum() && are_apart(&found.sequence, self.sequence());
+        let own = is_other.then_some(own);
+        let is_new = |other: &Other<D>| {
+            own.as_ref().is_none_or(|own| are_apart(&other.sequence, &own.sequence))
+        };
+        let met = [&minimum.others[..], &found.others].concat();
+        minimum.others = lowest_different(met, self.sequence(), &is_new);
+        if let Some(own) = own {
+            let place = minimum.others.partition_point(|other| other.energy <= own.energy);
+            minimum.others.insert(place, own);
+        }
         self.with_minimum(minimum)
     }
 

@@ -39,13 +39,15 @@ pub struct Minimum<const D: usize> {
     /// The number of those steps that led to this result: from one start, over all grids.
     pub own_iterations: usize,
     /// The energies on all grids on the way to this result, from coarse to fine. The last is the
-    /// energy of this result.
+    /// energy of this result. For a line from a path along a lattice they are those of minima next to it,
+    /// which are sought afterwards.
     pub levels: Vec<Level>,
     /// The energies, in `m²`, of the local minimisers found on the coarsest grid, lowest first.
     /// Energies that agree to a relative `10⁻⁹`, such as those of mirror images, count once. The
     /// list is empty if no search converged on that grid.
     pub local_minima: Vec<f64>,
-    /// The other local minimisers that were met, lowest first, up to seven, each along another curve.
+    /// The other local minimisers that were met, lowest first, up to seven, each along another curve; after
+    /// a search along a lattice up to eight.
     /// They stay on a coarser grid if they have the energy of one that is followed, as mirror
     /// images do, and beyond 512 chords, where only the result is followed unless one of them is
     /// lower on the finest grid.

@@ -55,7 +55,7 @@ pub(crate) fn refined<R: Rule, const D: usize>(
         let finer = finer.map(|finer| finer.min(FINEST_GRID / D));
         let Some(finer) = finer.filter(|&finer| finer > n) else { break };
         if coarser(&line).is_break() {
-            return line;
+            break;
         }
         options.starts = also(options.starts, starts);
         // Without a finer line, the coarser one misses the tolerance, and says so.

@@ -171,8 +171,8 @@ impl Given {
         self.metric.solve(ends, request, goes_on)
     }
 
-    /// Solves many problems on all threads, and returns the curves in order, bit for bit those of
-    /// [`solve`](Given::solve). An error in one of them does not affect the others.
+    /// Solves many problems on all threads, or one after the other with a tolerance or a lattice, and
+    /// returns the curves in order, bit for bit those of [`solve`](Given::solve). An error in one of them does not affect the others.
     #[must_use]
     pub fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
         self.metric.solve_all(ends, request)

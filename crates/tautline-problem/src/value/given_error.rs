@@ -39,8 +39,10 @@ pub enum GivenError {
     /// A start is no sequence of points.
     #[error("a start: {0}")]
     Start(#[from] SequenceError),
-    /// The tolerance is too small, or not less than 1.
-    #[error("the tolerance is {tolerance}; it must be between {LEAST_TOLERANCE} and 1")]
+    /// The tolerance is less than [`LEAST_TOLERANCE`], or not less than 1.
+    #[error(
+        "the tolerance is {tolerance}; it must be at least {LEAST_TOLERANCE:e} and less than 1"
+    )]
     Tolerance {
         /// The relative error of the length that was wanted.
         tolerance: f64,

@@ -59,9 +59,15 @@ fn a_tolerance_of_values_is_that_of_a_file() {
     assert!(answer.n > 256 && answer.within_tolerance == Some(true) && curve.is_within(1e-9));
     let coarse = with(Grid::Chords(answer.n / 4)).expect("solved");
     assert!(!coarse.is_within(1e-9) && coarse.is_within(1e-7) && !coarse.is_within(f64::NAN));
+    // It may end after each grid, and then has the curve on it.
+    let request = Request { grid: Grid::Tolerance(1e-9), ..Request::default() };
+    let (from, to) = (point(&[-1.5, 0.05]), point(&[1.5, -0.1]));
+    let early = hill().solve_while([&from, &to], &request, &|| false).expect("solved");
+    let first = with(Grid::Chords(256)).expect("solved");
+    assert_eq!(early.points(), first.points());
     for tolerance in [0.0, 1e-14, 1.0, f64::NAN] {
         let refused = with(Grid::Tolerance(tolerance)).expect_err("no tolerance").to_string();
-        assert!(refused.contains("must be between 0.0000000000001 and 1"), "{refused}");
+        assert!(refused.contains("must be at least 1e-13 and less than 1"), "{refused}");
     }
 }
 

@@ -52,6 +52,13 @@ fn the_shorter_of_both_lines_is_returned() {
     let fine = on_a_grid_of(2048, &problem, &found);
     let off = (found.discrete_energy() - fine).abs() / 15.0;
     assert!((estimate.value - fine).abs() <= estimate.error + off, "{estimate:?} beside {fine}");
+    assert!(estimate.error < off, "{estimate:?} beside {off:e}");
+    // Both searches took steps, and the grids for the extrapolation.
+    let first = problem.solve(Trapezoidal, 512).expect("a line");
+    assert!(
+        found.minimum().iterations > first.minimum().iterations + found.minimum().own_iterations
+    );
+    assert_eq!(found.minimum().local_minima, first.minimum().local_minima);
     // A lattice that does not reach the gap finds nothing better.
     let low = on([-2.0, -1.0], [2.0, 1.0], 0.05).expect("a line").length().value;
     assert!(low <= automatic && low > 15.0, "{low} beside {automatic}");
@@ -65,6 +72,33 @@ fn the_shorter_of_both_lines_is_returned() {
     }
     let far = on([4.0, 4.0], [5.0, 5.0], 0.1).expect_err("no path");
     assert_eq!(far, SolveError::GraphPath(GraphPathError::FarFromEnd { end: "first" }));
+}
+
+/// No metric in the disc: a factor that repels, and a logarithm that is undefined inside.
+#[derive(Debug)]
+struct Disc;
+
+impl Metric<2> for Disc {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let from_it = (x[0].sqr() + x[1].sqr()).sqrt() - 1.0;
+        let repelled = (from_it.recip() * 0.1).sqr() + from_it.ln() * 0.0 + 1.0;
+        SMatrix::from_diagonal_element(repelled)
+    }
+}
+
+/// The straight line is not in the domain of the metric.
+#[test]
+fn a_path_along_the_lattice_is_enough() {
+    let problem = Problem::new(Disc, Ends::points([-3.0, 0.1], [3.0, -0.1]).expect("finite"));
+    let straight = PointSequence::straight([-3.0, 0.1], [3.0, -0.1], 64).expect("finite");
+    let options = Options { starts: Starts::Only(vec![straight]), ..Options::default() };
+    let alone = problem.solve_with(Trapezoidal, 512, &options);
+    assert!(matches!(alone, Err(SolveError::Metric(_))), "{alone:?}");
+    let lattice = Lattice::new([-3.5, -2.0], [3.5, 2.0], 0.1).expect("a lattice");
+    let line = problem.solve_on_lattice(Trapezoidal, 512, &lattice, &options).expect("a line");
+    // Two tangents and an arc are 6.34 long.
+    assert!((6.34..7.5).contains(&line.length().value), "{}", line.length().value);
+    assert!(line.distance_squared_estimate().is_some() && line.minimum().levels.len() == 3);
 }
 
 /// If the line from the path is the longer one, it is another minimum, with all of its turns.
