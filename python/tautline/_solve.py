@@ -57,14 +57,14 @@ def solve(
     """
     if n is not None and tolerance is not None:
         raise ProblemError(f"n = {n} and tolerance = {tolerance}; expected one of them")
+    chords = 256 if n is None else n
+    options = _options(metric, chords, rule, steps, threads, _polygons(starts), only_these_starts)
     searches_lattice = metric.lattice is not None and not only_these_starts
     if tolerance is not None and searches_lattice:
         raise ProblemError(
             "a tolerance besides a lattice, which the metric has: a search along a lattice has a number of "
             "chords. Give n, or set metric.lattice = None"
         )
-    chords = 256 if n is None else n
-    options = _options(metric, chords, rule, steps, threads, _polygons(starts), only_these_starts)
     if tolerance is not None:
         options["tolerance"] = number(tolerance, "the tolerance")
     if searches_lattice:

@@ -140,7 +140,7 @@ class Audits(unittest.TestCase):
 
 class WithoutTheProgram(unittest.TestCase):
     def test_a_report_of_another_version_is_named_or_read(self):
-        lie = dict.fromkeys(tl.Lie._fields, None) | {"about": "L_H", "a later field": 7}
+        lie = dict.fromkeys(_audit.Lie._fields, None) | {"about": "L_H", "a later field": 7}
         report = {"verdict": "lies", "lies": [lie], "laws": [], "constants": None, "text": "…"}
         self.assertEqual(_audit._audit(report).lies[0].about, "L_H")
         for missing in ("verdict", "laws", "constants", "text"):
