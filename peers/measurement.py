@@ -75,12 +75,16 @@ def measure(
 
 def samples(solve: Callable[[], Solution], first: float, seconds: float) -> float:
     """The median of three samples of the time of one solve."""
-    count = max(1, math.ceil(SAMPLE / first))
-    found = []
-    for _ in range(3):
+
+    def taken(count: int) -> float:
         limit(seconds)
         start = time.process_time()
         for _ in range(count):
             solve()
-        found.append((time.process_time() - start) / count)
-    return statistics.median(found)
+        return time.process_time() - start
+
+    # Some clocks of processes tick in hundredths of a second, longer than a short solve.
+    count = 1
+    while first < SAMPLE and taken(count) < SAMPLE:
+        count *= 2
+    return statistics.median(taken(count) / count for _ in range(3))
