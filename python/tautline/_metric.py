@@ -182,7 +182,8 @@ class Metric:
         """
         text, tables, sign = avoiding(self.program, list(obstacles), number(margin, "the margin"))
         parts: tuple[Any, ...] = (text, self.dimension, {}, dict(tables), 0, sign)
-        return _made(False, parts, self.lattice, self)
+        free = self if self._free is None else self._free
+        return _made(False, parts, self.lattice, free)
 
     @classmethod
     def black_box(

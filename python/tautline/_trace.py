@@ -45,7 +45,7 @@ class Traced:
     def called(cls, table: Table, x: Sequence[Any]) -> Traced:
         """A table at traced numbers."""
         parts, arguments = [], []
-        for u in x:
+        for u in map(plain, x):
             if isinstance(u, Traced):
                 parts.append("{}")
                 arguments.append(u)

@@ -138,6 +138,13 @@ class Audits(unittest.TestCase):
                 tl.audit(flat, **arguments)
 
 
+def _script(folder, lines):
+    """A program in place of that of the audit."""
+    program = pathlib.Path(folder, _audit.PROGRAM)
+    program.write_text(f"#!/bin/sh\n{lines}\n")
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+
+
 class WithoutTheProgram(unittest.TestCase):
     def test_a_report_of_another_version_is_named_or_read(self):
         lie = dict.fromkeys(_audit.Lie._fields, None) | {"about": "L_H", "a later field": 7}
@@ -154,6 +161,36 @@ class WithoutTheProgram(unittest.TestCase):
         black_box = tl.Metric.black_box(lambda x: np.ones((len(x), 1, 1)), 1)
         with self.assertRaisesRegex(tl.NotCertified, "no formula to audit"):
             tl.audit(black_box)
+
+    def test_ends_are_given_both_or_neither(self):
+        for ends in ({"start": [0]}, {"goal": [0]}):
+            with self.assertRaisesRegex(tl.ProblemError, "both or neither"):
+                tl.audit(tl.Metric.phi("1", 1), **ends)
+
+    def test_constants_of_a_report_are_in_their_order(self):
+        used = {"c1": 1, "c2": 9, "l_h": 4, "m_h": None, "proved": True}
+        report = {"verdict": "holds", "lies": [], "laws": [], "constants": used, "text": ""}
+        found = _audit._audit(report)
+        self.assertEqual((found.constants, found.constants_proved), ((1, 9, 4, None), True))
+
+    @unittest.skipUnless(os.name == "posix", "the program is a script")
+    def test_bad_input_is_told_from_a_program_that_says_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with mock.patch.object(sys, "executable", f"{folder}/python"):
+                _script(folder, "cat > /dev/null; echo 'no such thing' >&2; exit 2")
+                with self.assertRaisesRegex(tl.ProblemError, "^no such thing$"):
+                    tl.audit(tl.Metric.phi("1", 1))
+                _script(folder, "cat > /dev/null; exit 1")
+                with self.assertRaisesRegex(RuntimeError, "ended with 1"):
+                    tl.audit(tl.Metric.phi("1", 1))
+
+    @unittest.skipUnless(os.name == "posix", "the program is a script")
+    def test_the_program_beside_the_interpreter_comes_first(self):
+        with tempfile.TemporaryDirectory() as beside, tempfile.TemporaryDirectory() as path:
+            _script(beside, ""), _script(path, "")
+            with mock.patch.object(sys, "executable", f"{beside}/python"):
+                with mock.patch.dict(os.environ, PATH=path):
+                    self.assertEqual(_audit._program(), f"{beside}/{_audit.PROGRAM}")
 
     def test_a_missing_program_is_named_with_its_package(self):
         with tempfile.TemporaryDirectory() as empty:
@@ -178,9 +215,8 @@ class WithoutTheProgram(unittest.TestCase):
         before = signal.signal(signal.SIGINT, signal.default_int_handler)
         self.addCleanup(signal.signal, signal.SIGINT, before)
         with tempfile.TemporaryDirectory() as folder:
-            program, pid = pathlib.Path(folder, "tautline-audit"), pathlib.Path(folder, "pid")
-            program.write_text(f"#!/bin/sh\necho $$ > {pid}\nexec sleep 60\n")
-            program.chmod(program.stat().st_mode | stat.S_IXUSR)
+            pid = pathlib.Path(folder, "pid")
+            _script(folder, f"echo $$ > {pid}\nexec sleep 60")
             timer = threading.Timer(0.5, signal.raise_signal, [signal.SIGINT])
             with mock.patch.object(sys, "executable", f"{folder}/python"):
                 timer.start()

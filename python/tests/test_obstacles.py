@@ -65,6 +65,20 @@ class Obstacles(unittest.TestCase):
             with self.assertRaisesRegex(tl.MetricError, "every search runs into an obstacle"):
                 tl.solve(each, *ENDS)
 
+    def test_each_end_is_looked_at_and_each_of_the_obstacles(self):
+        twice = self.free.avoiding(tl.ball([0, 0], 1), margin=0.1).avoiding(
+            tl.ball([9, 9], 1), margin=0.1
+        )
+        inside = r"the point \[0.5, 0.0\] is in an obstacle"
+        for ends in ([[0.5, 0], [3, 0]], [[3, 0], [0.5, 0]]):
+            with self.assertRaisesRegex(tl.MetricError, inside):
+                tl.solve(twice, *ends)
+
+    def test_an_end_where_the_metric_itself_is_undefined_is_in_no_obstacle(self):
+        logarithm = tl.Metric.phi("2 + ln(x1)", 2).avoiding(tl.ball([5, 5], 1), margin=0.1)
+        with self.assertRaisesRegex(tl.MetricError, "out of the domain"):
+            tl.solve(logarithm, [-1, 0], [3, 0])
+
     def test_what_is_no_obstacle_is_refused(self):
         for obstacle, margin, says in [
             (tl.ball([0, 0], 0), 0.1, "no obstacle"),

@@ -120,5 +120,40 @@ class Proofs(unittest.TestCase):
         self.assertAlmostEqual(bounds.lower, math.hypot(3, 0.15), places=9)
 
 
+class Batches(unittest.TestCase):
+    hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
+
+    def test_each_rule_arrives(self):
+        a, b = [-1.5, 0.05], [1.5, -0.1]
+        for rule in ("left_endpoint", "true_trapezoid"):
+            one = tl.solve(self.hill, a, b, n=32, rule=rule)
+            [curve] = tl.solve_batch(self.hill, a, [b], n=32, rule=rule)
+            np.testing.assert_array_equal(curve.points, one.points)
+            matrix = tl.distance_matrix(self.hill, [a], [b], n=32, rule=rule)
+            self.assertEqual(matrix[0, 0], float(one.length))
+
+    def test_a_tolerance_of_constants_arrives(self):
+        valleys = tl.Metric.cost("2 - cos(x1)", 2)
+        rough, fine = (valleys.constants(tolerance=t)["L_H"] for t in (0.5, 1e-6))
+        self.assertLess(fine.upper - fine.lower, 1e-5)
+        self.assertGreater(rough.upper - rough.lower, 1e-5)
+
+    def test_black_boxes_are_equal_if_their_functions_are(self):
+        def one(x):
+            return np.ones((len(x), 1, 1))
+
+        def two(x):
+            return 2 * one(x)
+
+        box = tl.Metric.black_box(one, 1)
+        self.assertEqual(box, tl.Metric.black_box(one, 1))
+        for other in (
+            tl.Metric.black_box(two, 1),
+            tl.Metric.black_box(one, 1, step=1e-4),
+            tl.Metric.phi("1", 1),
+        ):
+            self.assertNotEqual(box, other)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -90,6 +90,26 @@ class Functions(unittest.TestCase):
         each = tl.Metric.cost(lambda x: np.hypot(1.0, x[0]) + np.float_power(x[1], 2), 2)
         self.assertAlmostEqual(each([0.75, 2.0])[0, 0], 5.25**2)
 
+    def test_a_hypotenuse_has_two_sides(self):
+        metric = tl.Metric.phi(
+            lambda x: np.hypot(x[0], 4) + np.hypot(x[0], x[1]) + np.hypot(5, x[1]), 2
+        )
+        self.assertAlmostEqual(metric([3.0, 12.0])[0, 0], 5 + 153**0.5 + 13)
+
+    def test_numbers_that_are_not_finite_are_refused(self):
+        for k in (np.inf, np.nan):
+            with self.assertRaisesRegex(tl.TraceError, f"the number {k}"):
+                tl.Metric.phi(lambda x: 1 + k * x[0], 1)
+
+    def test_symbols_of_sympy_are_known_by_their_names(self):
+        import sympy
+
+        x, k = sympy.Symbol("x", real=True), sympy.Symbol("lambda", positive=True)
+        metric = tl.Metric.phi(k + x**2, variables=[x], parameters={"lambda": 2})
+        self.assertEqual(metric([3.0])[0, 0], 11)
+        with self.assertRaisesRegex(tl.ProblemError, "are parameters, and"):
+            tl.Metric.phi(1 + x**2, variables=[x], parameters={"x": 2})
+
     def test_functions_with_kinks_have_smooth_replacements(self):
         for function, instead in (
             (lambda x: np.abs(x[0]), r"np.sqrt\(u\*\*2 \+ 1e-4\)"),
