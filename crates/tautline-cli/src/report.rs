@@ -243,7 +243,7 @@ mod tests {
         let straight = note(&bounds, true).expect("a note");
         assert_eq!(
             straight,
-            "the lower bound is about all curves; one shorter by 12.35 % may exist"
+            "the lower bound holds for all curves; one shorter by 12.35 % may exist"
         );
         for (lower, upper) in [(0.0, 0.0), (0.9999, 1.0)] {
             (bounds.lower, bounds.upper) = (lower.into(), upper.into());
