@@ -245,7 +245,7 @@ mod tests {
             straight,
             "the lower bound holds for all curves; one shorter by 12.35 % may exist"
         );
-        for (lower, upper) in [(0.0, 0.0), (0.9999, 1.0)] {
+        for (lower, upper) in [(0.0, 0.0), (0.9998, 1.0)] {
             (bounds.lower, bounds.upper) = (lower.into(), upper.into());
             assert_eq!(note(&bounds, true).is_none(), upper == 0.0);
         }
