@@ -52,8 +52,9 @@ def solve(
     shorter.
 
     Warns with `UnresolvedWarning` if the chords do not resolve the metric, if a shorter local minimum was
-    met, if the tolerance is missed, or if no path along the lattice joins the sets. Raises `MetricError` if the metric is not
-    finite, symmetric and positive definite along a curve, `ProblemError` if the input is wrong.
+    met, if the tolerance is missed, or if no path along the lattice joins the sets. Raises `MetricError`
+    if the metric is not finite, symmetric and positive definite along a curve, `ProblemError` if the input
+    is wrong.
     """
     if n is not None and tolerance is not None:
         raise ProblemError(f"n = {n} and tolerance = {tolerance}; expected one of them")
