@@ -1,5 +1,6 @@
 """Files of sweeps, and the tasks that go to other machines."""
 
+import importlib.util
 import pathlib
 import tempfile
 import unittest
@@ -10,6 +11,8 @@ from test_sweep import FILE
 
 import tautline as tl
 from tautline import sweep
+
+needs_pyarrow = unittest.skipUnless(importlib.util.find_spec("pyarrow"), "needs pyarrow")
 
 
 class Client:
@@ -57,6 +60,7 @@ class Files(unittest.TestCase):
         path.write_text(file.replace("[metric]", '[tables.h]\nfile = "h.npy"\n[metric]'))
         self.assertEqual(len(sweep.read(path)), 15)
 
+    @needs_pyarrow
     def test_a_parquet_file_of_results_names_its_plan(self):
         import pyarrow.parquet
 
@@ -65,6 +69,7 @@ class Files(unittest.TestCase):
         metadata = pyarrow.parquet.read_schema(path).metadata
         self.assertEqual(metadata[b"tautline_hash"].decode(), plan.hash)
 
+    @needs_pyarrow
     def test_a_parquet_plan_with_another_row_or_another_hash_is_refused(self):
         import pyarrow
         from pyarrow import parquet
