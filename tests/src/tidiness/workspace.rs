@@ -4,7 +4,7 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 25] = [
+const BELOW: [(&str, &str); 26] = [
     ("drawing", ""),
     ("chance", ""),
     ("array", ""),
@@ -23,6 +23,7 @@ const BELOW: [(&str, &str); 25] = [
         "tautline",
         "bounds certify check discretizations distance formula metrics optimizers scalar sets spline",
     ),
+    ("baselines", "chance tautline"),
     ("portrait", "chance drawing tautline"),
     ("page", "drawing tautline"),
     ("problem", "array chance portrait tautline"),

@@ -1,0 +1,1 @@
+//! The other ways to a minimal geodesic, to compare with.
