@@ -39,17 +39,21 @@
 //! [`LeadingConstants`] and what they hold are written and read by the names of their fields.
 
 mod asymptotics;
+mod iterate;
 mod minimise;
 mod newton;
 mod search;
 mod solver;
+mod trace;
+mod watch;
 
 pub use asymptotics::{
     asymptotics_error::AsymptoticsError,
     extrapolation::{Estimate, extrapolate},
     leading_constants::{LeadingConstants, leading_constants},
 };
-pub use minimise::{Options, minimise, minimise_by_batches, minimise_in};
+pub use iterate::{Iterate, Watcher};
+pub use minimise::{Options, minimise, minimise_by_batches, minimise_in, minimise_watched};
 pub use newton::{
     newton_step::{NewtonStep, newton_step},
     workspace::Workspace,
@@ -62,3 +66,4 @@ pub use search::{
     solve_error::SolveError,
     starts::Starts,
 };
+pub use trace::{Entry, Trace};

@@ -6,7 +6,10 @@ use tautline_metrics::Metric;
 use tautline_sets::Ends;
 
 use crate::{
-    Minimum, SolveError, Starts, Workspace, newton::discrete_energy::DiscreteEnergy, solver::solve,
+    Minimum, SolveError, Starts, Watcher, Workspace,
+    newton::discrete_energy::DiscreteEnergy,
+    solver::solve,
+    watch::{Unwatched, Watched},
 };
 
 /// Options of a search.
@@ -126,7 +129,32 @@ pub fn minimise_by_batches<const D: usize, R: Rule>(
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
     const { assert!(!R::NODES.is_empty(), "a rule needs a node") };
-    solve(workspace, &DiscreteEnergy::new(rule, metric), ends, n, options)
+    solve(workspace, &DiscreteEnergy::new(rule, metric), ends, n, options, &Unwatched)
+}
+
+/// Minimises like [`minimise_by_batches`], and tells `watcher` of each iterate of each local search,
+/// from every start and on every grid. The watcher may end the solve, for example at a time limit;
+/// [`Trace`](crate::Trace) does, and keeps what was reached.
+///
+/// An iterate whose Hessian is known to be definite from the one before is not told of, and neither
+/// is one of a search that looks for a second result nearby. The result is the same as without a
+/// watcher.
+///
+/// # Errors
+///
+/// As for [`minimise`]; also [`SolveError::Interrupted`].
+pub fn minimise_watched<'w, const D: usize, R: Rule>(
+    workspace: &mut Workspace<D>,
+    metric: &dyn Batches<D>,
+    ends: &Ends<D>,
+    rule: R,
+    n: usize,
+    options: &Options<D>,
+    watcher: &'w mut Watcher<'w, D>,
+) -> Result<Minimum<D>, SolveError> {
+    const { assert!(!R::NODES.is_empty(), "a rule needs a node") };
+    let watch = Watched::by(watcher);
+    solve(workspace, &DiscreteEnergy::new(rule, metric), ends, n, options, &watch)
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ use crate::{
         local_search::{Found, LocalSearch},
         others::lowest_different,
     },
+    watch::Watch,
 };
 
 /// Returns the lowest minimiser that was found between the sets `ends`, on the grid of `n` chords.
@@ -27,6 +28,7 @@ pub(crate) fn solve<const D: usize>(
     ends: &Ends<D>,
     n: usize,
     options: &Options<D>,
+    watch: &dyn Watch<D>,
 ) -> Result<Minimum<D>, SolveError> {
     check_size::<D>(n)?;
     let pieces: Vec<_> = ends.pairs().collect();
@@ -36,17 +38,19 @@ pub(crate) fn solve<const D: usize>(
         return Ok(Minimum::at_common_point(x, n));
     }
 
-    let mut search =
-        Search { workspace, energy, options, n, iterations: 0, ties: Vec::new(), refused: None };
+    let (ties, refused) = (Vec::new(), None);
+    let mut search = Search { workspace, energy, options, n, watch, iterations: 0, ties, refused };
     let mut candidates = Vec::new();
     let (mut local_minima, mut left_behind) = (None, Vec::new());
     for grid in search.grids() {
         left_behind.extend(search.keep_the_lowest(&mut candidates, grid));
         search.follow_all(&mut candidates, grid);
         search.try_new_starts(&mut candidates, &pieces, grid);
+        search.check_watch(grid)?;
         local_minima.get_or_insert_with(|| converged_energies(&candidates));
     }
     let left_behind = search.catch_up(&mut candidates, left_behind);
+    search.check_watch(n)?;
     let (lowest, rest) = search.lowest_with_a_metric(candidates)?;
     let rest = rest.into_iter().chain(left_behind);
     let mut others: Vec<_> = rest.filter_map(Candidate::into_other).collect();
@@ -75,6 +79,7 @@ struct Search<'a, const D: usize> {
     options: &'a Options<D>,
     /// The number of chords of the finest grid.
     n: usize,
+    watch: &'a dyn Watch<D>,
     /// The number of Newton steps of all searches so far.
     iterations: usize,
     /// Local minimisers with the energy of another one.
@@ -245,12 +250,17 @@ impl<'a, const D: usize> Search<'a, D> {
         for &ends in pieces {
             let search = self.between(ends);
             for start in self.options.starts.between(self.energy, ends, grid, all, lines) {
-                let found = search.check(&start).and_then(|()| search.run(start));
-                let found = self.accept(found.map_err(SolveError::Metric));
+                let check = search.check(&start).map_err(SolveError::Metric);
+                let found = self.accept(check.and_then(|()| search.run(start)));
                 candidates.extend(found.map(|found| Candidate::new(ends, found)));
             }
         }
         self.keep_ties(lowest_first(candidates));
+    }
+
+    /// Returns an error if the watcher has ended the solve.
+    fn check_watch(&self, n: usize) -> Result<(), SolveError> {
+        if self.watch.has_ended() { Err(SolveError::Interrupted { n }) } else { Ok(()) }
     }
 
     /// Keeps local minimisers that have the energy of another one, but run along another curve.
@@ -263,7 +273,7 @@ impl<'a, const D: usize> Search<'a, D> {
         'a: 'e,
     {
         let &Options { iterations, threads, .. } = self.options;
-        LocalSearch { energy: self.energy, ends, iterations, threads }
+        LocalSearch { energy: self.energy, ends, iterations, threads, watch: self.watch }
     }
 
     /// Counts the steps of a search. If the energy is finite, the result of the search is returned;

@@ -109,8 +109,8 @@ pub use tautline_certify::{
 };
 pub use tautline_check as check;
 pub use tautline_discretizations::{
-    Integral, Interpolation, LARGEST_N, LeftEndpoint, Node, PointSequence, Rule, SequenceError,
-    Trapezoidal, TrueTrapezoid, energy_gradient,
+    Integral, Interpolation, LARGEST_N, LeftEndpoint, LinearModel, Node, PointSequence, Rule,
+    SequenceError, Trapezoidal, TrueTrapezoid, energy_gradient,
 };
 pub use tautline_distance as distance;
 pub use tautline_formula::{
@@ -122,9 +122,10 @@ pub use tautline_metrics::{
     MetricError, check_gram, christoffel, composition, gallery, is_gram, norm_squared, quadrature,
 };
 pub use tautline_optimizers::{
-    AsymptoticsError, Curvature, Estimate, GraphPathError, Lattice, LeadingConstants, Level,
-    Minimum, NewtonStep, Options, Other, SolveError, Starts, Stop, Workspace, extrapolate,
-    graph_path, leading_constants, minimise, minimise_by_batches, minimise_in, newton_step,
+    AsymptoticsError, Curvature, Entry, Estimate, GraphPathError, Iterate, Lattice,
+    LeadingConstants, Level, Minimum, NewtonStep, Options, Other, SolveError, Starts, Stop, Trace,
+    Watcher, Workspace, extrapolate, graph_path, leading_constants, minimise, minimise_by_batches,
+    minimise_in, minimise_watched, newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table};
 pub use tautline_sets::{

@@ -46,7 +46,10 @@ mod tests {
     use tautline_metrics::gallery::Constant;
     use tautline_sets::Point;
 
-    use crate::{newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch};
+    use crate::{
+        newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch,
+        watch::Unwatched,
+    };
 
     /// The energy of a constant metric is quadratic from `x` to the minimiser `x + p`. The step
     /// `p/12` has `κ = δ/12`. Taking 1, 2 or 4 steps lowers the energy by at least `(2 − 4/12) δt`,
@@ -61,6 +64,7 @@ mod tests {
             ends: [&a, &b],
             iterations: 1,
             threads: 1,
+            watch: &Unwatched,
         };
         let bent = vec![vector![0.0, 0.0], vector![1.0, 1.0], vector![2.0, 0.0]];
         let bent = PointSequence::new(bent).expect("finite");

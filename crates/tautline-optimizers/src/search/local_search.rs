@@ -6,7 +6,7 @@ use tautline_metrics::MetricError;
 use tautline_sets::ClosedSet;
 
 use crate::{
-    Curvature, Stop,
+    Curvature, Iterate, SolveError, Stop,
     newton::{
         discrete_energy::DiscreteEnergy,
         magnitude::Magnitude,
@@ -15,6 +15,7 @@ use crate::{
         rounding::{is_rounding, margin},
     },
     search::damping::Damping,
+    watch::Watch,
 };
 
 /// A local search for one problem on one grid.
@@ -24,6 +25,7 @@ pub(crate) struct LocalSearch<'a, const D: usize> {
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) iterations: usize,
     pub(crate) threads: usize,
+    pub(crate) watch: &'a dyn Watch<D>,
 }
 
 /// The result of a local search.
@@ -70,13 +72,16 @@ impl<const D: usize> LocalSearch<'_, D> {
     /// # Errors
     ///
     /// If the metric is not finite, symmetric and positive definite at a node or an end of the
-    /// result.
-    pub(crate) fn run(&self, start: PointSequence<D>) -> Result<Found<D>, MetricError> {
+    /// result, or if the watcher has ended the solve.
+    pub(crate) fn run(&self, start: PointSequence<D>) -> Result<Found<D>, SolveError> {
         let mut sequence = start;
         let mut damping = Damping::default();
         let mut model = QuadraticModel::default();
         for iteration in 0.. {
             self.energy.expand(&sequence, &mut model);
+            if !self.watch.goes_on(&|| self.iterate(iteration, &sequence, &model)) {
+                return Err(SolveError::Interrupted { n: sequence.n().get() });
+            }
             let next = if iteration == self.iterations {
                 self.give_up(&model, &sequence)
             } else if is_rounding(&model, &sequence) {
@@ -120,6 +125,20 @@ impl<const D: usize> LocalSearch<'_, D> {
             });
         }
         unreachable!("the loop ends at the limit of iterations")
+    }
+
+    /// Returns what the watcher sees of an iterate.
+    fn iterate<'i>(
+        &self,
+        iteration: usize,
+        sequence: &'i PointSequence<D>,
+        model: &QuadraticModel<D>,
+    ) -> Iterate<'i, D> {
+        let magnitude = Magnitude::of(model);
+        let mut residual = Residual::new(sequence.n().get(), magnitude);
+        residual.push_all(&model.gradient);
+        let (residual, residual_floor) = residual.value(self.ends, sequence, magnitude);
+        Iterate { iteration, energy: model.energy, residual, residual_floor, sequence }
     }
 
     /// Moves all points by `scale · step`, and projects the ends back to their sets.

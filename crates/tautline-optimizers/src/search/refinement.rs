@@ -4,7 +4,7 @@
 use tautline_discretizations::PointSequence;
 
 use crate::{
-    Curvature, Stop, Workspace,
+    Curvature, Iterate, Stop, Workspace,
     newton::{
         newton_pass::NewtonPass,
         rounding::margin,
@@ -39,7 +39,7 @@ impl<const D: usize> LocalSearch<'_, D> {
     ///
     /// The result is `None` if this fails: the Hessian is not positive definite, a step predicts
     /// too large a decrease or one that is not far smaller than the one before, the metric is
-    /// undefined at the result, or there is no memory for a step.
+    /// undefined at the result, there is no memory for a step, or the watcher has ended the solve.
     ///
     /// `coarser` is the result on the next coarser grid. `passes` is set to the number of passes
     /// that were begun.
@@ -59,6 +59,7 @@ impl<const D: usize> LocalSearch<'_, D> {
         if n * D * D >= LARGE && coarser.from <= FORESEEN {
             let at = sweep(energy, ends, &start, about, at_once, None)?.stationarity;
             if reached(at, &start) {
+                self.tell(0, at, &start)?;
                 return self.found(start, at, 1, at.decrement);
             }
         }
@@ -69,6 +70,7 @@ impl<const D: usize> LocalSearch<'_, D> {
             let mut pass = NewtonPass::new(energy, ends, &here, about, at_once, workspace)?;
             let at = pass.stationarity();
             let from = *from.get_or_insert(at.decrement);
+            self.tell(iteration - 1, at, &here)?;
             if reached(at, &here) {
                 pass.leave();
                 return self.found(here, at, iteration, from);
@@ -94,12 +96,21 @@ impl<const D: usize> LocalSearch<'_, D> {
                     pass.stationarity_at(energy, ends, &trial)
                 };
                 if there.is_reached(&trial) {
+                    self.tell(iteration, there, &trial)?;
                     return self.found(trial, there, iteration, from);
                 }
             }
             workspace.spare.give(std::mem::replace(&mut here, trial).into_points());
         }
         None
+    }
+
+    /// Tells the watcher of an iterate; `None` if it ends the search.
+    fn tell(&self, iteration: usize, at: Stationarity, sequence: &PointSequence<D>) -> Option<()> {
+        let Stationarity { residual, residual_floor, magnitude, .. } = at;
+        let energy = magnitude.energy;
+        let seen = || Iterate { iteration, energy, residual, residual_floor, sequence };
+        self.watch.goes_on(&seen).then_some(())
     }
 
     /// Returns the result at a sequence with a positive definite Hessian, if the metric is defined

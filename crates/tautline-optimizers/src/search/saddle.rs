@@ -74,7 +74,10 @@ mod tests {
     use tautline_metrics::{Metric, Scalar, gallery::Bump};
     use tautline_sets::Point;
 
-    use crate::{newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch};
+    use crate::{
+        newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch,
+        watch::Unwatched,
+    };
 
     /// A bump that is undefined where `sign · x₂ < −10⁻⁵`, which puts a wall along the line over
     /// the bump.
@@ -100,7 +103,13 @@ mod tests {
             let metric = Walled { bump: Bump::new(4.0, 0.5).expect("a width"), sign };
             let batches = Prepared::new(&metric);
             let energy = &DiscreteEnergy::new(Trapezoidal, &batches);
-            let search = LocalSearch { energy, ends: [&a, &b], iterations: 1, threads: 1 };
+            let search = LocalSearch {
+                energy,
+                ends: [&a, &b],
+                iterations: 1,
+                threads: 1,
+                watch: &Unwatched,
+            };
             let model = QuadraticModel::new(Trapezoidal, &metric, &line);
             let points = search.leave_saddle(&model, &line, 64.0).expect("a way down");
             assert!(points[1..32].iter().all(|x| x[1] * sign > -1e-5), "{points:?}");

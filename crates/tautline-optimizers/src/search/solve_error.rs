@@ -44,6 +44,12 @@ pub enum SolveError {
     /// There is no path along a lattice to start from.
     #[error(transparent)]
     GraphPath(#[from] GraphPathError),
+    /// The watcher of the solve ended it.
+    #[error("the solve was ended on its way to a minimiser, on the grid of {n} chords")]
+    Interrupted {
+        /// The number of chords of the grid.
+        n: usize,
+    },
     /// No sequence was given to start from, or none has finite points.
     #[error("no sequence of finite points to start from")]
     NoStart,

@@ -7,7 +7,7 @@ use tautline_metrics::gallery::Separable;
 use tautline_sets::{ClosedSet, Point};
 
 use super::{Candidate, Found, Options, Search};
-use crate::{Stop, Workspace, newton::discrete_energy::DiscreteEnergy};
+use crate::{Stop, Workspace, newton::discrete_energy::DiscreteEnergy, watch::Unwatched};
 
 /// The minimiser with nine chords leaps over both ridges of this metric. From there, Newton's
 /// method without damping fails on the next grid, but its steps still count.
@@ -26,6 +26,7 @@ fn failed_undamped_steps_are_counted() {
         energy,
         options,
         n: 129,
+        watch: &Unwatched,
         iterations: 0,
         ties: Vec::new(),
         refused: None,
@@ -60,6 +61,7 @@ fn what_was_left_behind_is_followed_if_nothing_better_counts() {
         energy,
         options,
         n: 128,
+        watch: &Unwatched,
         iterations: 0,
         ties: Vec::new(),
         refused: None,

@@ -17,3 +17,4 @@ mod set_ends;
 mod setup;
 mod small_grids;
 mod units;
+mod watched;

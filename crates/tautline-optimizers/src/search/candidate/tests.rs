@@ -10,6 +10,7 @@ use crate::{
     Curvature, Stop,
     newton::discrete_energy::DiscreteEnergy,
     search::local_search::{Found, LocalSearch},
+    watch::Unwatched,
 };
 
 /// Returns the distance between the start with 3200 chords and the minimiser, after a search on
@@ -23,6 +24,7 @@ fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
         ends,
         iterations: 50,
         threads: 1,
+        watch: &Unwatched,
     };
     let solve = |n| {
         let line = PointSequence::straight([0.0, 0.0], [2.0, 1.5], n).expect("finite");
@@ -61,7 +63,7 @@ fn the_ends_of_an_extrapolated_start_lie_in_their_sets() {
     let ends: [&dyn ClosedSet<2>; 2] = [&a, &b];
     let batches = Prepared::new(&Valleys);
     let energy = &DiscreteEnergy::new(LeftEndpoint, &batches);
-    let search = LocalSearch { energy, ends, iterations: 50, threads: 1 };
+    let search = LocalSearch { energy, ends, iterations: 50, threads: 1, watch: &Unwatched };
     let solve = |n| {
         let line = PointSequence::straight([0.3, 0.3], [2.7, 1.5], n).expect("finite");
         search.run(line).expect("a metric")

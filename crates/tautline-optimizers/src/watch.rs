@@ -1,0 +1,58 @@
+//! Who is told of the iterates of a solve, and whether it has been asked to end.
+
+use std::{
+    cell::{Cell, RefCell},
+    ops::ControlFlow,
+};
+
+use crate::{Iterate, Watcher};
+
+/// Told of each iterate by the local searches, which share it.
+pub(crate) trait Watch<const D: usize> {
+    /// Tells the watcher of an iterate, unless it has ended the solve before or there is none, and
+    /// returns whether the search goes on. The iterate is computed only if there is somebody to see
+    /// it.
+    fn goes_on<'i>(&self, iterate: &dyn Fn() -> Iterate<'i, D>) -> bool;
+
+    /// Returns whether the watcher has ended the solve.
+    fn has_ended(&self) -> bool;
+}
+
+/// Nobody watches.
+pub(crate) struct Unwatched;
+
+impl<const D: usize> Watch<D> for Unwatched {
+    fn goes_on<'i>(&self, _: &dyn Fn() -> Iterate<'i, D>) -> bool {
+        true
+    }
+
+    fn has_ended(&self) -> bool {
+        false
+    }
+}
+
+/// A watcher, and whether it has ended the solve.
+pub(crate) struct Watched<'w, const D: usize> {
+    watcher: RefCell<&'w mut Watcher<'w, D>>,
+    ended: Cell<bool>,
+}
+
+impl<'w, const D: usize> Watched<'w, D> {
+    pub(crate) fn by(watcher: &'w mut Watcher<'w, D>) -> Self {
+        Self { watcher: RefCell::new(watcher), ended: Cell::new(false) }
+    }
+}
+
+impl<const D: usize> Watch<D> for Watched<'_, D> {
+    fn goes_on<'i>(&self, iterate: &dyn Fn() -> Iterate<'i, D>) -> bool {
+        if !self.ended.get() {
+            let answer = (self.watcher.borrow_mut())(&iterate());
+            self.ended.set(answer == ControlFlow::Break(()));
+        }
+        !self.ended.get()
+    }
+
+    fn has_ended(&self) -> bool {
+        self.ended.get()
+    }
+}
