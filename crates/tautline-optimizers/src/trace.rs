@@ -26,16 +26,20 @@ use crate::Iterate;
 /// let mut clock = || begun.elapsed().as_secs_f64();
 /// let mut trace = Trace::new(&mut clock);
 /// let mut memory = Workspace::default();
-/// let watch = &mut |iterate: &_| trace.record(iterate);
-/// let minimum = minimise_watched(&mut memory, &metric, &ends, Trapezoidal, 64, &options, watch)?;
+/// let minimum =
+///     minimise_watched(&mut memory, &metric, &ends, Trapezoidal, 64, &options, &mut |iterate| {
+///         trace.record(iterate)
+///     })?;
 /// let last = trace.entries().last().expect("an iterate");
 /// assert_eq!(last.n, 64);
 /// assert!(last.energy >= minimum.energy && last.residual < 1e-6);
 ///
 /// // A limit of no time at all ends the search at the first iterate, which is kept.
 /// let mut trace = Trace::with_limit(&mut clock, 0.0);
-/// let watch = &mut |iterate: &_| trace.record(iterate);
-/// let ended = minimise_watched(&mut memory, &metric, &ends, Trapezoidal, 64, &options, watch);
+/// let ended =
+///     minimise_watched(&mut memory, &metric, &ends, Trapezoidal, 64, &options, &mut |iterate| {
+///         trace.record(iterate)
+///     });
 /// assert!(matches!(ended, Err(SolveError::Interrupted { .. })));
 /// assert!(trace.best().is_some());
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -109,8 +109,9 @@ pub use tautline_certify::{
 };
 pub use tautline_check as check;
 pub use tautline_discretizations::{
-    Integral, Interpolation, LARGEST_N, LeftEndpoint, LinearModel, Node, PointSequence, Rule,
-    SequenceError, Trapezoidal, TrueTrapezoid, energy_gradient,
+    ChordBatch, ChordModel, Integral, Interpolation, LARGEST_N, LeftEndpoint, LinearModel, Node,
+    PointSequence, Rule, SequenceError, Trapezoidal, TrueTrapezoid, admissible_energy,
+    energy_gradient,
 };
 pub use tautline_distance as distance;
 pub use tautline_formula::{
@@ -119,7 +120,8 @@ pub use tautline_formula::{
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
-    MetricError, check_gram, christoffel, composition, gallery, is_gram, norm_squared, quadrature,
+    MetricError, check_gram, check_matrix, christoffel, composition, gallery, is_gram,
+    norm_squared, quadrature,
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Entry, Estimate, GraphPathError, Iterate, Lattice,

@@ -1,0 +1,78 @@
+//! `Descended`: where a descent ended, and how.
+
+use tautline::{MetricError, PointSequence};
+
+/// When a descent ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// The [residual](tautline::Iterate::residual) that is small enough. A residual below
+    /// [what rounding causes](tautline::Iterate::residual_floor) is small enough in any case.
+    ///
+    /// Near a minimum the relative excess of the energy is about the square of the residual, or less.
+    /// All descents compare energies, whose rounding hides residuals below about `N · 10⁻⁸`.
+    pub tolerance: f64,
+    /// The largest number of steps.
+    pub iterations: usize,
+}
+
+impl Default for Limits {
+    /// Returns a tolerance of `10⁻⁶` and 10 000 steps.
+    fn default() -> Self {
+        Self { tolerance: 1e-6, iterations: 10_000 }
+    }
+}
+
+/// Where a descent ended: a point sequence that is called stationary or not, and not more.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Descended<const D: usize> {
+    /// The point sequence, with the ends of the start.
+    pub sequence: PointSequence<D>,
+    /// Its discrete energy, in `m²`.
+    pub energy: f64,
+    /// Its [residual](tautline::Iterate::residual).
+    pub residual: f64,
+    /// The [residual that rounding causes](tautline::Iterate::residual_floor).
+    pub residual_floor: f64,
+    /// How the descent ended.
+    pub ended: Ended,
+    /// The number of steps.
+    pub iterations: usize,
+    /// The number of times that the energy of a sequence was computed, with or without derivatives.
+    pub evaluations: usize,
+}
+
+/// How a descent ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Ended {
+    /// The residual is small enough.
+    Stationary,
+    /// No step lowered the energy.
+    Stalled,
+    /// The allowed number of steps was taken.
+    IterationLimit,
+    /// The watcher ended it.
+    Interrupted,
+}
+
+/// Why there is no descent.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DescentError {
+    /// The metric is not finite, symmetric and positive definite at a node of the start.
+    #[error(transparent)]
+    Metric(#[from] MetricError),
+    /// The energy of the start exceeds the range of `f64`.
+    #[error("the energy of the start is {energy}: the coordinates or the metric are too large")]
+    Energy {
+        /// The energy, in `m²`.
+        energy: f64,
+    },
+    /// The tolerance is negative or not a number.
+    #[error("the tolerance of a residual is {tolerance}; expected a number from 0 on")]
+    Tolerance {
+        /// The tolerance.
+        tolerance: f64,
+    },
+}

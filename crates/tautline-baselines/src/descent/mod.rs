@@ -1,0 +1,43 @@
+//! Other minimisers of a discrete energy between two points, beside the structured Newton method.
+//!
+//! Each takes a start, whose ends stay where they are, and goes down from there until the residual
+//! of [`Iterate`](tautline::Iterate) is small. They show the same [`Iterate`](tautline::Iterate)s as
+//! [`minimise_watched`](tautline::minimise_watched), so that a [`Trace`](tautline::Trace) compares
+//! them.
+//!
+//! ```
+//! use std::{ops::ControlFlow, time::Instant};
+//! use tautline::{PointSequence, Prepared, Trace, Trapezoidal, gallery::Valleys};
+//! use tautline_baselines::descent::{Coordinates, Ended, Limits, lbfgs, sobolev_descent};
+//!
+//! let metric = Prepared::new(Valleys);
+//! let start = PointSequence::straight([0.0, 0.0], [4.0, 1.0], 100)?;
+//! let begun = Instant::now();
+//! let mut clock = || begun.elapsed().as_secs_f64();
+//! let mut trace = Trace::with_limit(&mut clock, 10.0);
+//! let limits = Limits::default();
+//! let one = sobolev_descent(&metric, Trapezoidal, start.clone(), &limits, &mut |iterate| {
+//!     trace.record(iterate)
+//! })?;
+//! assert_eq!(one.ended, Ended::Stationary);
+//! assert_eq!(trace.entries().len(), one.iterations + 1);
+//!
+//! let other = lbfgs(&metric, Trapezoidal, start, Coordinates::Points, &limits, &mut |_| {
+//!     ControlFlow::Continue(())
+//! })?;
+//! assert!((one.energy / other.energy - 1.0).abs() < 1e-10);
+//! assert!(other.iterations > 5 * one.iterations);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod descended;
+mod dynamic_programming;
+mod laplacian;
+mod lbfgs;
+mod search;
+mod sobolev;
+
+pub use descended::{Descended, DescentError, Ended, Limits};
+pub use dynamic_programming::{SecondOrder, dynamic_programming};
+pub use lbfgs::{Coordinates, lbfgs};
+pub use sobolev::sobolev_descent;

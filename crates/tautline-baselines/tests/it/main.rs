@@ -1,0 +1,3 @@
+//! Tests the other ways to a minimal geodesic, against known distances and against each other.
+
+mod descents;
