@@ -12,7 +12,14 @@
 //! | --- | --- | --- |
 //! | [`Trapezoidal`], as the paper calls it; the midpoint rule elsewhere | `1/2` | `1` |
 //! | [`LeftEndpoint`] | `0` | `1` |
-//! | [`TrueTrapezoid`] | `0, 1` | `1/2, 1/2` |
+//! | [`RightEndpoint`] | `1` | `1` |
+//! | [`TrueTrapezoid`], the mean of both endpoint rules | `0, 1` | `1/2, 1/2` |
+//! | [`Simpson`] | `0, 1/2, 1` | `1/6, 4/6, 1/6` |
+//! | [`GaussTwo`] | `1/2 ± 1/√12` | `1/2, 1/2` |
+//! | [`GaussThree`] | `1/2, 1/2 ± (3/20)^{1/2}` | `8/18, 5/18, 5/18` |
+//!
+//! [`PeanoConstants`] bound how far the discrete energy of any rule is from that of the reconstructed
+//! curve.
 //!
 //! No energy has a factor `½`. The [`Interpolation`] `γᵖˡ` joins the points by straight lines, and
 //! quadrature computes its continuous energy and length.
@@ -43,14 +50,13 @@ mod chord_model;
 mod compensated_sum;
 mod contractions;
 mod interpolation;
-mod left_endpoint;
 mod linear_model;
 mod momenta;
+mod peano;
 mod point_sequence;
 mod quadratic_model;
 mod rule;
-mod trapezoidal;
-mod true_trapezoid;
+mod rules;
 
 pub use admissible_energy::admissible_energy;
 pub use block_tridiagonal::BlockTridiagonal;
@@ -59,12 +65,15 @@ pub use chord_model::ChordModel;
 pub use compensated_sum::CompensatedSum;
 pub use contractions::{Contractions, Entry};
 pub use interpolation::Interpolation;
-pub use left_endpoint::LeftEndpoint;
 pub use linear_model::{LinearModel, energy_gradient};
 pub use momenta::{Energies, Momenta};
+pub use peano::PeanoConstants;
 pub use point_sequence::{LARGEST_N, PointSequence, SequenceError};
 pub use quadratic_model::QuadraticModel;
 pub use rule::{Node, Rule};
+pub use rules::{
+    gauss_three::GaussThree, gauss_two::GaussTwo, left_endpoint::LeftEndpoint,
+    right_endpoint::RightEndpoint, simpson::Simpson, trapezoidal::Trapezoidal,
+    true_trapezoid::TrueTrapezoid,
+};
 pub use tautline_metrics::quadrature::Integral;
-pub use trapezoidal::Trapezoidal;
-pub use true_trapezoid::TrueTrapezoid;

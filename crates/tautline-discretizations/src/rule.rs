@@ -21,18 +21,21 @@ pub struct Node {
 /// your own may look like this:
 ///
 /// ```
-/// use tautline_discretizations::{Node, Rule};
+/// use tautline_discretizations::{Node, PeanoConstants, Rule};
 ///
+/// /// Three eighths: Simpson's second rule.
 /// #[derive(Clone, Copy, Debug)]
-/// struct Simpson;
-/// impl Rule for Simpson {
+/// struct ThreeEighths;
+/// impl Rule for ThreeEighths {
 ///     const NODES: &'static [Node] = &[
-///         Node { fraction: 0.0, weight: 1.0 / 6.0 },
-///         Node { fraction: 0.5, weight: 4.0 / 6.0 },
-///         Node { fraction: 1.0, weight: 1.0 / 6.0 },
+///         Node { fraction: 0.0, weight: 1.0 / 8.0 },
+///         Node { fraction: 1.0 / 3.0, weight: 3.0 / 8.0 },
+///         Node { fraction: 2.0 / 3.0, weight: 3.0 / 8.0 },
+///         Node { fraction: 1.0, weight: 1.0 / 8.0 },
 ///     ];
 ///     const ERROR_EXPONENT: i32 = 2;
 /// }
+/// assert!(PeanoConstants::of(ThreeEighths).second < 1.0 / 100.0);
 /// ```
 pub trait Rule: Copy + std::fmt::Debug + Send + Sync {
     /// The nodes of the rule on each chord.

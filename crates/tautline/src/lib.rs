@@ -109,9 +109,9 @@ pub use tautline_certify::{
 };
 pub use tautline_check as check;
 pub use tautline_discretizations::{
-    ChordBatch, ChordModel, Integral, Interpolation, LARGEST_N, LeftEndpoint, LinearModel, Node,
-    PointSequence, Rule, SequenceError, Trapezoidal, TrueTrapezoid, admissible_energy,
-    energy_gradient,
+    ChordBatch, ChordModel, GaussThree, GaussTwo, Integral, Interpolation, LARGEST_N, LeftEndpoint,
+    LinearModel, Node, PeanoConstants, PointSequence, RightEndpoint, Rule, SequenceError, Simpson,
+    Trapezoidal, TrueTrapezoid, admissible_energy, energy_gradient,
 };
 pub use tautline_distance as distance;
 pub use tautline_formula::{

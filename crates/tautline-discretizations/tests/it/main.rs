@@ -2,4 +2,5 @@
 
 mod batches;
 mod derivatives;
+mod gaps;
 mod values;

@@ -12,6 +12,7 @@ mod little_memory;
 mod nasty_metrics;
 mod pieces;
 mod random_cases;
+mod rules;
 mod same_bits;
 mod set_ends;
 mod setup;

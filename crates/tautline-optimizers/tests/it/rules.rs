@@ -1,0 +1,109 @@
+//! The minima of every rule converge with the order that the rule claims.
+
+use tautline_discretizations::{
+    GaussThree, GaussTwo, Interpolation, LeftEndpoint, RightEndpoint, Rule, Simpson, Trapezoidal,
+    TrueTrapezoid,
+};
+use tautline_metrics::{KnownDistance, gallery::Shear};
+use tautline_optimizers::{Minimum, leading_constants};
+
+use crate::setup::{from_to, lowest};
+
+const FROM: [f64; 2] = [0.0, 0.3];
+const TO: [f64; 2] = [2.5, 1.5];
+
+fn shear() -> Shear {
+    Shear::new(0.5, 1.0).expect("a wave number")
+}
+
+fn squared_distance() -> f64 {
+    shear().distance(&FROM.into(), &TO.into()).expect("known").powi(2)
+}
+
+fn minimum(rule: impl Rule, n: usize) -> Minimum<2> {
+    lowest(&shear(), &from_to(FROM, TO), rule, n)
+}
+
+/// Returns `log₂` of the factor by which an error falls from 32 to 64 chords.
+fn order(error: impl Fn(usize) -> f64) -> f64 {
+    (error(32).abs() / error(64).abs()).log2()
+}
+
+/// The next term of the expansion is smaller by a factor of about `N` or `N²`, so that the observed
+/// order is off by about `1/N = 0.03` for the endpoint rules, and less for the others.
+#[test]
+fn minima_converge_with_the_order_of_their_rule() {
+    let d2 = squared_distance();
+    fn check<R: Rule>(rule: R, d2: f64) {
+        let order = order(|n| minimum(rule, n).energy - d2);
+        let expected = f64::from(R::ERROR_EXPONENT);
+        assert!((order - expected).abs() <= 0.06, "{rule:?}: {order}");
+    }
+    check(LeftEndpoint, d2);
+    check(RightEndpoint, d2);
+    check(Trapezoidal, d2);
+    check(TrueTrapezoid, d2);
+    check(Simpson, d2);
+    check(GaussTwo, d2);
+    check(GaussThree, d2);
+}
+
+/// At their minimisers the energies of Simpson and Gauss differ from that of the reconstructed curve
+/// by high orders of `1/N`.
+#[test]
+fn exact_rules_see_the_reconstructed_curve() {
+    let gap = |rule: &dyn Fn(usize) -> (Minimum<2>, f64), n: usize| {
+        let (minimum, energy) = rule(n);
+        energy - Interpolation::new(&minimum.sequence).energy(&shear()).value
+    };
+    fn both<R: Rule>(rule: R) -> impl Fn(usize) -> (Minimum<2>, f64) {
+        move |n| {
+            let found = minimum(rule, n);
+            let energy = rule.energy(&shear(), &found.sequence);
+            (found, energy)
+        }
+    }
+    // On coarse grids, since a gap of order 6 is rounding on fine ones.
+    let order = |rule: &dyn Fn(usize) -> (Minimum<2>, f64)| {
+        (gap(rule, 8).abs() / gap(rule, 16).abs()).log2()
+    };
+    for (name, order, expected) in [
+        ("Simpson", order(&both(Simpson)), 4.0),
+        ("two nodes", order(&both(GaussTwo)), 4.0),
+        ("three nodes", order(&both(GaussThree)), 6.0),
+    ] {
+        // The next term is smaller by N⁻², with a factor of about (k d)²/10 for the wave number k.
+        assert!((order - expected).abs() <= 0.3, "{name}: {order}");
+    }
+}
+
+/// The leading constants of the other rules follow from those of the paper's. A rule that sees the
+/// reconstructed curve has the constant of its energy, `C = (1/12) ∫ γ̈ᵀHγ̈ ≥ 0`, so that its minimum is
+/// above `d²` up to higher orders. The error of the true trapezoid on a chord is −2 times that of the
+/// midpoint: its constant is `C + 2 (C − C_tra)`. The right endpoint has that of the left, negated.
+#[test]
+fn leading_constants_of_all_rules_follow_from_those_of_the_paper() {
+    let d2 = squared_distance();
+    let ends = from_to(FROM, TO);
+    let fine = minimum(Trapezoidal, 512);
+    let known = leading_constants(&shear(), &ends, &fine).expect("smooth");
+    let bent = known.energy_trapezoidal;
+    let ends_twice = bent + 2.0 * (bent - known.trapezoidal);
+    // The constants differ from each other by far more than the tolerance.
+    assert!(bent > 0.01 && (bent - known.trapezoidal).abs() > bent, "{known:?}");
+    let n = 128.0_f64;
+    let scaled = |minimum: Minimum<2>, order: i32| n.powi(order) * (minimum.energy - d2);
+    for (name, found, expected, next) in [
+        ("Simpson", scaled(minimum(Simpson, 128), 2), bent, n * n),
+        ("two nodes", scaled(minimum(GaussTwo, 128), 2), bent, n * n),
+        ("three nodes", scaled(minimum(GaussThree, 128), 2), bent, n * n),
+        ("true trapezoid", scaled(minimum(TrueTrapezoid, 128), 2), ends_twice, n * n),
+        ("right", scaled(minimum(RightEndpoint, 128), 1), -known.left, n),
+    ] {
+        // The next term of the expansion, with a constant of up to ten times the first.
+        assert!(
+            (found - expected).abs() <= 10.0 / next * expected.abs(),
+            "{name}: {found} {expected}"
+        );
+    }
+}
