@@ -1,6 +1,8 @@
 //! Runs the kit on the rules of the project, and on a rule that a user wrote.
 
-use tautline::{LeftEndpoint, Trapezoidal, TrueTrapezoid};
+use tautline::{
+    GaussThree, GaussTwo, LeftEndpoint, RightEndpoint, Simpson, Trapezoidal, TrueTrapezoid,
+};
 use tautline_kit::{Fault, RuleCase, prelude::*, rule};
 
 use super::{broken, fault};
@@ -8,21 +10,26 @@ use super::{broken, fault};
 rule_suite!(trapezoidal: Trapezoidal);
 rule_suite!(left_endpoint: LeftEndpoint);
 rule_suite!(true_trapezoid: TrueTrapezoid);
+rule_suite!(right_endpoint: RightEndpoint);
+rule_suite!(simpson: Simpson);
+rule_suite!(gauss_two: GaussTwo);
+rule_suite!(gauss_three: GaussThree);
 
-/// Gauss's rule with two nodes, written as a user would write it.
+/// The rule of three eighths, written as a user would write it.
 #[derive(Clone, Copy, Debug)]
-struct Gauss;
+struct ThreeEighths;
 
-impl Rule for Gauss {
-    // ½ ∓ 1/√12
+impl Rule for ThreeEighths {
     const NODES: &'static [Node] = &[
-        Node { fraction: 0.211_324_865_405_187_12, weight: 0.5 },
-        Node { fraction: 0.788_675_134_594_812_9, weight: 0.5 },
+        Node { fraction: 0.0, weight: 1.0 / 8.0 },
+        Node { fraction: 1.0 / 3.0, weight: 3.0 / 8.0 },
+        Node { fraction: 2.0 / 3.0, weight: 3.0 / 8.0 },
+        Node { fraction: 1.0, weight: 1.0 / 8.0 },
     ];
     const ERROR_EXPONENT: i32 = 2;
 }
 
-rule_suite!(gauss: Gauss);
+rule_suite!(three_eighths: ThreeEighths);
 
 /// A rule with nodes at both ends of the chord, weights that are too small, and an exponent that is
 /// too large.
@@ -51,12 +58,12 @@ fn a_wrong_rule_fails_by_the_laws_it_breaks() {
 #[test]
 fn an_exponent_that_is_not_observed_is_named() {
     #[derive(Clone, Copy, Debug)]
-    struct RightEndpoint;
-    impl Rule for RightEndpoint {
+    struct Mistaken;
+    impl Rule for Mistaken {
         const NODES: &'static [Node] = &[Node { fraction: 1.0, weight: 1.0 }];
         const ERROR_EXPONENT: i32 = 2;
     }
-    let report = verify_rule(RightEndpoint, &Effort::default());
+    let report = verify_rule(Mistaken, &Effort::default());
     let failures: Vec<_> = report.failures().collect();
     let [outcome] = failures[..] else { panic!("{report}") };
     let Fault::Order { found, least, .. } = fault(outcome.clone()) else { panic!("{report}") };

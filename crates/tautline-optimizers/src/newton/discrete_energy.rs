@@ -101,7 +101,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
     use tautline_discretizations::{
-        LeftEndpoint, Node, PointSequence, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
+        LeftEndpoint, PointSequence, Rule, Simpson, Trapezoidal, TrueTrapezoid, energy_gradient,
     };
     use tautline_formula::{Batches, Plain, Prepared};
     use tautline_metrics::{
@@ -153,19 +153,6 @@ mod tests {
         assert_eq!(energy.admissible(&points), Some(expected));
         let sequence = PointSequence::new(points).expect("finite");
         assert_eq!(energy.linear_model(&sequence).energy, expected);
-    }
-
-    /// Simpson's rule, with a node in the middle of each chord and one at either end.
-    #[derive(Clone, Copy, Debug)]
-    struct Simpson;
-
-    impl Rule for Simpson {
-        const NODES: &'static [Node] = &[
-            Node { fraction: 0.0, weight: 1.0 / 6.0 },
-            Node { fraction: 0.5, weight: 2.0 / 3.0 },
-            Node { fraction: 1.0, weight: 1.0 / 6.0 },
-        ];
-        const ERROR_EXPONENT: i32 = 2;
     }
 
     /// Every node of every chord is checked, including the last ones.
