@@ -55,6 +55,7 @@ mod momenta;
 mod peano;
 mod point_sequence;
 mod quadratic_model;
+mod resampling;
 mod rule;
 mod rules;
 

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule};
+use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule, SequenceError};
 use tautline_formula::{Formula, Prepared};
 use tautline_metrics::Metric;
 use tautline_optimizers::{Estimate, Minimum, Stop, extrapolate};
@@ -104,6 +104,16 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     #[must_use]
     pub fn length(&self) -> Integral {
         *self.length.get_or_init(|| self.curve().length_by_batches(&*self.metric))
+    }
+
+    /// Returns `n + 1` points on the curve at constant speed, in `ℓ`: the length under the metric is
+    /// the same between any two neighbours, [along this curve](Interpolation::resampled).
+    ///
+    /// # Errors
+    ///
+    /// [`SequenceError`], for an `n` that is out of range.
+    pub fn resampled(&self, n: usize) -> Result<PointSequence<D>, SequenceError> {
+        self.curve().resampled(&*self.metric, n)
     }
 
     /// Returns the speeds of the chords, in `m`. They are nearly equal for a minimiser.

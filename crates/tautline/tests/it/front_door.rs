@@ -34,6 +34,25 @@ fn a_formula_may_have_numbers_on_the_left() {
     }
 }
 
+/// On eight chords the speeds of a minimiser of the left-endpoint rule differ by some per cent; at
+/// constant speed they differ as little as fine chords resolve, `O(1/N²)`.
+#[test]
+fn a_line_is_resampled_at_constant_speed() {
+    let ends = Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
+    let line = Problem::new(Valleys, ends).solve(LeftEndpoint, 8).expect("a metric");
+    let spread = |sequence: &PointSequence<2>| {
+        let speeds = Trapezoidal.speeds(&Valleys, sequence);
+        let slowest = speeds.iter().copied().fold(f64::INFINITY, f64::min);
+        speeds.iter().copied().fold(0.0, f64::max) / slowest - 1.0
+    };
+    let fine = line.resampled(800).expect("a metric");
+    // The chords that cut one of the seven corners are shorter, by the square of half the angle.
+    assert!(spread(line.sequence()) > 0.03, "{}", spread(line.sequence()));
+    assert!(spread(&fine) < 0.01, "{}", spread(&fine));
+    assert_eq!((fine.first(), fine.last()), (line.sequence().first(), line.sequence().last()));
+    assert_eq!(line.resampled(0), Err(SequenceError::NoSubinterval { points: 1 }));
+}
+
 #[test]
 fn too_many_subintervals_are_an_error() {
     fn refused<const D: usize>(n: usize) {

@@ -1,0 +1,172 @@
+//! Points on a curve with equally much of its length between neighbours.
+
+use nalgebra::SVector;
+use tautline_formula::Batches;
+use tautline_metrics::quadrature::integrate;
+
+use crate::{Interpolation, LARGEST_N, PointSequence, SequenceError, interpolation::TOLERANCE};
+
+/// The largest number of steps towards a point on a chord. Newton's method takes a few; where it
+/// leaves the bracket, a bisection halves it.
+const STEPS: usize = 64;
+
+impl<const D: usize> Interpolation<'_, D> {
+    /// Returns `n + 1` points on this curve, in `ℓ`, so that the length under `metric` from each to
+    /// the next along this curve is the same, up to a few roundings. Both ends are exact.
+    ///
+    /// This is the curve at constant speed. New chords cut the corners of the old ones, so that a
+    /// minimiser on `n` chords is close to these points, but is not at them. A curve of length 0
+    /// gives points that are equally spaced in time.
+    ///
+    /// # Errors
+    ///
+    /// [`SequenceError::NoSubinterval`] and [`SequenceError::TooManySubintervals`] for an `n` that
+    /// is out of range, and [`SequenceError::NotFinite`] if the metric is not finite or not positive
+    /// along the curve.
+    pub fn resampled(
+        &self,
+        metric: &dyn Batches<D>,
+        n: usize,
+    ) -> Result<PointSequence<D>, SequenceError> {
+        if n == 0 {
+            return Err(SequenceError::NoSubinterval { points: 1 });
+        }
+        if n > LARGEST_N {
+            return Err(SequenceError::TooManySubintervals { n });
+        }
+        // The length up to each point of the sequence.
+        let mut lengths = Vec::with_capacity(self.chords() + 1);
+        let mut total = 0.0;
+        for chord in 0..self.chords() {
+            lengths.push(total);
+            total += self.length_within(metric, chord, 1.0);
+        }
+        lengths.push(total);
+        if total.is_nan() {
+            return Err(SequenceError::NotFinite { index: 0, coordinate: 0, value: total });
+        }
+        if total == 0.0 {
+            return PointSequence::new((0..=n).map(|k| self.at(k as f64 / n as f64)).collect());
+        }
+        let mut chord = 0;
+        let inner = (1..n).map(|k| {
+            let length = total * (k as f64 / n as f64);
+            while chord + 1 < self.chords() && lengths[chord + 1] <= length {
+                chord += 1;
+            }
+            let [from, to] = [lengths[chord], lengths[chord + 1]];
+            self.at_length(metric, chord, length - from, to - from)
+        });
+        let first = std::iter::once(*self.sequence.first());
+        let points = first.chain(inner).chain([*self.sequence.last()]).collect();
+        PointSequence::new(points)
+    }
+
+    /// Returns the speed `(dᵀH d)^{1/2}` at a fraction of a chord `d`.
+    fn speed(&self, metric: &dyn Batches<D>, chord: usize, s: f64) -> f64 {
+        let (x, d) = self.sequence.chord(chord);
+        d.dot(&(metric.gram(&(x + d * s)) * d)).sqrt()
+    }
+
+    /// Returns the length of a chord up to a fraction of it.
+    fn length_within(&self, metric: &dyn Batches<D>, chord: usize, s: f64) -> f64 {
+        integrate(|s| self.speed(metric, chord, s), 0.0, s, TOLERANCE).value
+    }
+
+    /// Returns the point of a chord, which has the length `whole`, up to which its length is
+    /// `length`.
+    fn at_length(
+        &self,
+        metric: &dyn Batches<D>,
+        chord: usize,
+        length: f64,
+        whole: f64,
+    ) -> SVector<f64, D> {
+        let (mut low, mut high) = (0.0, 1.0);
+        let mut s = (length / whole).clamp(0.0, 1.0);
+        for _ in 0..STEPS {
+            let off = self.length_within(metric, chord, s) - length;
+            if !(off.abs() > TOLERANCE * whole) {
+                break;
+            }
+            if off > 0.0 {
+                high = s
+            } else {
+                low = s
+            }
+            let newton = s - off / self.speed(metric, chord, s);
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if next == s {
+                break;
+            }
+            s = next;
+        }
+        let (x, d) = self.sequence.chord(chord);
+        x + d * s
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_formula::Prepared;
+    use tautline_metrics::{Metric, Scalar, gallery::Valleys};
+
+    use crate::{Interpolation, LARGEST_N, PointSequence, SequenceError};
+
+    #[test]
+    fn the_length_between_neighbours_is_the_same() {
+        let points =
+            vec![vector![0.0, 1.0], vector![1.5, 0.5], vector![7.0, 1.0], vector![7.1, 3.0]];
+        let sequence = PointSequence::new(points).expect("finite");
+        let curve = Interpolation::new(&sequence);
+        let whole = curve.length(&Valleys).value;
+        let metric = Prepared::new(Valleys);
+        for n in [1, 2, 3, 10, 64] {
+            let found = curve.resampled(&metric, n).expect("a metric");
+            assert_eq!(found.n().get(), n);
+            assert_eq!((found.first(), found.last()), (sequence.first(), sequence.last()));
+            // Along the old curve: through its corners between two new points.
+            let mut corner = 1;
+            for (k, pair) in found.points().windows(2).enumerate() {
+                let mut path = vec![pair[0]];
+                while corner < 3 && pair[1][0] > sequence.points()[corner][0] {
+                    path.push(sequence.points()[corner]);
+                    corner += 1;
+                }
+                path.push(pair[1]);
+                let path = PointSequence::new(path).expect("finite");
+                let length = Interpolation::new(&path).length(&Valleys).value;
+                // A few quadratures, each exact to a few roundings of the length of a chord.
+                let error = (length - whole / n as f64).abs();
+                assert!(error <= 1e-13 * whole, "{n}, {k}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_resampled_is_an_error() {
+        let metric = Prepared::new(Valleys);
+        let line = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 3).expect("finite");
+        let curve = Interpolation::new(&line);
+        assert_eq!(curve.resampled(&metric, 0), Err(SequenceError::NoSubinterval { points: 1 }));
+        let n = LARGEST_N + 1;
+        assert_eq!(curve.resampled(&metric, n), Err(SequenceError::TooManySubintervals { n }));
+        struct Negative;
+        impl Metric<1> for Negative {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                SMatrix::from_element(x[0])
+            }
+        }
+        let line = PointSequence::straight([-1.0], [1.0], 3).expect("finite");
+        let found = Interpolation::new(&line).resampled(&Prepared::new(Negative), 4);
+        assert!(matches!(found, Err(SequenceError::NotFinite { .. })), "{found:?}");
+    }
+
+    #[test]
+    fn a_curve_without_length_is_resampled_in_time() {
+        let still = PointSequence::straight([2.0, 1.0], [2.0, 1.0], 2).expect("finite");
+        let found = Interpolation::new(&still).resampled(&Prepared::new(Valleys), 5);
+        assert_eq!(found, PointSequence::straight([2.0, 1.0], [2.0, 1.0], 5));
+    }
+}
