@@ -1,0 +1,178 @@
+//! Collocation: known distances, agreement with shooting, a geodesic that is not minimal, errors.
+
+use nalgebra::vector;
+use tautline::gallery::{Bump, Separable, SpherePatch, Valleys};
+use tautline::{Ends, KnownDistance, PointSequence};
+use tautline_baselines::collocation::{Collocated, Collocation, CollocationError, collocate};
+use tautline_baselines::shooting::{Shooting, shoot};
+
+use crate::problems::{Cut, Exact, Vector, for_each_problem};
+
+const ENDS: [[f64; 2]; 2] = [[-1.5, 0.05], [1.5, -0.1]];
+
+/// The energy of the minimal geodesic around the bump, to the digits given.
+const AROUND: f64 = 21.858160535;
+
+fn bump() -> Bump {
+    Bump::new(4.0, 0.5).expect("a width")
+}
+
+fn over_the_bump(options: &Collocation<2>) -> Result<Collocated<2>, CollocationError> {
+    collocate(&bump(), &ENDS[0].into(), &ENDS[1].into(), options)
+}
+
+/// The tolerance of the residual is `10⁻⁶`, and the energy is stationary: its relative error is of
+/// the size of `10⁻¹²`, times a factor that is the larger the more the metric bends.
+#[test]
+fn collocation_reaches_the_known_distance() {
+    #[track_caller]
+    fn check<const D: usize>(metric: &impl KnownDistance<D>, x: [f64; D], y: [f64; D]) {
+        let (x, y) = (x.into(), y.into());
+        let d = metric.distance(&x, &y).expect("known");
+        let found = collocate(metric, &x, &y, &Collocation::default()).expect("a path");
+        assert!((found.length / d - 1.0).abs() < 1e-9, "{} for {d}", found.length);
+        assert!((found.energy / (d * d) - 1.0).abs() < 1e-9, "{} for {d}", found.energy);
+        assert!(found.residual <= 1e-6 && found.iterations > 0);
+    }
+    fn exact(_: &str, metric: &impl Exact, x: [f64; 2], y: [f64; 2]) {
+        check(metric, x, y);
+    }
+    for_each_problem!(exact);
+    let separable = Separable::new([0.3, 0.5, -0.2], [1.0, 2.0, 1.5]).expect("amplitudes");
+    check(&separable, [0.0, 0.0, 0.5], [2.0, 1.0, -1.0]);
+    check(&SpherePatch::new(1.0).expect("a radius"), [0.6, -0.2], [-0.3, 0.7]);
+    check(&Valleys, [0.5, 0.0], [2.5, 1.0]);
+    check(&Valleys, [0.5], [5.5]);
+}
+
+/// A residual of at most `10⁻⁸` displaces the curve by at most about `10⁻⁸`, and its velocity by a few times
+/// as much.
+#[test]
+fn the_path_is_the_exact_geodesic_all_along() {
+    fn check(name: &str, metric: &impl Exact, x: [f64; 2], y: [f64; 2]) {
+        let (x, y) = (Vector::from(x), Vector::from(y));
+        let options = Collocation { tolerance: 1e-8, ..Collocation::default() };
+        let found = collocate(metric, &x, &y, &options).expect("a path");
+        assert_eq!((found.path.position(0.0), found.path.position(1.0)), (Some(x), Some(y)));
+        let v = metric.exact_logarithm(&x, &y);
+        for k in 1..=40 {
+            let t = f64::from(k) / 40.0;
+            let exact = metric.exact_exponential(&x, &(v * t));
+            let at = found.path.position(t).expect("a time");
+            assert!((at - exact).norm() < 1e-8, "{name}: {at} for {exact} at {t}");
+            let exact = metric.exact_transport(&x, &exact, &v);
+            let velocity = found.path.velocity(t).expect("a time");
+            assert!((velocity - exact).norm() < 1e-7, "{name}: {velocity} for {exact} at {t}");
+        }
+        assert_eq!(found.path.position(1.5), None);
+        assert_eq!(found.path.velocity(f64::NAN), None);
+    }
+    for_each_problem!(check);
+}
+
+/// Each is within `10⁻⁹` of the distance, as is tested for both; hence they differ by `2 · 10⁻⁹`.
+#[test]
+fn collocation_and_shooting_agree() {
+    fn check(name: &str, metric: &impl Exact, x: [f64; 2], y: [f64; 2]) {
+        let path = collocate(metric, &x.into(), &y.into(), &Collocation::default());
+        let path = path.expect("a path");
+        let ends = Ends::points(x, y).expect("finite");
+        let shot = shoot(metric, &ends, &Shooting::default()).expect("a shot").geodesic;
+        assert!((path.length / shot.length() - 1.0).abs() < 2e-9, "{name}");
+        for k in 0..=10 {
+            let t = f64::from(k) / 10.0;
+            let [a, b] = [path.path.position(t), shot.position(t)].map(|at| at.expect("a time"));
+            // The residual is 10⁻⁶, which displaces the curve by at most about as much.
+            assert!((a - b).norm() < 1e-6, "{name}: {a} and {b} at {t}");
+        }
+    }
+    for_each_problem!(check);
+    // Neither is minimal here; they are the same geodesic all the same.
+    let ends = Ends::points(ENDS[0], ENDS[1]).expect("finite");
+    let shot = shoot(&bump(), &ends, &Shooting::default()).expect("a shot").geodesic;
+    let path = over_the_bump(&Collocation::default()).expect("a path");
+    assert!((path.length / shot.length() - 1.0).abs() < 2e-9);
+}
+
+/// The straight line leads to a geodesic over the bump with almost three times the energy of the
+/// minimal one, and nothing in the result says so. Both energies are given to half a unit of their
+/// last digit.
+#[test]
+fn collocation_from_the_straight_line_finds_a_geodesic_that_is_not_minimal() {
+    let over = over_the_bump(&Collocation::default()).expect("a path");
+    assert!((over.energy - 64.0750).abs() < 5e-5, "{}", over.energy);
+    assert!(over.residual <= 1e-6);
+    let around = [ENDS[0], [-0.7, -1.0], [0.0, -1.0], [0.7, -1.0], ENDS[1]];
+    let around = PointSequence::new(around.map(Into::into).to_vec()).expect("finite");
+    let options = Collocation { start: Some(around), ..Collocation::default() };
+    let minimal = over_the_bump(&options).expect("a path");
+    assert!((minimal.energy - AROUND).abs() < 5e-10 * 10.0, "{}", minimal.energy);
+    assert!(over.energy > 2.9 * minimal.energy);
+}
+
+#[test]
+fn intervals_are_divided_where_the_residual_is_large() {
+    let path = over_the_bump(&Collocation::default()).expect("a path").path;
+    let mesh = path.mesh();
+    assert_eq!((mesh[0], mesh[path.intervals()]), (0.0, 1.0));
+    let steps: Vec<f64> = mesh.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let [least, most] =
+        [f64::min, f64::max].map(|pick| steps.iter().copied().reduce(pick).expect("some"));
+    // The first mesh has steps of 1/16, which are divided by at least 2 each time.
+    assert!(least > 0.0 && most <= 1.0 / 16.0 && least < 0.3 * most, "{least} to {most}");
+}
+
+#[test]
+fn a_path_from_a_point_to_itself_has_no_length() {
+    let x = vector![1.0, 2.0];
+    let found = collocate(&Valleys, &x, &x, &Collocation::default()).expect("a path");
+    assert_eq!((found.energy, found.length, found.residual), (0.0, 0.0, 0.0));
+}
+
+#[test]
+fn input_of_no_use_is_an_error() {
+    let (x, bad) = (vector![0.0, 0.0], vector![1.0, f64::INFINITY]);
+    let options = Collocation::default();
+    let infinite = |what| CollocationError::NotFinite { what, coordinate: 1, value: f64::INFINITY };
+    assert_eq!(collocate(&Valleys, &bad, &x, &options), Err(infinite("first point")));
+    assert_eq!(collocate(&Valleys, &x, &bad, &options), Err(infinite("second point")));
+    for tolerance in [0.0, -1.0, f64::NAN, 1e-11, 1.0] {
+        let found = over_the_bump(&Collocation { tolerance, ..options.clone() });
+        assert!(matches!(found, Err(CollocationError::Tolerance { .. })), "{found:?}");
+    }
+    let none = over_the_bump(&Collocation { intervals: 0, ..options });
+    assert_eq!(none, Err(CollocationError::NoIntervals));
+}
+
+#[test]
+fn a_start_outside_of_the_domain_is_an_error() {
+    let found = collocate(&Cut, &vector![-1.0], &vector![1.0], &Collocation::default());
+    assert!(matches!(found, Err(CollocationError::LeavesTheDomain(_))), "{found:?}");
+}
+
+#[test]
+fn too_many_intervals_are_an_error_with_the_residual() {
+    match over_the_bump(&Collocation { most_intervals: 20, ..Collocation::default() }) {
+        Err(CollocationError::TooManyIntervals { intervals: 16, residual }) => {
+            assert!(residual > 1e-6 && residual.is_finite(), "{residual}");
+        }
+        other => panic!("{other:?}"),
+    }
+    let found =
+        over_the_bump(&Collocation { intervals: 21, most_intervals: 20, ..Collocation::default() });
+    assert!(
+        matches!(found, Err(CollocationError::TooManyIntervals { intervals: 21, residual }) if residual == f64::INFINITY),
+        "{found:?}"
+    );
+}
+
+/// The straight line is no geodesic here, so that a first step cannot be the last.
+#[test]
+fn steps_that_do_not_converge_are_an_error_with_the_correction() {
+    match over_the_bump(&Collocation { iterations: 1, ..Collocation::default() }) {
+        Err(CollocationError::NoConvergence { intervals: 16, correction, iterations: 1 }) => {
+            assert!(correction > 1e-3, "{correction}");
+        }
+        other => panic!("{other:?}"),
+    }
+}
