@@ -6,8 +6,8 @@
 
 // By the differential equation of a geodesic, and by its discrete counterpart.
 pub mod collocation;
+pub mod geodesic_calculus;
 mod geodesic_equation;
-//pub mod geodesic_calculus;
 pub mod shooting;
 
 pub use geodesic_equation::EquationError;

@@ -38,7 +38,7 @@ pub struct Collocated<const D: usize> {
 /// geodesic equation at the four Gauss points of each interval of a mesh, so that its nodes
 /// have errors of the order 8 in the length of an interval (C. de Boor, B. Swartz, Collocation at Gaussian points, SIAM J.
 /// Numer. Anal. 10 (1973)). The equations are solved by Newton's method, damped by the natural
-/// monotonicity test (P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 3.3),
+/// monotonicity test (P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004),
 /// with the stages and the velocities of each interval eliminated. Intervals in which the residual
 /// exceeds the tolerance are divided, and the equations solved again.
 ///
