@@ -8,6 +8,7 @@
 pub mod collocation;
 pub mod geodesic_calculus;
 mod geodesic_equation;
+mod normal_map;
 pub mod shooting;
 
 pub use geodesic_equation::EquationError;

@@ -1,7 +1,7 @@
 //! `collocate`: damped Newton steps on a mesh that is refined where the residual is large.
 
 use nalgebra::SVector;
-use tautline::{Metric, PointSequence};
+use tautline::{Ends, Metric, PointSequence, check_gram};
 
 use super::{
     Collocation, CollocationError,
@@ -10,9 +10,13 @@ use super::{
     path::Path,
     system::{Defects, System, defects},
 };
+use crate::{
+    EquationError,
+    normal_map::{NormalMap, nearby},
+};
 
-/// Newton's method has converged if its step, relative to the distance of the ends, is at most this.
-/// It converges quadratically, so that another step would be of the size of rounding.
+/// Newton's method has converged if its step, relative to the distance of the ends, is at most
+/// this. It converges quadratically, so that another step would be of the size of rounding.
 const SMALL: f64 = 1e-9;
 
 /// A geodesic that was found by collocation.
@@ -32,34 +36,35 @@ pub struct Collocated<const D: usize> {
     pub iterations: usize,
 }
 
-/// Returns a geodesic from the point `x` to the point `y`, both in `ℓ`, by collocation.
+/// Returns a geodesic between two closed sets that is normal to both, by collocation.
 ///
 /// The curve is a continuously differentiable piecewise polynomial of degree 5. It satisfies the
-/// geodesic equation at the four Gauss points of each interval of a mesh, so that its nodes
-/// have errors of the order 8 in the length of an interval (C. de Boor, B. Swartz, Collocation at Gaussian points, SIAM J.
-/// Numer. Anal. 10 (1973)). The equations are solved by Newton's method, damped by the natural
-/// monotonicity test (P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004),
-/// with the stages and the velocities of each interval eliminated. Intervals in which the residual
-/// exceeds the tolerance are divided, and the equations solved again.
+/// geodesic equation at the four Gauss points of each interval of a mesh, so that its nodes have
+/// errors of the order 8 in the length of an interval (C. de Boor, B. Swartz, Collocation at
+/// Gaussian points, SIAM J. Numer. Anal. 10 (1973)). The equations are solved by Newton's method,
+/// damped by the natural monotonicity test (P. Deuflhard, *Newton Methods for Nonlinear Problems*,
+/// 2004), with the stages and the velocities of each interval eliminated. Intervals in which the
+/// residual exceeds the tolerance are divided, and the equations solved again.
+///
+/// As in [`shoot`](crate::shooting::shoot()), each end with its velocity is given by a point of
+/// `R^D` through the nearest-point map of its set. Sets of several pieces are searched along one
+/// branch of these maps.
 ///
 /// The result is a geodesic, but need not be minimal: that depends on the start.
 ///
 /// # Errors
 ///
-/// - [`CollocationError::NotFinite`], [`CollocationError::Tolerance`] and
-///   [`CollocationError::NoIntervals`] for such input;
-/// - [`CollocationError::LeavesTheDomain`] if the metric makes no geodesic equation at a Gauss
-///   point of the start, or at a sample of the residual of a solution;
+/// - [`CollocationError::Tolerance`] and [`CollocationError::NoIntervals`] for such input, and
+///   [`CollocationError::NotFinite`] if a nearest point has such a coordinate;
+/// - [`CollocationError::LeavesTheDomain`] if the metric makes no geodesic equation at an end or a
+///   Gauss point of the start, or at a sample of the residual of a solution;
 /// - [`CollocationError::NoConvergence`] and [`CollocationError::TooManyIntervals`] with the
 ///   numbers that were reached.
 pub fn collocate<const D: usize>(
     metric: &impl Metric<D>,
-    x: &SVector<f64, D>,
-    y: &SVector<f64, D>,
+    ends: &Ends<D>,
     options: &Collocation<D>,
 ) -> Result<Collocated<D>, CollocationError> {
-    finite("first point", x)?;
-    finite("second point", y)?;
     let tolerance = options.tolerance;
     if !(1e-10..=1e-1).contains(&tolerance) {
         return Err(CollocationError::Tolerance { tolerance });
@@ -71,11 +76,25 @@ pub fn collocate<const D: usize>(
     if options.intervals > options.most_intervals {
         return Err(too_many(options.intervals, f64::INFINITY));
     }
+    let [first, second] = [&**ends.first(), &**ends.second()];
+    let near = match &options.start {
+        Some(start) => [first.project(start.first()), second.project(start.last())],
+        None => nearby(first, second),
+    };
+    finite("first point", &near[0])?;
+    finite("second point", &near[1])?;
+    let gram = |end: usize| check_gram(metric, &near[end]).map_err(EquationError::from);
+    let (scale, _) = (gram(0)?.trace() / D as f64, gram(1)?);
+    // The normal map of the second set is for the opposite of the velocity.
+    let maps = [NormalMap { set: first, scale }, NormalMap { set: second, scale: -scale }];
     let table = Table::new();
-    let mut path = start(x, y, options);
+    let mut path = start(&near, options);
+    path.normals = [(0, 0), (1, path.intervals())]
+        .map(|(end, node)| maps[end].unknown(metric, &near[end], &path.velocities[node]));
+    keep_to(metric, &maps, &mut path);
     let mut iterations = 0;
     loop {
-        iterations += solve(metric, &table, &mut path, options.iterations)?;
+        iterations += solve(metric, &table, &maps, &mut path, options.iterations)?;
         let residuals = path.residuals(metric, &table)?;
         let residual = residuals.iter().copied().fold(0.0, f64::max);
         if residual <= tolerance {
@@ -104,11 +123,7 @@ fn divisions(factor: f64) -> usize {
 }
 
 /// Returns the straight line, or the given sequence, on an even mesh.
-fn start<const D: usize>(
-    x: &SVector<f64, D>,
-    y: &SVector<f64, D>,
-    options: &Collocation<D>,
-) -> Path<D> {
+fn start<const D: usize>([x, y]: &[SVector<f64, D>; 2], options: &Collocation<D>) -> Path<D> {
     let n = options.intervals;
     let mesh: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
     let mut positions: Vec<_> = mesh
@@ -126,7 +141,20 @@ fn start<const D: usize>(
         Some(_) => (0..=n).map(velocity).collect(),
         None => vec![y - x; n + 1],
     };
-    Path { mesh, positions, velocities, accelerations: vec![[SVector::zeros(); STAGES]; n] }
+    let accelerations = vec![[SVector::zeros(); STAGES]; n];
+    Path { mesh, positions, velocities, normals: [*x, *y], accelerations }
+}
+
+/// Gives a path the ends that its normal maps have.
+fn keep_to<const D: usize>(
+    metric: &impl Metric<D>,
+    maps: &[NormalMap<'_, D>; 2],
+    path: &mut Path<D>,
+) {
+    for (end, node) in [(0, 0), (1, path.intervals())] {
+        let at = maps[end].at(metric, &path.normals[end]);
+        (path.positions[node], path.velocities[node]) = (at.position, at.velocity);
+    }
 }
 
 /// Returns the point of a sequence at the time `t`, by linear interpolation.
@@ -142,11 +170,15 @@ fn along<const D: usize>(sequence: &PointSequence<D>, t: f64) -> SVector<f64, D>
 fn solve<const D: usize>(
     metric: &impl Metric<D>,
     table: &Table,
+    maps: &[NormalMap<'_, D>; 2],
     path: &mut Path<D>,
     limit: usize,
 ) -> Result<usize, CollocationError> {
     let n = path.intervals();
-    let scale = (path.positions[n] - path.positions[0]).norm().max(f64::MIN_POSITIVE);
+    // Sets may touch, and the coordinates of a short curve are rounded all the same.
+    let distance = (path.positions[n] - path.positions[0]).norm();
+    let extent = path.positions[0].amax().max(path.positions[n].amax());
+    let scale = distance.max(1e-6 * extent).max(f64::MIN_POSITIVE);
     let mut lacks: Defects<D> = defects(metric, table, path)?;
     let mut damping = 1.0_f64;
     let mut size = f64::INFINITY;
@@ -154,7 +186,9 @@ fn solve<const D: usize>(
         let failure = |correction| {
             Err(CollocationError::NoConvergence { intervals: n, correction, iterations })
         };
-        let Some(system) = System::new(metric, table, path)? else { return failure(f64::NAN) };
+        let Some(system) = System::new(metric, table, path, maps)? else {
+            return failure(f64::NAN);
+        };
         let step = system.solve(&lacks);
         size = norm(&step) / scale;
         if !size.is_finite() {
@@ -162,7 +196,8 @@ fn solve<const D: usize>(
         }
         damping = (2.0 * damping).min(1.0);
         loop {
-            let trial = moved(path, &step, damping);
+            let mut trial = moved(path, &step, damping);
+            keep_to(metric, maps, &mut trial);
             // The next correction with the same derivative has to be shorter.
             if let Ok(found) = defects(metric, table, &trial)
                 && (size <= SMALL
@@ -186,7 +221,7 @@ fn solve<const D: usize>(
 /// Returns the root mean square of all entries, in `ℓ`.
 fn norm<const D: usize>(step: &Path<D>) -> f64 {
     let stages = step.accelerations.as_flattened();
-    let all = step.positions.iter().chain(&step.velocities).chain(stages);
+    let all = step.positions.iter().chain(&step.velocities).chain(&step.normals).chain(stages);
     let (mut sum, mut count) = (0.0, 0.0);
     for entry in all {
         sum += entry.norm_squared();
@@ -203,6 +238,7 @@ fn moved<const D: usize>(path: &Path<D>, step: &Path<D>, damping: f64) -> Path<D
     };
     add(&mut moved.positions, &step.positions);
     add(&mut moved.velocities, &step.velocities);
+    add(&mut moved.normals, &step.normals);
     add(moved.accelerations.as_flattened_mut(), step.accelerations.as_flattened());
     moved
 }

@@ -3,7 +3,8 @@
 /// The number of collocation points on each interval.
 pub(crate) const STAGES: usize = 4;
 
-/// Values at a fraction `τ` of an interval, for the polynomials `Lⱼ` of degree 3 with `Lⱼ(cᵢ) = δᵢⱼ`.
+/// Values at a fraction `τ` of an interval, for the polynomials `Lⱼ` of degree 3 with `Lⱼ(cᵢ) =
+/// δᵢⱼ`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Weights {
     /// `τ`.

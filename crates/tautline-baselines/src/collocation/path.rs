@@ -16,6 +16,8 @@ pub struct Path<const D: usize> {
     pub(crate) positions: Vec<SVector<f64, D>>,
     /// At the nodes, in `ℓ`.
     pub(crate) velocities: Vec<SVector<f64, D>>,
+    /// The points of the normal maps of both ends, in `ℓ`.
+    pub(crate) normals: [SVector<f64, D>; 2],
     /// At the Gauss points of each interval, in `ℓ`.
     pub(crate) accelerations: Vec<[SVector<f64, D>; STAGES]>,
 }
@@ -129,6 +131,7 @@ impl<const D: usize> Path<D> {
             mesh: vec![0.0],
             positions: vec![self.positions[0]],
             velocities: vec![self.velocities[0]],
+            normals: self.normals,
             accelerations: Vec::new(),
         };
         for (i, &parts) in parts.iter().enumerate() {

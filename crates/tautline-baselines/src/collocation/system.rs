@@ -7,7 +7,11 @@ use super::{
     gauss::{STAGES, Table},
     path::Path,
 };
-use crate::{EquationError, geodesic_equation::Acceleration};
+use crate::{
+    EquationError,
+    geodesic_equation::Acceleration,
+    normal_map::{NormalMap, pseudo_inverse},
+};
 
 /// What the equations of a path lack: all are zero at a solution.
 pub(crate) struct Defects<const D: usize> {
@@ -41,11 +45,14 @@ struct Interval<const D: usize> {
 /// The equations of a path, linearised and factorised.
 ///
 /// The velocities are eliminated as well. What remains says that the velocity is continuous at the
-/// inner nodes, and is block tridiagonal in their positions: the discrete Jacobi equation.
+/// nodes, where at both ends it meets that of the normal map. It is block tridiagonal in the
+/// positions of the inner nodes and the points of the normal maps: the discrete Jacobi equation.
 pub(crate) struct System<'a, const D: usize> {
     table: &'a Table,
     intervals: Vec<Interval<D>>,
-    /// For each inner node, the block below the diagonal and the inverse of the pivot.
+    /// For each node, the derivative of its position by its unknown.
+    columns: Vec<SMatrix<f64, D, D>>,
+    /// For each node, the block below the diagonal and the inverse of the pivot.
     pivots: Vec<[SMatrix<f64, D, D>; 2]>,
 }
 
@@ -80,33 +87,50 @@ impl<'a, const D: usize> System<'a, D> {
         metric: &impl Metric<D>,
         table: &'a Table,
         path: &Path<D>,
+        maps: &[NormalMap<'_, D>; 2],
     ) -> Result<Option<Self>, EquationError> {
-        let mut intervals = Vec::with_capacity(path.intervals());
-        for i in 0..path.intervals() {
+        let n = path.intervals();
+        let mut intervals = Vec::with_capacity(n);
+        for i in 0..n {
             match Interval::new(metric, table, path, i)? {
                 Some(interval) => intervals.push(interval),
                 None => return Ok(None),
             }
         }
-        let mut pivots: Vec<[SMatrix<f64, D, D>; 2]> = Vec::with_capacity(intervals.len());
-        for pair in intervals.windows(2) {
-            let (left, right) = (&pair[0], &pair[1]);
-            let below = left.vx - left.vv * left.inverse * left.xx;
-            let mut pivot = left.vv * left.inverse + right.inverse * right.xx;
-            if let Some([_, before]) = pivots.last() {
-                // The block above the diagonal of the row before is −inverse of `left`.
-                pivot += below * before * left.inverse;
+        let ends = [0, 1].map(|end| maps[end].at(metric, &path.normals[end]));
+        let mut columns = vec![SMatrix::identity(); n + 1];
+        columns[0] = ends[0].position_by;
+        columns[n] = ends[1].position_by;
+        let mut pivots: Vec<[SMatrix<f64, D, D>; 2]> = Vec::with_capacity(n + 1);
+        for node in 0..=n {
+            // The velocity from the left less that to the right.
+            let (mut below, mut pivot) = (SMatrix::zeros(), SMatrix::zeros());
+            if node > 0 {
+                let left: &Interval<D> = &intervals[node - 1];
+                below = (left.vx - left.vv * left.inverse * left.xx) * columns[node - 1];
+                pivot += left.vv * left.inverse * columns[node];
+                // The block above the diagonal of the row before is −inverse · column.
+                pivot += below * pivots[node - 1][1] * left.inverse * columns[node];
+            } else {
+                pivot += ends[0].velocity_by;
             }
-            match pivot.try_inverse() {
+            if node < n {
+                pivot += intervals[node].inverse * intervals[node].xx * columns[node];
+            } else {
+                pivot -= ends[1].velocity_by;
+            }
+            // A family of solutions shows in the last pivot.
+            let inverse = if node < n { pivot.try_inverse() } else { pseudo_inverse(&pivot) };
+            match inverse {
                 Some(inverse) => pivots.push([below, inverse]),
                 None => return Ok(None),
             }
         }
-        Ok(Some(Self { table, intervals, pivots }))
+        Ok(Some(Self { table, intervals, columns, pivots }))
     }
 
-    /// Returns the correction of a path with these defects, with both ends kept: the solution `δ` of
-    /// `(derivative) δ = −(defects)`, in the fields of a path.
+    /// Returns the correction of a path with these defects, whose ends are those of the normal
+    /// maps: the solution `δ` of `(derivative) δ = −(defects)`, in the fields of a path.
     pub(crate) fn solve(&self, defects: &Defects<D>) -> Path<D> {
         let n = self.intervals.len();
         let (b, b_bar) = (&self.table.end.integral, &self.table.end.double_integral);
@@ -127,21 +151,26 @@ impl<'a, const D: usize> System<'a, D> {
             stages.push(own);
             shifts.push(shift);
         }
-        // Forward elimination and back substitution over the inner nodes.
-        let mut positions = vec![SVector::zeros(); n + 1];
-        for node in 1..n {
-            let (left, right) = (&self.intervals[node - 1], &self.intervals[node]);
-            let [x, v] = shifts[node - 1];
-            let mut value = left.vv * left.inverse * x - v - right.inverse * shifts[node][0];
-            let [below, inverse] = self.pivots[node - 1];
-            value -= below * positions[node - 1];
-            positions[node] = inverse * value;
+        // Forward elimination and back substitution over the nodes.
+        let mut unknowns = vec![SVector::zeros(); n + 1];
+        for node in 0..=n {
+            let mut value = SVector::zeros();
+            if node > 0 {
+                let left = &self.intervals[node - 1];
+                let [x, v] = shifts[node - 1];
+                value += left.vv * left.inverse * x - v;
+                value -= self.pivots[node][0] * unknowns[node - 1];
+            }
+            if node < n {
+                value -= self.intervals[node].inverse * shifts[node][0];
+            }
+            unknowns[node] = self.pivots[node][1] * value;
         }
-        for node in (1..n).rev() {
-            let [_, inverse] = self.pivots[node - 1];
-            let next = positions[node + 1];
-            positions[node] += inverse * (self.intervals[node].inverse * next);
+        for node in (0..n).rev() {
+            let next = self.columns[node + 1] * unknowns[node + 1];
+            unknowns[node] += self.pivots[node][1] * (self.intervals[node].inverse * next);
         }
+        let positions: Vec<_> = self.columns.iter().zip(&unknowns).map(|(c, u)| c * u).collect();
         let mut velocities = Vec::with_capacity(n + 1);
         let mut last = SVector::zeros();
         for (i, interval) in self.intervals.iter().enumerate() {
@@ -154,7 +183,8 @@ impl<'a, const D: usize> System<'a, D> {
             velocities.push(v);
         }
         velocities.push(last);
-        Path { mesh: Vec::new(), positions, velocities, accelerations: stages }
+        let normals = [unknowns[0], unknowns[n]];
+        Path { mesh: Vec::new(), positions, velocities, normals, accelerations: stages }
     }
 }
 

@@ -16,8 +16,8 @@ const LIMIT: usize = 50;
 /// ```
 ///
 /// This is the discrete exponential `Exp²ₓ(y − x)` of two chords (M. Rumpf, B. Wirth, Variational
-/// time discretization of geodesic calculus, IMA J. Numer. Anal. 35 (2015)). The solution is the one next to
-/// `2y − x`.
+/// time discretization of geodesic calculus, IMA J. Numer. Anal. 35 (2015)). The solution is the
+/// one next to `2y − x`.
 ///
 /// # Errors
 ///

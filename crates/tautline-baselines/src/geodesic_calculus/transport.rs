@@ -9,8 +9,8 @@ use super::{
     step::{extend_at, midpoint_at},
 };
 
-/// Returns the vector `u` at the first point of `path`, transported in parallel to its last point by
-/// Schild's ladder, in `ℓ`.
+/// Returns the vector `u` at the first point of `path`, transported in parallel to its last point
+/// by Schild's ladder, in `ℓ`.
 ///
 /// The vector is divided by `N`. On each chord from `x` to `y` a geodesic parallelogram carries the
 /// point `p = x + u/N` on: with the discrete [`midpoint`](super::midpoint) `c` of `p` and `y`, the

@@ -109,8 +109,8 @@ impl<const D: usize> Geodesic<D> {
         self.last.velocity
     }
 
-    /// Returns the energy `∫ γ̇ᵀHγ̇ dt`, in `m²`. The integrand is constant along a geodesic, and is
-    /// evaluated at the start.
+    /// Returns the energy `∫ γ̇ᵀHγ̇ dt`, in `m²`. The integrand is constant along a geodesic, and
+    /// is evaluated at the start.
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.squares[0]

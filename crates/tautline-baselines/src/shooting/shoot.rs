@@ -1,9 +1,10 @@
 //! `shoot`: Newton's method on the initial point and velocity.
 
-use nalgebra::{DMatrix, DVector, SMatrix, SVD, SVector};
-use tautline::{ClosedSet, Ends, Jet1, Metric};
+use nalgebra::{SMatrix, SVector};
+use tautline::{ClosedSet, Ends, Metric};
 
 use super::{Geodesic, Shooting, ShootingError, exponential::exponential, shooting_error::finite};
+use crate::normal_map::{NormalMap, nearby, pseudo_inverse, turned};
 
 /// A geodesic that was found by shooting.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,9 +22,10 @@ pub struct Shot<const D: usize> {
 /// Returns a geodesic between two closed sets that is normal to both, by shooting.
 ///
 /// Newton's method solves for a point `z`, in `ℓ`, which stands for the start `p = P₀(z)` and for
-/// the momentum `H(p)v = σ(z − p)`; `P₀` is the nearest-point map of the first set and `σ` is
-/// `tr H / D` near the start, in `m²/ℓ²`. Hence the momentum is normal to the set, and every momentum if the set is
-/// a point. With the end `y = γ(1)` and its momentum `m = H(y)γ̇(1)` the equation to solve is
+/// the momentum `H(p)v = σ(z − p)`; `P₀` is the nearest-point map of the first set and `σ` is `tr H
+/// / D` near the start, in `m²/ℓ²`. Hence the momentum is normal to the set, and every momentum if
+/// the set is a point. With the end `y = γ(1)` and its momentum `m = H(y)γ̇(1)` the equation to
+/// solve is
 ///
 /// ```text
 /// F(z) = y − P₁(y − m/σ) = 0
@@ -62,7 +64,8 @@ pub fn shoot<const D: usize>(
         if iterations == options.iterations {
             return Err(failure);
         }
-        let step = trial.newton_step().ok_or(failure.clone())?;
+        let inverse = pseudo_inverse(&trial.derivative).ok_or(failure.clone())?;
+        let step = -(inverse * trial.miss);
         let mut damping = 1.0;
         (unknown, trial) = loop {
             let next = unknown + step * damping;
@@ -102,12 +105,11 @@ pub fn logarithm<const D: usize>(
 /// The equation `F(z) = 0`.
 struct Aim<'a, M, const D: usize> {
     metric: &'a M,
-    sets: [&'a dyn ClosedSet<D>; 2],
+    first: NormalMap<'a, D>,
+    second: &'a dyn ClosedSet<D>,
     options: &'a Shooting<D>,
     /// Nearby points of the sets.
     near: [SVector<f64, D>; 2],
-    /// `σ`, in `m²/ℓ²`.
-    scale: f64,
 }
 
 /// A shot with `F` and its derivative.
@@ -117,24 +119,6 @@ struct Trial<const D: usize> {
     derivative: SMatrix<f64, D, D>,
 }
 
-impl<const D: usize> Trial<D> {
-    /// Returns the shortest solution of the linearised equation, in the sense of least squares.
-    ///
-    /// Between two circles about the centre of a symmetric metric there is a shot in every direction.
-    /// The derivative is singular along such a family, and the step does not move along it.
-    fn newton_step(&self) -> Option<SVector<f64, D>> {
-        let matrix = DMatrix::from_fn(D, D, |i, j| self.derivative[(i, j)]);
-        if !matrix.iter().all(|entry| entry.is_finite()) {
-            return None;
-        }
-        let svd = SVD::try_new(matrix, true, true, f64::EPSILON, 1000)?;
-        let right = DVector::from_fn(D, |i, _| -self.miss[i]);
-        let cut = 1e-9 * svd.singular_values.max();
-        let step = svd.solve(&right, cut).ok()?;
-        Some(SVector::from_fn(|i, _| step[i]))
-    }
-}
-
 impl<'a, M: Metric<D>, const D: usize> Aim<'a, M, D> {
     fn new(
         metric: &'a M,
@@ -142,61 +126,42 @@ impl<'a, M: Metric<D>, const D: usize> Aim<'a, M, D> {
         second: &'a dyn ClosedSet<D>,
         options: &'a Shooting<D>,
     ) -> Result<Self, ShootingError> {
-        // Alternating projections approach a nearest pair of convex sets.
-        let mut near = [first.project(&SVector::zeros()); 2];
-        for _ in 0..64 {
-            near[1] = second.project(&near[0]);
-            near[0] = first.project(&near[1]);
-        }
+        let near = nearby(first, second);
         finite("nearest point", &near[0])?;
         finite("nearest point", &near[1])?;
         let gram = tautline::check_gram(metric, &near[0])
             .map_err(|error| ShootingError::LeavesTheDomain { time: 0.0, source: error.into() })?;
         let scale = gram.trace() / D as f64;
-        Ok(Self { metric, sets: [first, second], options, near, scale })
+        let first = NormalMap { set: first, scale };
+        Ok(Self { metric, first, second, options, near })
     }
 
     fn first_unknown(&self, options: &Shooting<D>) -> Result<SVector<f64, D>, ShootingError> {
         let velocity = options.velocity.unwrap_or(self.near[1] - self.near[0]);
         finite("velocity", &velocity)?;
-        Ok(self.near[0] + self.metric.gram(&self.near[0]) * velocity / self.scale)
+        Ok(self.first.unknown(self.metric, &self.near[0], &velocity))
     }
 
     fn shoot(&self, unknown: &SVector<f64, D>) -> Result<Trial<D>, ShootingError> {
-        let [first, second] = self.sets;
-        let start = first.project(unknown);
-        let start_by_unknown = first.projection_derivative(unknown);
-        let inverse = self.metric.gram(&start).try_inverse().unwrap_or_else(SMatrix::zeros);
-        let velocity = inverse * (unknown - start) * self.scale;
-        let momentum_by_unknown = (SMatrix::identity() - start_by_unknown) * self.scale;
-        let geodesic = exponential(self.metric, &start, &velocity, &self.options.integration)?;
-        let turned = turned(self.metric, &start, &velocity);
-        let velocity_by_unknown = inverse * (momentum_by_unknown - turned * start_by_unknown);
-
+        let start = self.first.at(self.metric, unknown);
+        let scale = self.first.scale;
+        let geodesic =
+            exponential(self.metric, &start.position, &start.velocity, &self.options.integration)?;
         let last = &geodesic.last;
         let by_unknown = |by_start: &SMatrix<f64, D, D>, by_velocity: &SMatrix<f64, D, D>| {
-            by_start * start_by_unknown + by_velocity * velocity_by_unknown
+            by_start * start.position_by + by_velocity * start.velocity_by
         };
         let end_by_unknown = by_unknown(&last.position_by_position, &last.position_by_velocity);
         let final_by_unknown = by_unknown(&last.velocity_by_position, &last.velocity_by_velocity);
         let (end, final_velocity) = (last.position, last.velocity);
         let gram = self.metric.gram(&end);
-        let target = end - gram * final_velocity / self.scale;
-        let turned = self::turned(self.metric, &end, &final_velocity);
+        let target = end - gram * final_velocity / scale;
+        let turned = turned(self.metric, &end, &final_velocity);
         let target_by_unknown =
-            end_by_unknown - (gram * final_by_unknown + turned * end_by_unknown) / self.scale;
-        let miss = end - second.project(&target);
-        let derivative = end_by_unknown - second.projection_derivative(&target) * target_by_unknown;
+            end_by_unknown - (gram * final_by_unknown + turned * end_by_unknown) / scale;
+        let miss = end - self.second.project(&target);
+        let derivative =
+            end_by_unknown - self.second.projection_derivative(&target) * target_by_unknown;
         Ok(Trial { geodesic, miss, derivative })
     }
-}
-
-/// Returns the derivative of `H(x)v` by `x`, for a `v` that does not depend on `x`.
-fn turned<const D: usize>(
-    metric: &impl Metric<D>,
-    x: &SVector<f64, D>,
-    v: &SVector<f64, D>,
-) -> SMatrix<f64, D, D> {
-    let jets = metric.gram(&SVector::from(Jet1::variables(&(*x).into())));
-    SMatrix::from_fn(|i, m| (0..D).map(|j| jets[(i.min(j), i.max(j))].first(m) * v[j]).sum())
 }

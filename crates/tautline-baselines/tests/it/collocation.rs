@@ -1,8 +1,11 @@
 //! Collocation: known distances, agreement with shooting, a geodesic that is not minimal, errors.
 
-use nalgebra::vector;
+use nalgebra::{SMatrix, vector};
 use tautline::gallery::{Bump, Separable, SpherePatch, Valleys};
-use tautline::{Ends, KnownDistance, PointSequence};
+use tautline::{
+    AffineSubspace, Ball, ClosedSet, Ends, HalfSpace, KnownDistance, Metric, Point, PointSequence,
+    SetError, Sphere,
+};
 use tautline_baselines::collocation::{Collocated, Collocation, CollocationError, collocate};
 use tautline_baselines::shooting::{Shooting, shoot};
 
@@ -17,8 +20,12 @@ fn bump() -> Bump {
     Bump::new(4.0, 0.5).expect("a width")
 }
 
+fn points<const D: usize>(x: [f64; D], y: [f64; D]) -> Ends<D> {
+    Ends::points(x, y).expect("finite")
+}
+
 fn over_the_bump(options: &Collocation<2>) -> Result<Collocated<2>, CollocationError> {
-    collocate(&bump(), &ENDS[0].into(), &ENDS[1].into(), options)
+    collocate(&bump(), &points(ENDS[0], ENDS[1]), options)
 }
 
 /// The tolerance of the residual is `10⁻⁶`, and the energy is stationary: its relative error is of
@@ -27,9 +34,8 @@ fn over_the_bump(options: &Collocation<2>) -> Result<Collocated<2>, CollocationE
 fn collocation_reaches_the_known_distance() {
     #[track_caller]
     fn check<const D: usize>(metric: &impl KnownDistance<D>, x: [f64; D], y: [f64; D]) {
-        let (x, y) = (x.into(), y.into());
-        let d = metric.distance(&x, &y).expect("known");
-        let found = collocate(metric, &x, &y, &Collocation::default()).expect("a path");
+        let d = metric.distance(&x.into(), &y.into()).expect("known");
+        let found = collocate(metric, &points(x, y), &Collocation::default()).expect("a path");
         assert!((found.length / d - 1.0).abs() < 1e-9, "{} for {d}", found.length);
         assert!((found.energy / (d * d) - 1.0).abs() < 1e-9, "{} for {d}", found.energy);
         assert!(found.residual <= 1e-6 && found.iterations > 0);
@@ -45,14 +51,14 @@ fn collocation_reaches_the_known_distance() {
     check(&Valleys, [0.5], [5.5]);
 }
 
-/// A residual of at most `10⁻⁸` displaces the curve by at most about `10⁻⁸`, and its velocity by a few times
-/// as much.
+/// A residual of at most `10⁻⁸` displaces the curve by at most about `10⁻⁸`, and its velocity by a
+/// few times as much.
 #[test]
 fn the_path_is_the_exact_geodesic_all_along() {
     fn check(name: &str, metric: &impl Exact, x: [f64; 2], y: [f64; 2]) {
-        let (x, y) = (Vector::from(x), Vector::from(y));
         let options = Collocation { tolerance: 1e-8, ..Collocation::default() };
-        let found = collocate(metric, &x, &y, &options).expect("a path");
+        let found = collocate(metric, &points(x, y), &options).expect("a path");
+        let (x, y) = (Vector::from(x), Vector::from(y));
         assert_eq!((found.path.position(0.0), found.path.position(1.0)), (Some(x), Some(y)));
         let v = metric.exact_logarithm(&x, &y);
         for k in 1..=40 {
@@ -74,9 +80,8 @@ fn the_path_is_the_exact_geodesic_all_along() {
 #[test]
 fn collocation_and_shooting_agree() {
     fn check(name: &str, metric: &impl Exact, x: [f64; 2], y: [f64; 2]) {
-        let path = collocate(metric, &x.into(), &y.into(), &Collocation::default());
-        let path = path.expect("a path");
-        let ends = Ends::points(x, y).expect("finite");
+        let ends = points(x, y);
+        let path = collocate(metric, &ends, &Collocation::default()).expect("a path");
         let shot = shoot(metric, &ends, &Shooting::default()).expect("a shot").geodesic;
         assert!((path.length / shot.length() - 1.0).abs() < 2e-9, "{name}");
         for k in 0..=10 {
@@ -88,7 +93,7 @@ fn collocation_and_shooting_agree() {
     }
     for_each_problem!(check);
     // Neither is minimal here; they are the same geodesic all the same.
-    let ends = Ends::points(ENDS[0], ENDS[1]).expect("finite");
+    let ends = points(ENDS[0], ENDS[1]);
     let shot = shoot(&bump(), &ends, &Shooting::default()).expect("a shot").geodesic;
     let path = over_the_bump(&Collocation::default()).expect("a path");
     assert!((path.length / shot.length() - 1.0).abs() < 2e-9);
@@ -124,18 +129,65 @@ fn intervals_are_divided_where_the_residual_is_large() {
 
 #[test]
 fn a_path_from_a_point_to_itself_has_no_length() {
-    let x = vector![1.0, 2.0];
-    let found = collocate(&Valleys, &x, &x, &Collocation::default()).expect("a path");
+    let ends = points([1.0, 2.0], [1.0, 2.0]);
+    let found = collocate(&Valleys, &ends, &Collocation::default()).expect("a path");
     assert_eq!((found.energy, found.length, found.residual), (0.0, 0.0, 0.0));
+}
+
+/// The distances are those of the test of shots between sets.
+#[test]
+fn paths_between_sets_reach_the_known_distance() {
+    #[track_caller]
+    fn check(metric: &impl Metric<2>, ends: Result<Ends<2>, SetError>, d: f64) {
+        let ends = ends.expect("valid");
+        let found = collocate(metric, &ends, &Collocation::default()).expect("a path");
+        assert!((found.length / d - 1.0).abs() < 1e-9, "{} for {d}", found.length);
+        let [first, last] = [0.0, 1.0].map(|t| found.path.position(t).expect("a time"));
+        assert!((ends.first().project(&first) - first).norm() < 1e-14);
+        assert!((ends.second().project(&last) - last).norm() < 1e-14);
+    }
+    let ball = Ball::new([0.0, 0.0], 0.5).expect("a radius");
+    let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("a normal");
+    let d = 5.0 - 3_f64.sin() + 0.5_f64.sin();
+    check(&Valleys, Ends::new(ball, wall), d);
+    check(&Valleys, Ends::new(wall, ball), d);
+    let circle = |radius| Sphere::new([0.0, 0.0], radius).expect("a radius");
+    check(&crate::problems::swirl(), Ends::new(circle(0.5), circle(2.0)), 1.5);
+    let line = AffineSubspace::new([0.0, 2.0], [[1.0, 0.0]]).expect("a direction");
+    let point = Point::new([0.3, -0.4]).expect("finite");
+    check(&crate::problems::shear(), Ends::new(point, line.clone()), 2.4);
+    check(&crate::problems::shear(), Ends::new(line, point), 2.4);
+}
+
+/// A set whose nearest-point map is NaN but for the points where the pair of ends looks.
+#[derive(Debug)]
+struct Hole;
+
+impl ClosedSet<2> for Hole {
+    fn project(&self, x: &Vector) -> Vector {
+        let seen = x.norm() == 0.0 || x.norm() == 1.0;
+        if seen { vector![5.0, 5.0] } else { vector![f64::NAN, f64::NAN] }
+    }
+    fn projection_derivative(&self, _: &Vector) -> SMatrix<f64, 2, 2> {
+        SMatrix::zeros()
+    }
+    fn radius(&self) -> Option<f64> {
+        None
+    }
 }
 
 #[test]
 fn input_of_no_use_is_an_error() {
-    let (x, bad) = (vector![0.0, 0.0], vector![1.0, f64::INFINITY]);
     let options = Collocation::default();
-    let infinite = |what| CollocationError::NotFinite { what, coordinate: 1, value: f64::INFINITY };
-    assert_eq!(collocate(&Valleys, &bad, &x, &options), Err(infinite("first point")));
-    assert_eq!(collocate(&Valleys, &x, &bad, &options), Err(infinite("second point")));
+    let ball = Ball::new([0.0, 0.0], 0.5).expect("a radius");
+    let found = collocate(&Valleys, &Ends::new(Hole, ball).expect("no hole"), &options);
+    assert!(
+        matches!(
+            found,
+            Err(CollocationError::NotFinite { what: "first point", coordinate: 0, .. })
+        ),
+        "{found:?}"
+    );
     for tolerance in [0.0, -1.0, f64::NAN, 1e-11, 1.0] {
         let found = over_the_bump(&Collocation { tolerance, ..options.clone() });
         assert!(matches!(found, Err(CollocationError::Tolerance { .. })), "{found:?}");
@@ -146,7 +198,7 @@ fn input_of_no_use_is_an_error() {
 
 #[test]
 fn a_start_outside_of_the_domain_is_an_error() {
-    let found = collocate(&Cut, &vector![-1.0], &vector![1.0], &Collocation::default());
+    let found = collocate(&Cut, &points([-1.0], [1.0]), &Collocation::default());
     assert!(matches!(found, Err(CollocationError::LeavesTheDomain(_))), "{found:?}");
 }
 

@@ -15,9 +15,9 @@ fn errors(error: impl Fn(usize) -> f64) -> [f64; 4] {
     [32, 64, 128, 256].map(error)
 }
 
-/// Asserts that errors fall like `N⁻ᑫ`. With the error `c N⁻ᑫ (1 + b/N + …)` the slope between `N` and
-/// `2N` differs from `q` by about `|b|/(2N ln 2)`. Where `|b| < 6`, as measured, this is below 0.15 for
-/// `N = 32`, and half as much after each doubling.
+/// Asserts that errors fall like `N⁻ᑫ`. With the error `c N⁻ᑫ (1 + b/N + …)` the slope between `N`
+/// and `2N` differs from `q` by about `|b|/(2N ln 2)`. Where `|b| < 6`, as measured, this is below
+/// 0.15 for `N = 32`, and half as much after each doubling.
 #[track_caller]
 fn assert_order(name: &str, order: f64, errors: [f64; 4]) {
     for (k, pair) in errors.windows(2).enumerate() {
@@ -38,8 +38,8 @@ fn the_discrete_logarithm_is_of_first_order() {
     for_each_problem!(check);
 }
 
-/// The first chord is `v/N` instead of `v/N + a/2N² + …`: an error `O(1/N)` of the velocity. With it the
-/// midpoint rule has the order 2, which the next test shows.
+/// The first chord is `v/N` instead of `v/N + a/2N² + …`: an error `O(1/N)` of the velocity. With
+/// it the midpoint rule has the order 2, which the next test shows.
 #[test]
 fn the_discrete_exponential_is_of_first_order() {
     fn check(name: &str, metric: &impl Exact, x: [f64; 2], y: [f64; 2]) {
@@ -51,8 +51,8 @@ fn the_discrete_exponential_is_of_first_order() {
     for_each_problem!(check);
 }
 
-/// The midpoint rule is symmetric, so that the points of a discrete geodesic are of second order; and so
-/// is the discrete exponential if its first chord is exact.
+/// The midpoint rule is symmetric, so that the points of a discrete geodesic are of second order;
+/// and so is the discrete exponential if its first chord is exact.
 #[test]
 fn the_points_of_a_discrete_geodesic_are_of_second_order() {
     fn check(name: &str, metric: &impl Exact, x: [f64; 2], y: [f64; 2]) {
@@ -102,8 +102,8 @@ fn parallel_transport_is_of_first_order() {
     for_each_problem!(check);
 }
 
-/// Schild's ladder is for any curve. Under a flat metric transport does not depend on the curve: here
-/// along an arc of a circle.
+/// Schild's ladder is for any curve. Under a flat metric transport does not depend on the curve:
+/// here along an arc of a circle.
 #[test]
 fn transport_along_a_curve_that_is_no_geodesic_is_of_first_order() {
     fn check(name: &str, metric: &impl Exact) {
@@ -124,8 +124,9 @@ fn transport_along_a_curve_that_is_no_geodesic_is_of_first_order() {
     check("swirl", &crate::problems::swirl());
 }
 
-/// Both solve the same equations, from either end. Each of `N` steps rounds by `ε`, and an error of the first
-/// chords grows in proportion to `N`: `N² ε`, times the growth of errors along the geodesic, below 10.
+/// Both solve the same equations, from either end. Each of `N` steps rounds by `ε`, and an error of
+/// the first chords grows in proportion to `N`: `N² ε`, times the growth of errors along the
+/// geodesic, below 10.
 #[test]
 fn the_discrete_exponential_inverts_the_discrete_logarithm() {
     fn check(name: &str, metric: &impl Exact, x: [f64; 2], y: [f64; 2]) {
@@ -142,8 +143,8 @@ fn the_discrete_exponential_inverts_the_discrete_logarithm() {
     for_each_problem!(check);
 }
 
-/// The equations of the calculus are those of a stationary discrete energy. `N W` has gradients of size
-/// 10, and the rounding of a point is `ε`.
+/// The equations of the calculus are those of a stationary discrete energy. `N W` has gradients of
+/// size 10, and the rounding of a point is `ε`.
 #[test]
 fn three_points_of_the_calculus_have_a_stationary_energy() {
     fn check(name: &str, metric: &impl Exact, x: [f64; 2], _: [f64; 2]) {
@@ -201,8 +202,8 @@ fn no_chords_and_too_many_are_errors() {
     assert_eq!(discrete_logarithm(&Valleys, &x, &v, 0), Err(none));
 }
 
-/// The metric is cut at 0. A geodesic from 1 with the velocity −2 is there before the time 1; with four
-/// chords of length ½ the third lies beyond.
+/// The metric is cut at 0. A geodesic from 1 with the velocity −2 is there before the time 1; with
+/// four chords of length ½ the third lies beyond.
 #[test]
 fn a_step_out_of_the_domain_is_an_error_with_its_number() {
     let steps = |v: f64, n| discrete_exponential(&Cut, &vector![1.0], &vector![v], n);
@@ -224,9 +225,10 @@ fn a_step_out_of_the_domain_is_an_error_with_its_number() {
     assert!(matches!(found, Err(CalculusError::Solve(SolveError::Metric(_)))), "{found:?}");
 }
 
-/// For `W = e^{−(y+z)} (z − y)²` on the line the equation of a step has no solution if the chord is long:
-/// with `s = z − y` and the chord `r` before, it says `e^{−s}(2s + s²) = e^{r}(2r − r²)`, whose left side is at
-/// most `e^{−√2}(2√2 + 2) < 1.18`, while for `r = ½` the right side is `1.23…`.
+/// For `W = e^{−(y+z)} (z − y)²` on the line the equation of a step has no solution if the chord is
+/// long: with `s = z − y` and the chord `r` before, it says `e^{−s}(2s + s²) = e^{r}(2r − r²)`,
+/// whose left side is at most `e^{−√2}(2√2 + 2) < 1.18`, while for `r = ½` the right side is
+/// `1.23…`.
 #[test]
 fn a_step_without_a_solution_is_an_error() {
     let extended = |r: f64| {

@@ -51,9 +51,9 @@ fn slope(
     SMatrix::from_fn(|i, j| jets[i].first(j))
 }
 
-/// The Möbius map `z ↦ (z + x)/(1 + x̄z)` is an isometry of the disc that takes 0 to `x`. Along a ray
-/// from 0 the point of coordinate speed `w` is `tanh |w|` after the time 1, and a vector shrinks
-/// as `1 − r²`.
+/// The Möbius map `z ↦ (z + x)/(1 + x̄z)` is an isometry of the disc that takes 0 to `x`. Along a
+/// ray from 0 the point of coordinate speed `w` is `tanh |w|` after the time 1, and a vector
+/// shrinks as `1 − r²`.
 impl Exact for Hyperbolic {
     fn exact_exponential(&self, x: &Vector, v: &Vector) -> Vector {
         let w = v / (1.0 - x.norm_squared());
@@ -103,8 +103,8 @@ macro_rules! for_each_problem {
 }
 pub(crate) use for_each_problem;
 
-/// `H = x` on the half-line `x > 0`. Along a geodesic `√x ẋ` is constant, so that `x^{3/2}` is linear
-/// in `t`: the geodesic from 1 with velocity `v < 0` reaches the edge at the time `−2/(3v)`.
+/// `H = x` on the half-line `x > 0`. Along a geodesic `√x ẋ` is constant, so that `x^{3/2}` is
+/// linear in `t`: the geodesic from 1 with velocity `v < 0` reaches the edge at the time `−2/(3v)`.
 pub(crate) struct HalfLine;
 
 impl Metric<1> for HalfLine {
@@ -113,8 +113,8 @@ impl Metric<1> for HalfLine {
     }
 }
 
-/// `H = 1 + x⁴` on the half-line `x ≥ 0`, and NaN elsewhere. Up to the edge it is as smooth as on the
-/// line.
+/// `H = 1 + x⁴` on the half-line `x ≥ 0`, and NaN elsewhere. Up to the edge it is as smooth as on
+/// the line.
 pub(crate) struct Cut;
 
 impl Metric<1> for Cut {

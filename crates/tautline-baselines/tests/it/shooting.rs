@@ -160,8 +160,8 @@ fn a_tolerance_out_of_range_is_an_error() {
 }
 
 /// Along a geodesic `∫ √(1 + x⁴) dx` is linear in `t`. From 1 with the velocity −2 it decreases by
-/// `2√2` until the time 1, and by `1.0894…` until the edge, since `1 + x⁴/2 − x⁸/8 + x¹²/16 − …` has
-/// the integral `1 + 1/10 − 1/72 + 1/208 − …`, an alternating series between 1.086 and 1.091.
+/// `2√2` until the time 1, and by `1.0894…` until the edge, since `1 + x⁴/2 − x⁸/8 + x¹²/16 − …`
+/// has the integral `1 + 1/10 − 1/72 + 1/208 − …`, an alternating series between 1.086 and 1.091.
 #[test]
 fn a_shot_that_leaves_the_domain_says_when() {
     let shot = |v: f64| exponential(&Cut, &vector![1.0], &vector![v], &Integration::default());
