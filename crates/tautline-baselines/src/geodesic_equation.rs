@@ -86,6 +86,12 @@ fn factor<const D: usize>(
         .ok_or_else(|| EquationError::Derivative { point: x.iter().copied().collect() })
 }
 
+/// Returns whether an energy, in `m²`, is a number with all its digits, or zero for a curve that
+/// rests.
+pub(crate) fn in_range(energy: f64, rests: bool) -> bool {
+    (f64::MIN_POSITIVE..=f64::MAX).contains(&energy) || (rests && energy == 0.0)
+}
+
 /// Returns the matrices `∂ₘH`, read from the half `i ≤ j`.
 pub(crate) fn slopes<const D: usize>(
     jets: &SMatrix<Jet2<f64, D>, D, D>,

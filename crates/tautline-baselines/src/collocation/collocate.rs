@@ -7,11 +7,12 @@ use super::{
     Collocation, CollocationError,
     collocation_error::finite,
     gauss::{STAGES, Table},
-    path::Path,
+    path::{Path, larger},
     system::{Defects, System, defects},
 };
 use crate::{
     EquationError,
+    geodesic_equation::in_range,
     normal_map::{NormalMap, nearby},
 };
 
@@ -58,6 +59,7 @@ pub struct Collocated<const D: usize> {
 ///   [`CollocationError::NotFinite`] if a nearest point has such a coordinate;
 /// - [`CollocationError::LeavesTheDomain`] if the metric makes no geodesic equation at an end or a
 ///   Gauss point of the start, or at a sample of the residual of a solution;
+/// - [`CollocationError::Energy`] if the energy overflows or underflows;
 /// - [`CollocationError::NoConvergence`] and [`CollocationError::TooManyIntervals`] with the
 ///   numbers that were reached.
 pub fn collocate<const D: usize>(
@@ -92,13 +94,22 @@ pub fn collocate<const D: usize>(
     path.normals = [(0, 0), (1, path.intervals())]
         .map(|(end, node)| maps[end].unknown(metric, &near[end], &path.velocities[node]));
     keep_to(metric, &maps, &mut path);
+    // Beyond the range of f64 no size of a step makes sense.
+    defects(metric, &table, &path)?;
+    let energy = path.energy(metric, &table);
+    if !energy.is_finite() {
+        return Err(CollocationError::Energy { energy });
+    }
     let mut iterations = 0;
     loop {
         iterations += solve(metric, &table, &maps, &mut path, options.iterations)?;
         let residuals = path.residuals(metric, &table)?;
-        let residual = residuals.iter().copied().fold(0.0, f64::max);
+        let residual = residuals.iter().copied().fold(0.0, larger);
         if residual <= tolerance {
             let (energy, length) = (path.energy(metric, &table), path.length(metric, &table));
+            if !in_range(energy, path.positions[0] == path.positions[path.intervals()]) {
+                return Err(CollocationError::Energy { energy });
+            }
             return Ok(Collocated { path, energy, length, residual, iterations });
         }
         // The residual is of the order 4. The target is half the tolerance, since the next solution

@@ -28,9 +28,16 @@ pub enum CollocationError {
     /// The metric makes no geodesic equation somewhere along the start.
     #[error("the start leaves the domain of the metric")]
     LeavesTheDomain(#[from] EquationError),
+    /// The energy is beyond the range of `f64`.
+    #[error("the energy is {energy}: the coordinates or the metric are out of range for f64")]
+    Energy {
+        /// The energy, in `m²`: infinite, or less than the least normal number although the ends
+        /// differ.
+        energy: f64,
+    },
     /// Newton's method did not converge on a mesh.
     #[error(
-        "on {intervals} intervals the correction is still {correction} after {iterations} Newton steps"
+        "{iterations} Newton steps on {intervals} intervals leave a correction of {correction}"
     )]
     NoConvergence {
         /// The number of intervals of the mesh.

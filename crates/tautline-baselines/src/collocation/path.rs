@@ -29,6 +29,11 @@ pub(crate) struct At<const D: usize> {
     pub(crate) acceleration: SVector<f64, D>,
 }
 
+/// Returns the larger of two numbers, or NaN if one of them is NaN.
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
 impl<const D: usize> Path<D> {
     /// Returns the number of intervals of the mesh.
     #[must_use]
@@ -118,7 +123,7 @@ impl<const D: usize> Path<D> {
             for sample in &table.samples {
                 let at = self.within(i, sample);
                 let exact = Acceleration::new(metric, &at.position, &at.velocity)?.value;
-                most = most.max((at.acceleration - exact).norm() / speed);
+                most = larger(most, (at.acceleration - exact).norm() / speed);
             }
             Ok(most)
         };

@@ -78,12 +78,15 @@ pub(crate) fn midpoint_at<const D: usize>(
     })
 }
 
+/// The value and the derivative of an equation.
+type Linear<const D: usize> = Result<(SVector<f64, D>, SMatrix<f64, D, D>), EquationError>;
+
 /// Solves `equation`, which returns its value and its derivative, from `at`.
 fn solve<const D: usize>(
     step: usize,
     mut at: SVector<f64, D>,
     near: &[SVector<f64, D>; 2],
-    equation: impl Fn(&SVector<f64, D>) -> Result<(SVector<f64, D>, SMatrix<f64, D, D>), EquationError>,
+    equation: impl Fn(&SVector<f64, D>) -> Linear<D>,
 ) -> Result<SVector<f64, D>, CalculusError> {
     let mut length = f64::INFINITY;
     for _ in 0..LIMIT {

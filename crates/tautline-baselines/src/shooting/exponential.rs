@@ -13,7 +13,10 @@ use super::{
     geodesic::{Derivatives, Geodesic, Step},
     shooting_error::finite,
 };
-use crate::{EquationError, geodesic_equation::Acceleration};
+use crate::{
+    EquationError,
+    geodesic_equation::{Acceleration, in_range},
+};
 
 /// Returns the geodesic `γ(t) = exp_x(tv)` over `t ∈ [0, 1]`: the solution of
 ///
@@ -34,7 +37,8 @@ use crate::{EquationError, geodesic_equation::Acceleration};
 /// - [`ShootingError::LeavesTheDomain`] if the metric makes no geodesic equation at `x` (time 0) or
 ///   further on;
 /// - [`ShootingError::StepTooSmall`] if the geodesic runs to infinity within the time 1;
-/// - [`ShootingError::TooManySteps`] beyond the limit of the options.
+/// - [`ShootingError::TooManySteps`] beyond the limit of the options;
+/// - [`ShootingError::Energy`] if the energy overflows or underflows.
 pub fn exponential<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -49,11 +53,12 @@ pub fn exponential<const D: usize>(
     }
     let leaves = |time| move |source| ShootingError::LeavesTheDomain { time, source };
     let mut first = derivatives(metric, x, v).map_err(leaves(0.0))?;
+    let square = energy(metric, x, v)?;
     let equation = Equation::new(metric);
     let start = Flow::start(x, v);
     // Positions and velocities are measured by |v|, so that neither the units nor the place of the
     // origin matter. The derivatives are pure numbers, whose size is 1 at first.
-    let speed = v.norm().max(f64::MIN_POSITIVE / tolerance);
+    let speed = v.amax().max(f64::MIN_POSITIVE / tolerance);
     let sizes: Vec<f64> = (0..start.len()).map(|i| if i < 2 * D { speed } else { 1.0 }).collect();
     let relative = (0..start.len()).map(|i| if i < 2 * D { 0.0 } else { tolerance });
     let mut solver = ExplicitRungeKutta::dop853()
@@ -99,13 +104,22 @@ pub fn exponential<const D: usize>(
         }
     }
     let last = solver.y().clone();
-    let squares =
-        [norm_squared(metric, x, v), norm_squared(metric, &last.position, &last.velocity)];
-    // A product of finite numbers may overflow, which no step has seen.
-    if !squares.iter().all(|square| square.is_finite()) {
-        return Err(ShootingError::StepTooSmall { time: 1.0, step: 0.0 });
-    }
+    let squares = [square, energy(metric, &last.position, &last.velocity)?];
     Ok(Geodesic { steps, last, squares })
+}
+
+/// Returns `vᵀHv`, in `m²`, if it has all its digits.
+fn energy<const D: usize>(
+    metric: &impl Metric<D>,
+    x: &SVector<f64, D>,
+    v: &SVector<f64, D>,
+) -> Result<f64, ShootingError> {
+    let energy = norm_squared(metric, x, v);
+    if in_range(energy, v.amax() == 0.0) {
+        Ok(energy)
+    } else {
+        Err(ShootingError::Energy { energy })
+    }
 }
 
 // The interpolation of the library is not used: in version 0.7.0 that of this method exchanges the

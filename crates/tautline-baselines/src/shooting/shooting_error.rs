@@ -46,6 +46,13 @@ pub enum ShootingError {
         /// The time in `[0, 1]` that the shot reached.
         time: f64,
     },
+    /// The energy is beyond the range of `f64`.
+    #[error("the energy is {energy}: the coordinates or the metric are out of range for f64")]
+    Energy {
+        /// The energy at an end, in `m²`: infinite, or less than the least normal number although
+        /// the velocity is not zero.
+        energy: f64,
+    },
     /// Newton's method found no shot that ends on the target.
     #[error("after {iterations} Newton steps the shot misses by {residual}")]
     NoConvergence {

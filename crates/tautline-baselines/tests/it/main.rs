@@ -3,4 +3,5 @@
 mod collocation;
 mod geodesic_calculus;
 mod problems;
+mod random_cases;
 mod shooting;
