@@ -68,15 +68,13 @@ pub fn exponential<const D: usize>(
         .h_max(1.0)
         .max_steps(limit);
     let mut steps = Vec::new();
-    let stuck = |time| {
-        move |error| match error {
-            Error::MaxSteps { .. } | Error::Stiffness { .. } => {
-                ShootingError::TooManySteps { steps: limit, time }
-            }
-            _ => ShootingError::StepTooSmall { time, step: 0.0 },
-        }
+    let stopped = |error, time, step| match (error, equation.take_failure()) {
+        (Some(Error::MaxSteps { .. }), _) => ShootingError::TooManySteps { steps: limit, time },
+        (_, Some(source)) => ShootingError::LeavesTheDomain { time, source },
+        (_, None) => ShootingError::StepTooSmall { time, step },
     };
-    solver.init(&equation, 0.0, 1.0, &start).map_err(stuck(0.0))?;
+    let begun = solver.init(&equation, 0.0, 1.0, &start);
+    begun.map_err(|error| stopped(Some(error), 0.0, 0.125))?;
     loop {
         let time = solver.t();
         let remaining = 1.0 - time;
@@ -85,12 +83,10 @@ pub fn exponential<const D: usize>(
             solver.set_h(remaining);
         }
         if solver.h() <= 4.0 * f64::EPSILON && remaining > 8.0 * f64::EPSILON {
-            return Err(match equation.take_failure() {
-                Some(source) => ShootingError::LeavesTheDomain { time, source },
-                None => ShootingError::StepTooSmall { time, step: solver.h() },
-            });
+            return Err(stopped(None, time, solver.h()));
         }
-        solver.step(&equation).map_err(stuck(time))?;
+        let step = solver.h();
+        solver.step(&equation).map_err(|error| stopped(Some(error), time, step))?;
         if matches!(solver.status(), Status::RejectedStep) {
             continue;
         }

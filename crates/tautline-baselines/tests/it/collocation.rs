@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, vector};
 use tautline::gallery::{Bump, Separable, SpherePatch, Valleys};
 use tautline::{
     AffineSubspace, Ball, ClosedSet, Ends, HalfSpace, KnownDistance, Metric, Point, PointSequence,
-    SetError, Sphere,
+    Problem, SetError, Sphere, Trapezoidal,
 };
 use tautline_baselines::collocation::{Collocated, Collocation, CollocationError, collocate};
 use tautline_baselines::shooting::{Shooting, shoot};
@@ -225,4 +225,28 @@ fn steps_that_do_not_converge_are_an_error_with_the_correction() {
         }
         other => panic!("{other:?}"),
     }
+}
+
+/// Three methods for the same question, where the ends lie askew and nobody knows the answer. The
+/// minimiser of `N = 1024` chords is extrapolated; its error is estimated, and doubled here, since the
+/// estimate is no bound.
+#[test]
+fn three_methods_agree_on_the_distance_between_balls() {
+    #[track_caller]
+    fn check(metric: impl Metric<2>, a: Ball<2>, b: Ball<2>) {
+        let ends = Ends::new(a, b).expect("bounded");
+        let shot = shoot(&metric, &ends, &Shooting::default()).expect("a shot").geodesic;
+        let path = collocate(&metric, &ends, &Collocation::default()).expect("a path");
+        assert!((path.length / shot.length() - 1.0).abs() < 2e-9);
+        let line = Problem::new(metric, ends).solve(Trapezoidal, 1024).expect("a line");
+        let estimate = line.distance_squared_estimate().expect("several grids");
+        let apart = (shot.energy() - estimate.value).abs();
+        let allowed = 2.0 * estimate.error + 2e-9 * estimate.value;
+        assert!(apart < allowed, "{} for {estimate:?}", shot.energy());
+        assert!(estimate.error < 1e-6 * estimate.value, "{estimate:?}");
+    }
+    let ball = |centre: [f64; 2], radius| Ball::new(centre, radius).expect("a radius");
+    check(crate::problems::swirl(), ball([-1.0, 0.3], 0.2), ball([0.9, 0.4], 0.3));
+    check(crate::problems::shear(), ball([0.2, -0.5], 0.3), ball([1.5, 1.0], 0.2));
+    check(tautline::gallery::Hyperbolic, ball([-0.4, 0.1], 0.1), ball([0.3, 0.5], 0.2));
 }
