@@ -1,3 +1,8 @@
 //! Tests the other ways to a minimal geodesic, against known distances and against each other.
 
+mod collocation;
 mod descents;
+mod geodesic_calculus;
+mod problems;
+mod random_cases;
+mod shooting;
