@@ -56,7 +56,9 @@ pub use newton::{
 };
 pub use search::{
     candidate::are_apart,
-    graph_path::{GraphPathError, Lattice, graph_path},
+    graph_path::{GraphPathError, equal_chords, graph_path},
+    lattice::Lattice,
+    lattice_graph::{LatticeGraph, LatticePath},
     minimum::{Curvature, Level, Minimum, Other, Stop},
     others::lowest_different,
     solve_error::SolveError,

@@ -122,9 +122,10 @@ pub use tautline_metrics::{
     MetricError, check_gram, christoffel, composition, gallery, is_gram, norm_squared, quadrature,
 };
 pub use tautline_optimizers::{
-    AsymptoticsError, Curvature, Estimate, GraphPathError, Lattice, LeadingConstants, Level,
-    Minimum, NewtonStep, Options, Other, SolveError, Starts, Stop, Workspace, extrapolate,
-    graph_path, leading_constants, minimise, minimise_by_batches, minimise_in, newton_step,
+    AsymptoticsError, Curvature, Estimate, GraphPathError, Lattice, LatticeGraph, LatticePath,
+    LeadingConstants, Level, Minimum, NewtonStep, Options, Other, SolveError, Starts, Stop,
+    Workspace, equal_chords, extrapolate, graph_path, leading_constants, minimise,
+    minimise_by_batches, minimise_in, newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table};
 pub use tautline_sets::{

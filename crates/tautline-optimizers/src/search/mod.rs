@@ -5,6 +5,8 @@ pub(crate) mod damped_step;
 pub(crate) mod damping;
 pub(crate) mod graph_path;
 pub(crate) mod grids;
+pub(crate) mod lattice;
+pub(crate) mod lattice_graph;
 pub(crate) mod lengthening;
 pub(crate) mod line_minimum;
 pub(crate) mod local_search;
