@@ -1,0 +1,165 @@
+//! Paths that descend the distances of fast marching.
+
+use nalgebra::{SMatrix, SVector};
+use tautline::{
+    Ball, Ends, HalfSpace, KnownDistance, Lattice, Metric, Point, Scalar, Union,
+    distance::Order,
+    gallery::{Shear, Swirl, TwoChannels, Valleys},
+};
+use tautline_baselines::{Eikonal, EikonalPath, eikonal, graph};
+use tautline_chance::{Random, cases, seed};
+
+use crate::orders::slope;
+
+fn square(spacing: f64) -> Lattice<2> {
+    Lattice::new([-1.5, -1.5], [1.5, 1.5], spacing).expect("a lattice")
+}
+
+/// Returns the slope of the error of the length of a path between two points.
+fn order_of_length<M: KnownDistance<2>>(metric: &M, a: [f64; 2], b: [f64; 2]) -> f64 {
+    let ends = Ends::points(a, b).expect("finite");
+    let exact = metric.distance(&a.into(), &b.into()).expect("it is known");
+    let errors = [8.0, 16.0, 32.0, 64.0].map(|n: f64| {
+        let path = eikonal(metric, &ends, &square(1.0 / n), Order::Second).expect("a path");
+        (1.0 / n, (path.length() - exact).abs())
+    });
+    slope(&errors)
+}
+
+/// A path is off by the error of the gradient, which is of first order at least; a length is off by its
+/// square, and the chords of half a step by the square of theirs.
+#[test]
+fn the_length_of_a_path_converges_with_the_second_order() {
+    let swirl = Swirl::new(1.0, 0.7).expect("a swirl");
+    let shear = Shear::new(0.5, 1.0).expect("a shear");
+    let orders = [
+        order_of_length(&swirl, [-0.9, -0.31], [0.83, 0.47]),
+        order_of_length(&shear, [-0.8, -0.9], [0.5, 0.97]),
+        order_of_length(&Valleys, [-1.1, -0.7], [0.9, 0.2]),
+    ];
+    assert!(orders.iter().all(|&order| order > 1.8), "{orders:?}");
+}
+
+/// Both discs are mapped to themselves and to a disc of the same radius only if they are about the origin,
+/// so that the distance of the two is `R − r` in the first case. The other set is the outside of a disc,
+/// as four half-spaces that touch it: they are nearest where they touch.
+#[test]
+fn a_path_joins_two_sets_at_their_distance() {
+    let swirl = Swirl::new(1.0, 0.7).expect("a swirl");
+    let disc = Ball::new([0.0, 0.0], 0.37).expect("a disc");
+    let walls = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.6, 0.8]];
+    let walls =
+        walls.map(|n| std::sync::Arc::new(HalfSpace::at_least(n, 1.2).expect("a wall")) as _);
+    let ends = Ends::new(disc, Union::new(walls.to_vec()).expect("walls")).expect("bounded");
+    let errors = [16.0, 32.0, 64.0, 128.0].map(|n: f64| {
+        let path = eikonal(&swirl, &ends, &square(1.0 / n), Order::Second).expect("a path");
+        let sequence = path.sequence(40).expect("chords");
+        assert!(sequence.first().norm() <= 0.37 + 1e-15);
+        let end = sequence.last();
+        assert!((ends.second().project(end) - end).norm() < 1e-15, "{end}");
+        // Both are 0.83. Curves between the sets are not shorter; the middles of chords of half a step are
+        // off by less than a hundredth of the square of the spacing here.
+        assert!(path.length() > 0.83 - 0.01 / n / n, "{n} {}", path.length());
+        (1.0 / n, (path.distance() - 0.83).abs() + (path.length() - 0.83).abs())
+    });
+    assert!(slope(&errors) > 1.8, "{errors:?}");
+}
+
+/// The Euclidean metric outside of a disc of radius ½.
+struct Hole;
+
+impl Metric<2> for Hole {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let outside = x[0].sqr() + x[1].sqr() - 0.25;
+        SMatrix::from_diagonal_element(outside.sqrt() * 0.0 + 1.0)
+    }
+}
+
+/// From `(−1, 0)` to `(1, 0)` two tangents of length `√¾` and an arc of `π − 2 arccos ½` at the radius ½.
+/// Both ways round are equally long, and no gradient points to one of them. The nodes outside keep within
+/// a few steps of the disc, which lengthens both the distance and the path by as many steps at most.
+#[test]
+fn a_path_leads_round_nodes_without_a_metric() {
+    let exact = 3_f64.sqrt() + 0.5 * (std::f64::consts::PI - 2.0 * 0.5_f64.acos());
+    let ends = Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite");
+    for n in [10.0, 20.0, 40.0, 80.0] {
+        for order in [Order::First, Order::Second] {
+            let path = eikonal(&Hole, &ends, &square(1.0 / n), order).expect("a path");
+            let corners = path.corners();
+            // A chord of one diagonal step may cut the disc by an eighth of the square of its length.
+            let inner = 0.5 - 0.25 / n / n;
+            assert!(corners.iter().all(|corner| corner.1.norm() >= inner));
+            for found in [path.length(), path.distance()] {
+                let steps = (found - exact) * n;
+                assert!((-0.5..3.0).contains(&steps), "{n} {order:?} {found}");
+            }
+        }
+    }
+}
+
+/// Two paths of a different kind: a graph of reach 4, whose factor is 1.0075, is at most so much longer than
+/// the geodesic, and a path by marching is no shorter than it up to the error of chords. Costs that rise
+/// to √5 within 0.3 are resolved by a spacing of 0.03 to some per cent.
+#[test]
+fn no_path_is_much_longer_than_one_along_a_graph() {
+    let channels = TwoChannels::new(4.0, 0.7, 0.3).expect("channels");
+    let lattice = square(0.03);
+    let mut random = Random(seed(32));
+    for case in 0..cases(12) {
+        let mut point = || [random.between(-1.2, 1.2), random.between(-1.2, 1.2)];
+        let ends = Ends::points(point(), point()).expect("finite");
+        let path = eikonal(&channels, &ends, &lattice, Order::Second).expect("a path");
+        let along = graph(&channels, &ends, &lattice, 4, None).expect("a path").length();
+        assert!(path.length() <= 1.01 * along + 0.01, "{case} {} {along}", path.length());
+        assert!(path.length() >= along / 1.0076 - 0.01, "{case} {} {along}", path.length());
+        let consistent = (path.length() - path.distance()).abs();
+        assert!(consistent <= 0.02 + 0.02 * along, "{case} {consistent}");
+    }
+}
+
+/// Returns the corners of a path, which are in order and as long as they say.
+fn check<M: Metric<2>>(metric: &M, path: &EikonalPath<2>) {
+    for pair in path.corners().windows(2) {
+        let d = pair[1].1 - pair[0].1;
+        let h = metric.gram(&((pair[0].1 + pair[1].1) * 0.5));
+        // A few roundings of a length below 5.
+        assert!((pair[1].0 - pair[0].0 - d.dot(&(h * d)).sqrt()).abs() < 1e-14);
+    }
+}
+
+/// Sets that overlap, a second set that reaches into the band around the first, and one beyond it.
+#[test]
+fn a_path_may_be_short() {
+    let shear = Shear::new(0.5, 1.0).expect("a shear");
+    let disc = Ball::new([0.0, 0.0], 0.5).expect("a disc");
+    for x in [0.2, 0.5, 0.52, 0.7, 0.9] {
+        let ends = Ends::new(disc, Point::new([x, 0.0]).expect("finite")).expect("bounded");
+        let path = eikonal(&shear, &ends, &square(0.1), Order::Second).expect("a path");
+        check(&shear, &path);
+        // Φ maps the segment from the nearest point of the disc to a chord that is not longer than that
+        // along x₁, and all chords are at least √c₁ = (√(1 + 1/16) − ¼) ≥ 0.78 times as long as in ℓ.
+        let away = (x - 0.5_f64).max(0.0);
+        assert!(path.length() <= away + 1e-3 && path.length() >= 0.78 * away, "{x}");
+        assert!((path.distance() - path.length()).abs() <= 1e-2 * away, "{x}");
+        assert_eq!(path.sequence(3).expect("chords").n().get(), 3);
+    }
+}
+
+/// Values between the nodes of a distance that is linear are exact up to rounding, inside the band and
+/// beyond, and there are none outside of the box.
+#[test]
+fn distances_are_interpolated_in_the_box_alone() {
+    let flat = tautline::gallery::Constant::<2>::new(SMatrix::identity() * 4.0).expect("positive");
+    let wall = HalfSpace::new([1.0, 0.0], -1.0).expect("a wall");
+    let lattice = square(0.25);
+    let equation = Eikonal::new(&flat, &lattice).expect("stencils");
+    for order in [Order::First, Order::Second] {
+        let distances = equation.distances_from(&wall, order).expect("seeds");
+        for x in [-1.2, -1.0, -0.9, -0.3, 0.1, 0.77, 1.5] {
+            let found = distances.at(&[x, 0.3].into()).expect("in the box");
+            assert!((found - 2.0 * (x + 1.0_f64).max(0.0)).abs() < 1e-12, "{x} {found}");
+        }
+        assert_eq!(distances.at(&[1.6, 0.0].into()), None);
+        assert_eq!(distances.at(&[f64::NAN, 0.0].into()), None);
+    }
+}
