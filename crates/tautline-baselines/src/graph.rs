@@ -16,6 +16,19 @@ use tautline::{
 /// [`angular_factor`] times that of the geodesic for a constant `H = c I` and equal spacings, up to the
 /// chords between the sets and their nearest nodes.
 ///
+/// ```
+/// use tautline::{Bounded, Ends, KnownDistance, Lattice, gallery::Shear};
+/// use tautline_baselines::graph;
+///
+/// let shear = Shear::new(0.5, 1.0)?;
+/// let ends = Ends::points([0.0, 0.0], [2.0, 1.0])?;
+/// let lattice = Lattice::new([-0.5, -0.5], [2.5, 1.5], 0.05)?;
+/// let path = graph(&shear, &ends, &lattice, 3, Some(&shear.constants()))?;
+/// let exact = shear.distance(&[0.0, 0.0].into(), &[2.0, 1.0].into()).expect("all are known");
+/// assert!(path.length() > exact && path.length() < 1.02 * exact);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 ///
 /// [`GraphPathError`] with the offending numbers: a reach that is not 1 to 8, a set that is far from all

@@ -138,12 +138,10 @@ impl<'m, M: Metric<D>, const D: usize> Eikonal<'m, M, D> {
             if !(self.is_within(self.band, &chords[node]) || reaches_in()) {
                 return f64::INFINITY;
             }
-            if chords[node].amax() == 0.0 {
-                // The distance has a kink along the boundary: no difference reaches across it.
-                return f64::NAN;
-            }
-            near::chord(self.metric, set, &self.lattice.point(node))
-                .map_or(f64::INFINITY, |(_, length)| length)
+            let chord = near::chord(self.metric, set, &self.lattice.point(node));
+            // The distance has a kink along the boundary: no difference reaches across it.
+            let is_inside = chords[node].amax() == 0.0;
+            chord.map_or(f64::INFINITY, |(_, length)| if is_inside { f64::NAN } else { length })
         };
         let seeds: Vec<f64> = (0..nodes).map(seed).collect();
         self.distances_from_values(set, seeds, order)
@@ -151,13 +149,14 @@ impl<'m, M: Metric<D>, const D: usize> Eikonal<'m, M, D> {
 
     /// Returns the distances from a set, given those at nodes near it, in `m`: one number for each node.
     ///
-    /// Finite values are kept, nodes with `∞` get theirs, and nodes with NaN are left out. A node in the
-    /// set has the distance 0 afterwards, and a node that is not reached has `∞`.
+    /// Finite values are kept, nodes with `∞` get theirs, and nodes with NaN are left out. Afterwards
+    /// the latter have the distance 0 if they are in the set and have a metric, and `∞` otherwise, as have
+    /// nodes that are not reached.
     ///
     /// # Errors
     ///
     /// [`EikonalError::Count`], [`EikonalError::Value`] for a value `−∞`, and [`EikonalError::FarFromEnd`]
-    /// if no value is finite.
+    /// if no value is finite and no node is in the set.
     pub fn distances_from_values<'s>(
         &'s self,
         set: &'s dyn ClosedSet<D>,
@@ -171,13 +170,14 @@ impl<'m, M: Metric<D>, const D: usize> Eikonal<'m, M, D> {
         if let Some(node) = values.iter().position(|&value| value == f64::NEG_INFINITY) {
             return Err(EikonalError::Value { node, value: values[node] });
         }
-        if !values.iter().any(|value| value.is_finite()) {
-            return Err(EikonalError::FarFromEnd { end: "first" });
-        }
         let mut values = self.front.march(values, order);
         for (node, value) in values.iter_mut().enumerate().filter(|(_, value)| value.is_nan()) {
             let x = self.lattice.point(node);
-            *value = if set.project(&x) == x { 0.0 } else { f64::INFINITY };
+            let is_inside = set.project(&x) == x && check_gram(self.metric, &x).is_ok();
+            *value = if is_inside { 0.0 } else { f64::INFINITY };
+        }
+        if !values.iter().any(|value| value.is_finite()) {
+            return Err(EikonalError::FarFromEnd { end: "first" });
         }
         Ok(Distances::new(self, set, values))
     }
@@ -188,8 +188,21 @@ impl<'m, M: Metric<D>, const D: usize> Eikonal<'m, M, D> {
     }
 }
 
-/// Returns a path between two sets that descends the distances from the first, with the distance between
-/// them, in `m`.
+/// Returns a path between two sets that descends the distances from the first, along `−H⁻¹∇u`, with its
+/// corners in `ℓ`, its length and the distance between the sets, in `m`.
+///
+/// ```
+/// use tautline::{Ball, Ends, HalfSpace, Lattice, distance::Order, gallery::Valleys};
+/// use tautline_baselines::eikonal;
+///
+/// // From the ball of radius ½ to the half-space x₁ ≥ 3: d = 5 − sin 3 + sin ½.
+/// let ends = Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::new([-1.0, 0.0], -3.0)?)?;
+/// let lattice = Lattice::new([-1.0, -1.0], [3.5, 1.0], 0.05)?;
+/// let path = eikonal(&Valleys, &ends, &lattice, Order::Second)?;
+/// assert!((path.distance() - 5.338305).abs() < 1e-2);
+/// assert_eq!(path.sequence(16)?.points().len(), 17);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 ///

@@ -123,7 +123,8 @@ fn a_metric_with_endless_stencils_is_refused() {
 fn values_and_bands_that_are_none_are_refused() {
     let lattice = square(0.5);
     let equation = Eikonal::new(&Valleys, &lattice).expect("stencils");
-    let set = Ball::new([0.0, 0.0], 0.2).expect("a ball");
+    // Between the nodes.
+    let set = Ball::new([0.25, 0.25], 0.2).expect("a ball");
     let from = |values| equation.distances_from_values(&set, values, Order::First).map(|_| ());
     assert_eq!(from(vec![0.0; 24]), Err(EikonalError::Count { found: 24, nodes: 25 }));
     let mut values = vec![0.0; 25];

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline::{
     Ball, Ends, HalfSpace, KnownDistance, Lattice, Metric, Point, Scalar, Union,
     distance::Order,
-    gallery::{Shear, Swirl, TwoChannels},
+    gallery::{Ramp, Separable, Shear, Swirl, TwoChannels},
 };
 use tautline_baselines::{Eikonal, EikonalPath, eikonal, graph};
 use tautline_chance::{Random, cases, seed};
@@ -122,9 +122,10 @@ fn a_path_leads_round_nodes_without_a_metric() {
     }
 }
 
-/// Two paths of a different kind: a graph of reach 4, whose factor is 1.0075, is at most so much longer than
-/// the geodesic, and a path by marching is no shorter than it up to the error of chords. Costs that rise
-/// to √5 within 0.3 are resolved by a spacing of 0.03 to some per cent.
+/// Two paths of a different kind: a graph of reach 4, whose factor is 1.0076, has edges of 0.17 at most,
+/// along which costs that change within 0.3 are off by `(0.17/0.3)²/12 < 0.03` of the mean of both ends. The
+/// chord of a path, of 0.09, is off by about `(0.09/0.3)² ≈ 0.1` of itself, and the distance from a point
+/// by about one step of 0.03 at the highest cost, which is `√5`.
 #[test]
 fn no_path_is_much_longer_than_one_along_a_graph() {
     let channels = TwoChannels::new(4.0, 0.7, 0.3).expect("channels");
@@ -136,11 +137,51 @@ fn no_path_is_much_longer_than_one_along_a_graph() {
         let ends = Ends::points(node(), node()).expect("finite");
         let path = eikonal(&channels, &ends, &lattice, Order::Second).expect("a path");
         let along = graph(&channels, &ends, &lattice, 4, None).expect("a path").length();
-        assert!(path.length() <= 1.01 * along + 0.01, "{case} {} {along}", path.length());
-        assert!(path.length() >= along / 1.0076 - 0.01, "{case} {} {along}", path.length());
+        assert!(path.length() <= 1.03 * along + 0.01, "{case} {} {along}", path.length());
+        assert!(path.length() >= along / 1.0076 / 1.03 - 0.01, "{case} {} {along}", path.length());
         let consistent = (path.length() - path.distance()).abs();
-        assert!(consistent <= 0.02 + 0.02 * along, "{case} {consistent}");
+        assert!(consistent <= 0.03 * 5_f64.sqrt(), "{case} {consistent}");
     }
+}
+
+/// On the line the distance from a ball is that of the ramp, and in space the geodesics are images of
+/// straight lines. There, differences of second order are off by `h²/3` times third derivatives up to `3/r²`
+/// of the distance from the point, along the way from `3h`: less than `h/3`. The square of such an error in
+/// the direction, and chords of half a step, make the length wrong by less than `h²`.
+#[test]
+fn paths_on_the_line_and_in_space_converge() {
+    let ramp = Ramp::new(0.5, 1.0).expect("a ramp");
+    let ball = Ball::new([-0.7], 0.2).expect("a ball");
+    let ends = Ends::new(ball, Point::new([0.93]).expect("finite")).expect("bounded");
+    let exact = ramp.distance(&[-0.5].into(), &[0.93].into()).expect("it is known");
+    let errors = [10.0, 20.0, 40.0, 80.0].map(|n: f64| {
+        let lattice = Lattice::new([-1.0], [1.0], 1.0 / n).expect("a lattice");
+        let path = eikonal(&ramp, &ends, &lattice, Order::Second).expect("a path");
+        (1.0 / n, (path.length() - exact).abs())
+    });
+    assert!(slope(&errors) > 1.8, "{errors:?}");
+
+    let waves = Separable::<3>::new([0.3, 0.2, 0.2], [1.0, 2.0, 1.5]).expect("waves");
+    let (a, b) = ([-0.6, -0.5, -0.4], [0.7, 0.3, 0.6]);
+    let ends = Ends::points(a, b).expect("finite");
+    let exact = waves.distance(&a.into(), &b.into()).expect("it is known");
+    for h in [1.0 / 8.0, 1.0 / 12.0, 1.0 / 16.0, 1.0 / 24.0] {
+        let lattice = Lattice::new([-0.9; 3], [0.9; 3], h).expect("a lattice");
+        let path = eikonal(&waves, &ends, &lattice, Order::Second).expect("a path");
+        let [distance, length] = [path.distance() - exact, path.length() - exact];
+        assert!(distance.abs() < h / 3.0 && length.abs() < h * h, "{h} {distance} {length}");
+    }
+}
+
+/// All nodes are in the first set.
+#[test]
+fn a_set_may_hold_the_lattice() {
+    let shear = Shear::new(0.5, 1.0).expect("a shear");
+    let all = Ball::new([0.0, 0.0], 9.0).expect("a ball");
+    let ends = Ends::new(all, Point::new([0.3, 0.2]).expect("finite")).expect("bounded");
+    let path = eikonal(&shear, &ends, &square(0.5), Order::Second).expect("a path");
+    assert_eq!((path.distance(), path.length()), (0.0, 0.0));
+    assert_eq!(*path.sequence(2).expect("chords").last(), SVector::from([0.3, 0.2]));
 }
 
 /// Returns the corners of a path, which are in order and as long as they say.
