@@ -114,12 +114,12 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
     /// Returns the edges of a node: the other node, and the length in `m`, which may be infinite.
     pub fn edges(&self, node: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let place = self.lattice.place(node);
-        self.gram.get(node).and_then(Option::as_ref).into_iter().flat_map(move |h| {
-            self.steps.iter().filter_map(move |(offset, chord)| {
-                let there = self.lattice.neighbour(&place, offset)?;
-                let other = self.gram[there].as_ref()?;
-                Some((there, 0.5 * (norm(h, chord) + norm(other, chord))))
-            })
+        let h = self.gram.get(node).and_then(Option::as_ref);
+        let steps = if h.is_some() { &self.steps[..] } else { &[] };
+        steps.iter().filter_map(move |(offset, chord)| {
+            let there = self.lattice.neighbour(&place, offset)?;
+            let other = self.gram[there].as_ref()?;
+            Some((there, 0.5 * (norm(h?, chord) + norm(other, chord))))
         })
     }
 
@@ -167,32 +167,31 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
         let (mut lengths, mut before) = (vec![f64::INFINITY; count], vec![u32::MAX; count]);
         // A lower bound on the rest of the way from a node, when it is first asked for.
         let mut rests = vec![f64::NAN; if c1 > 0.0 { count } else { 0 }];
-        let mut entry = |node: usize, length: f64| {
-            let mut key = length;
-            if let Some(rest) = rests.get_mut(node) {
-                if rest.is_nan() {
-                    let x = self.lattice.point(node);
-                    *rest = c1.sqrt() * (x - ends.second().project(&x)).norm();
-                }
-                key += *rest;
+        let mut key = |node: usize, length: f64| {
+            let Some(rest) = rests.get_mut(node) else { return length };
+            if rest.is_nan() {
+                let x = self.lattice.point(node);
+                *rest = c1.sqrt() * (x - ends.second().project(&x)).norm();
             }
-            // Lengths are not negative, so that their bits have the same order.
-            Reverse((key.to_bits(), length.to_bits(), node as u32))
+            length + *rest
         };
+        // Lengths are not negative, so that their bits have the same order.
+        let entry = |key: f64, node: usize| Reverse((key.to_bits(), node as u32));
         let mut heap = BinaryHeap::new();
         for &(node, _, length) in &first {
             lengths[node] = length;
-            heap.push(entry(node, length));
+            heap.push(entry(key(node, length), node));
         }
         let mut ends_of: Vec<(usize, f64)> = second.iter().map(|gate| (gate.0, gate.2)).collect();
         ends_of.sort_unstable_by_key(|end| end.0);
         let (mut least, mut opened) = (f64::INFINITY, 0);
-        while let Some(Reverse((key, length, node))) = heap.pop() {
-            let (length, here) = (f64::from_bits(length), node as usize);
-            if f64::from_bits(key) * (1.0 - ROUNDING) > least {
+        while let Some(Reverse((estimate, node))) = heap.pop() {
+            let (estimate, here) = (f64::from_bits(estimate), node as usize);
+            if estimate * (1.0 - ROUNDING) > least {
                 break;
             }
-            if length > lengths[here] {
+            let length = lengths[here];
+            if estimate > key(here, length) {
                 continue;
             }
             opened += 1;
@@ -203,7 +202,7 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
                 let longer = length + edge;
                 if longer < lengths[there] {
                     (lengths[there], before[there]) = (longer, node);
-                    heap.push(entry(there, longer));
+                    heap.push(entry(key(there, longer), there));
                 }
             }
         }
