@@ -12,6 +12,7 @@ mod error;
 mod fan;
 mod first_level;
 mod found;
+mod front;
 mod geodesic;
 mod hamiltonian;
 mod inside;
@@ -25,4 +26,5 @@ mod tubes;
 
 pub use error::DistanceError;
 pub use found::{Ended, Found, Progress, Wanted};
+pub use front::{Front, Order};
 pub use search::search;

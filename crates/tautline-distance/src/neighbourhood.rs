@@ -10,10 +10,7 @@ use tautline_check::{Cubes, Place};
 use tautline_formula::Formula;
 use tautline_sets::Shape;
 
-use crate::{
-    marching::{Ordered, gram},
-    seed::seed,
-};
+use crate::{front::Ordered, marching::gram, seed::seed};
 
 /// Cubes near a set.
 #[derive(Clone, Debug)]

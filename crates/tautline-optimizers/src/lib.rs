@@ -60,7 +60,6 @@ pub use newton::{
 };
 pub use search::{
     candidate::are_apart,
-    graph_path::{GraphPathError, Lattice, graph_path},
     minimum::{Curvature, Level, Minimum, Other, Stop},
     others::lowest_different,
     solve_error::SolveError,

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use tautline_discretizations::{PointSequence, Rule};
+use tautline_lattice::{Lattice, graph_path};
 use tautline_metrics::Metric;
 use tautline_optimizers::{
-    Lattice, Level, Minimum, Options, Other, SolveError, Starts, are_apart, graph_path,
-    lowest_different,
+    Level, Minimum, Options, Other, SolveError, Starts, are_apart, lowest_different,
 };
 
 use crate::{Problem, TautLine};

@@ -118,16 +118,18 @@ pub use tautline_formula::{
     self as formula, AnyMetric, Batch, Batches, BlackBox, Formula, Kind, Plain, Prepared,
     RecordError, TextError, Values,
 };
+pub use tautline_lattice::{
+    GraphPathError, Lattice, LatticeGraph, LatticePath, equal_chords, graph_path,
+};
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
     MetricError, check_gram, check_matrix, christoffel, composition, gallery, is_gram,
     norm_squared, quadrature,
 };
 pub use tautline_optimizers::{
-    AsymptoticsError, Curvature, Entry, Estimate, GraphPathError, Iterate, Lattice,
-    LeadingConstants, Level, Minimum, NewtonStep, Options, Other, SolveError, Starts, Stop, Trace,
-    Watcher, Workspace, extrapolate, graph_path, leading_constants, minimise, minimise_by_batches,
-    minimise_in, minimise_watched, newton_step,
+    AsymptoticsError, Curvature, Entry, Estimate, Iterate, LeadingConstants, Level, Minimum,
+    NewtonStep, Options, Other, SolveError, Starts, Stop, Trace, Watcher, Workspace, extrapolate,
+    leading_constants, minimise, minimise_by_batches, minimise_in, minimise_watched, newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table};
 pub use tautline_sets::{

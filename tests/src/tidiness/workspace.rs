@@ -4,7 +4,7 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 26] = [
+const BELOW: [(&str, &str); 27] = [
     ("drawing", ""),
     ("chance", ""),
     ("array", ""),
@@ -18,10 +18,11 @@ const BELOW: [(&str, &str); 26] = [
     ("certify", "chance discretizations formula metrics scalar sets"),
     ("check", "chance formula metrics scalar sets spline"),
     ("distance", "chance check formula metrics scalar sets"),
-    ("optimizers", "chance discretizations formula metrics sets"),
+    ("lattice", "discretizations formula metrics sets"),
+    ("optimizers", "chance discretizations formula lattice metrics sets"),
     (
         "tautline",
-        "bounds certify check discretizations distance formula metrics optimizers scalar sets spline",
+        "bounds certify check discretizations distance formula lattice metrics optimizers scalar sets spline",
     ),
     ("baselines", "chance tautline"),
     ("portrait", "chance drawing tautline"),

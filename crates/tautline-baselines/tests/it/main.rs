@@ -3,6 +3,11 @@
 mod collocation;
 mod descents;
 mod geodesic_calculus;
+mod graphs;
+mod grid_errors;
+mod marching;
+mod marching_paths;
+mod orders;
 mod problems;
 mod random_cases;
 mod shooting;

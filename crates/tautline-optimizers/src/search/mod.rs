@@ -3,7 +3,6 @@
 pub(crate) mod candidate;
 pub(crate) mod damped_step;
 pub(crate) mod damping;
-pub(crate) mod graph_path;
 pub(crate) mod grids;
 pub(crate) mod lengthening;
 pub(crate) mod line_minimum;

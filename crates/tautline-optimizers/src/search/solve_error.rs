@@ -1,9 +1,8 @@
 //! `SolveError`: the reason why there is no minimiser.
 
 use tautline_discretizations::{LARGEST_N, SequenceError};
+use tautline_lattice::GraphPathError;
 use tautline_metrics::MetricError;
-
-use crate::search::graph_path::GraphPathError;
 
 /// The reason why there is no minimiser.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

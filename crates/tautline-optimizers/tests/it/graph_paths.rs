@@ -3,8 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::{PointSequence, Trapezoidal};
 use tautline_formula::Prepared;
+use tautline_lattice::{GraphPathError, Lattice, graph_path};
 use tautline_metrics::{Metric, Scalar, gallery::Constant};
-use tautline_optimizers::{GraphPathError, Lattice, Options, Starts, graph_path, minimise};
+use tautline_optimizers::{Options, Starts, minimise};
 use tautline_sets::{Ball, Ends, HalfSpace};
 
 /// The cost 1, and about 100 on a wall along `x₁ = 0` with a gap at `x₂ = 3`.

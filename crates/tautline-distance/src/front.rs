@@ -1,0 +1,214 @@
+//! `Front`: fast marching over nodes of any arrangement, of first or second order.
+//!
+//! With Selling's decomposition `H⁻¹ = Σ λₖ eₖ eₖᵀ` the eikonal equation on nodes of distance `h` is
+//! `Σ λₖ max(0, u(x) − u(x ± h eₖ))² = h²`. A value depends on smaller values only, so that one pass
+//! in increasing order solves all equations. Where two nodes in a row are known, the difference of
+//! second order is that of the three values.
+//!
+//! (J.-M. Mirebeau, *Riemannian fast-marching on Cartesian grids, using Voronoi's first reduction of
+//! quadratic forms*, SIAM J. Numer. Anal. 57, 2019.)
+
+use std::{cmp::Reverse, collections::BinaryHeap};
+
+use nalgebra::SMatrix;
+use rayon::prelude::*;
+
+use crate::reduction::selling;
+
+/// No node.
+const NONE: u32 = u32::MAX;
+
+/// Which differences a march uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// Those of two values. The scheme is monotone: larger seeds never lead to smaller values.
+    First,
+    /// Those of three values, where two nodes in a row are known and the farther one has the smaller
+    /// value; otherwise those of two values. More accurate where the distance is smooth, not monotone.
+    Second,
+}
+
+/// A direction of a node: its weight and the nodes at `+e`, `−e`, `+2e` and `−2e`.
+#[derive(Clone, Copy, Debug)]
+struct Direction {
+    weight: f64,
+    nodes: [u32; 4],
+}
+
+/// Nodes, with the directions along which each is updated.
+#[derive(Clone, Debug)]
+pub struct Front {
+    spacing: f64,
+    directions: Vec<Direction>,
+    /// The directions of a node are those from `first[node]` to `first[node + 1]`.
+    first: Vec<u32>,
+    /// The nodes that are updated from a node, likewise.
+    dependents: Vec<u32>,
+    first_dependent: Vec<u32>,
+}
+
+impl Front {
+    /// Prepares the nodes `0` to `count − 1`, fewer than `2³² − 1`, which lie in a lattice of this
+    /// spacing.
+    ///
+    /// `inverse` returns `H⁻¹` at a node, or `None` where there is no metric: such a node is never
+    /// reached. `neighbour` returns the node at an offset in steps from a node, if there is one. In more
+    /// than three dimensions only the diagonal of `H⁻¹` counts.
+    #[must_use]
+    pub fn new<const D: usize>(
+        count: usize,
+        spacing: f64,
+        inverse: impl Fn(usize) -> Option<SMatrix<f64, D, D>> + Sync,
+        neighbour: impl Fn(usize, &[i32; D]) -> Option<usize> + Sync,
+    ) -> Self {
+        let of_node = |node: usize| -> Vec<Direction> {
+            let at = |e: &[i32; D], k: i32| {
+                neighbour(node, &e.map(|along| along * k)).map_or(NONE, |other| other as u32)
+            };
+            let terms = inverse(node).map(|inverse| selling(&inverse)).unwrap_or_default();
+            terms
+                .into_iter()
+                .map(|(e, weight)| Direction { weight, nodes: [1, -1, 2, -2].map(|k| at(&e, k)) })
+                .collect()
+        };
+        let found: Vec<Vec<Direction>> = (0..count).into_par_iter().map(of_node).collect();
+        let mut first = vec![0];
+        for directions in &found {
+            first.push(first[first.len() - 1] + directions.len() as u32);
+        }
+        let mut first_dependent = vec![0; count + 1];
+        let neighbours = |directions: &[Direction]| -> Vec<u32> {
+            let near =
+                directions.iter().flat_map(|direction| [direction.nodes[0], direction.nodes[1]]);
+            near.filter(|&node| node != NONE).collect()
+        };
+        for directions in &found {
+            for node in neighbours(directions) {
+                first_dependent[node as usize + 1] += 1;
+            }
+        }
+        for n in 0..count {
+            first_dependent[n + 1] += first_dependent[n];
+        }
+        let mut next = first_dependent.clone();
+        let mut dependents = vec![0; first_dependent[count] as usize];
+        for (n, directions) in found.iter().enumerate() {
+            for node in neighbours(directions) {
+                dependents[next[node as usize] as usize] = n as u32;
+                next[node as usize] += 1;
+            }
+        }
+        Self { spacing, directions: found.concat(), first, dependents, first_dependent }
+    }
+
+    /// Returns the distance between neighbouring nodes, in `ℓ`.
+    #[must_use]
+    pub fn spacing(&self) -> f64 {
+        self.spacing
+    }
+
+    /// Returns the nodes from which a node is updated: those at `±eₖ`, one step away.
+    pub fn neighbours(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
+        let directions = &self.directions[self.first[node] as usize..self.first[node + 1] as usize];
+        let near = directions.iter().flat_map(|direction| [direction.nodes[0], direction.nodes[1]]);
+        near.filter(|&other| other != NONE).map(|other| other as usize)
+    }
+
+    /// Returns the distances from a set, in `m`, given the values at nodes near it, one for each node.
+    ///
+    /// Finite values are kept. Nodes with infinite values get theirs, or stay infinite if they are not
+    /// reached. A node whose value is NaN is left out: it keeps NaN, and no other node is updated from it.
+    ///
+    /// # Panics
+    ///
+    /// If there are not as many values as nodes.
+    #[must_use]
+    pub fn march(&self, mut values: Vec<f64>, order: Order) -> Vec<f64> {
+        assert_eq!(values.len() + 1, self.first.len(), "one value for each node");
+        let mut is_known = vec![false; values.len()];
+        let mut heap = BinaryHeap::new();
+        for (n, &value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {
+            heap.push(Reverse((Ordered(value), n as u32)));
+        }
+        // The values of the seeds are final.
+        let is_seed: Vec<bool> = values.iter().map(|v| v.is_finite()).collect();
+        while let Some(Reverse((Ordered(value), node))) = heap.pop() {
+            let node = node as usize;
+            if is_known[node] || value > values[node] {
+                continue;
+            }
+            is_known[node] = true;
+            let dependents =
+                self.first_dependent[node] as usize..self.first_dependent[node + 1] as usize;
+            for &other in &self.dependents[dependents] {
+                let n = other as usize;
+                if is_known[n] || is_seed[n] {
+                    continue;
+                }
+                let value = self.update(n, &values, &is_known, order);
+                if value < values[n] {
+                    values[n] = value;
+                    heap.push(Reverse((Ordered(value), other)));
+                }
+            }
+        }
+        values
+    }
+
+    /// Solves the equation of a node for its value.
+    fn update(&self, node: usize, values: &[f64], is_known: &[bool], order: Order) -> f64 {
+        let known =
+            |node: u32| (node != NONE && is_known[node as usize]).then(|| values[node as usize]);
+        let directions = self.first[node] as usize..self.first[node + 1] as usize;
+        // The terms w (u − m)².
+        let mut terms: Vec<(f64, f64)> = Vec::with_capacity(6);
+        for direction in &self.directions[directions] {
+            let sides = [(0, 2), (1, 3)]
+                .map(|(near, far)| (known(direction.nodes[near]), known(direction.nodes[far])));
+            let smaller = sides
+                .into_iter()
+                .filter_map(|(near, far)| Some((near?, far)))
+                .min_by(|a, b| a.0.total_cmp(&b.0));
+            match smaller {
+                Some((near, Some(far))) if order == Order::Second && far <= near => {
+                    terms.push(((4.0 * near - far) / 3.0, 2.25 * direction.weight));
+                }
+                Some((near, _)) => terms.push((near, direction.weight)),
+                None => {}
+            }
+        }
+        terms.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        let Some(&(least, _)) = terms.first() else { return f64::INFINITY };
+        let (mut a, mut b, mut c) = (0.0, 0.0, -self.spacing * self.spacing);
+        let mut value = f64::INFINITY;
+        for (m, weight) in terms {
+            let m = m - least;
+            if m >= value {
+                break;
+            }
+            a += weight;
+            b += weight * m;
+            c += weight * m * m;
+            value = (b + (b * b - a * c).max(0.0).sqrt()) / a;
+        }
+        least + value
+    }
+}
+
+/// A number with the order of [`f64::total_cmp`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ordered(pub(crate) f64);
+
+impl Eq for Ordered {}
+
+impl PartialOrd for Ordered {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Ordered {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}

@@ -1,0 +1,285 @@
+//! `LatticeGraph`: the edges between the nodes of a lattice, and shortest paths along them.
+
+use std::{cmp::Reverse, collections::BinaryHeap};
+
+use nalgebra::{SMatrix, SVector};
+use tautline_discretizations::PointSequence;
+use tautline_formula::Batches;
+use tautline_metrics::{Constants, check_matrix};
+use tautline_sets::{ClosedSet, Ends};
+
+use crate::{
+    graph_path::{GraphPathError, equal_chords},
+    lattice::Lattice,
+};
+
+/// The largest reach: in four dimensions it has some 80 000 offsets.
+const LARGEST_REACH: usize = 8;
+
+/// By how much an estimate is lowered before a node is left unopened. A length is a sum of at most
+/// 2²³ edges, each rounded by 2⁻⁵³ of the sum, so that it is off by less than 10⁻⁹ of itself.
+const ROUNDING: f64 = 1e-9;
+
+/// A lattice whose nodes are joined by edges under a metric.
+///
+/// The edges of a node lead to the nodes at all primitive offsets, those that are no multiples of
+/// others, of at most `r` steps along each axis. The length of an edge is that of its chord under the
+/// mean of the norms at both ends. Nodes without a metric have no edges.
+#[derive(Clone)]
+pub struct LatticeGraph<'m, const D: usize> {
+    metric: &'m dyn Batches<D>,
+    lattice: Lattice<D>,
+    gram: Vec<Option<SMatrix<f64, D, D>>>,
+    /// The offsets, with their chords in `ℓ`.
+    steps: Vec<([isize; D], SVector<f64, D>)>,
+}
+
+/// A shortest path along a lattice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LatticePath<const D: usize> {
+    corners: Vec<(f64, SVector<f64, D>)>,
+    opened: usize,
+}
+
+impl<const D: usize> LatticePath<D> {
+    /// Returns the length of the path, in `m`: the sum of its edges and of the chords to the sets.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.corners.last().map_or(0.0, |last| last.0)
+    }
+
+    /// Returns the corners, in `ℓ`, each with the length up to it, in `m`. The first and the last one are
+    /// points of the sets.
+    #[must_use]
+    pub fn corners(&self) -> &[(f64, SVector<f64, D>)] {
+        &self.corners
+    }
+
+    /// Returns how often the edges of a node were looked at: a pure number, the work of the search.
+    #[must_use]
+    pub fn opened(&self) -> usize {
+        self.opened
+    }
+
+    /// Returns `n` chords of equal length along the path.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`equal_chords`].
+    pub fn sequence(&self, n: usize) -> Result<PointSequence<D>, GraphPathError> {
+        equal_chords(&self.corners, n)
+    }
+}
+
+/// A node near a set, the point of the set that is nearest to it, and the length of the chord between.
+type Gate<const D: usize> = (usize, SVector<f64, D>, f64);
+
+impl<const D: usize> std::fmt::Debug for LatticeGraph<'_, D> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("LatticeGraph")
+            .field("lattice", &self.lattice)
+            .field("offsets", &self.steps.len())
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'m, const D: usize> LatticeGraph<'m, D> {
+    /// Returns the graph of a lattice whose edges reach `reach` steps along each axis, from 1 to 8.
+    ///
+    /// # Errors
+    ///
+    /// [`GraphPathError::Reach`].
+    pub fn new(
+        metric: &'m dyn Batches<D>,
+        lattice: Lattice<D>,
+        reach: usize,
+    ) -> Result<Self, GraphPathError> {
+        if !(1..=LARGEST_REACH).contains(&reach) {
+            return Err(GraphPathError::Reach { reach, largest: LARGEST_REACH });
+        }
+        let of_node = |node| gram_at(metric, &lattice.point(node));
+        let gram = (0..lattice.nodes()).map(of_node).collect();
+        let chord =
+            |offset: &[isize; D]| SVector::from_fn(|i, _| lattice.spacing()[i] * offset[i] as f64);
+        let steps = offsets(reach as isize).into_iter().map(|e| (e, chord(&e))).collect();
+        Ok(Self { metric, lattice, gram, steps })
+    }
+
+    /// Returns the lattice.
+    #[must_use]
+    pub fn lattice(&self) -> &Lattice<D> {
+        &self.lattice
+    }
+
+    /// Returns the edges of a node: the other node, and the length in `m`, which may be infinite.
+    pub fn edges(&self, node: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let place = self.lattice.place(node);
+        let h = self.gram.get(node).and_then(Option::as_ref);
+        let steps = if h.is_some() { &self.steps[..] } else { &[] };
+        steps.iter().filter_map(move |(offset, chord)| {
+            let there = self.lattice.neighbour(&place, offset)?;
+            let other = self.gram[there].as_ref()?;
+            Some((there, 0.5 * (norm(h?, chord) + norm(other, chord))))
+        })
+    }
+
+    /// Returns the nodes with a metric within one spacing of a set along each axis, with the nearest points
+    /// of the set, in `ℓ`, and the lengths of the chords to them, in `m`.
+    pub fn gates(&self, set: &dyn ClosedSet<D>) -> Vec<Gate<D>> {
+        let gate = |(node, h): (usize, &Option<SMatrix<f64, D, D>>)| {
+            let x = self.lattice.point(node);
+            let nearest = set.project(&x);
+            let chord = x - nearest;
+            let is_near = (0..D).all(|i| chord[i].abs() <= self.lattice.spacing()[i]);
+            let (h, other) = (h.as_ref().filter(|_| is_near)?, gram_at(self.metric, &nearest)?);
+            Some((node, nearest, 0.5 * (norm(h, &chord) + norm(&other, &chord))))
+        };
+        self.gram.iter().enumerate().filter_map(gate).collect()
+    }
+
+    /// Returns a shortest path between two sets. It begins and ends at the points of the sets that are
+    /// nearest to nodes within one spacing of them.
+    ///
+    /// Without `constants` the nodes are opened in the order of their lengths (E. W. Dijkstra, *A note on
+    /// two problems in connexion with graphs*, Numer. Math. 1, 1959). With them it is the order of their
+    /// lengths plus `√c₁` times their Euclidean distance from the second set, a lower bound on the rest
+    /// (P. E. Hart, N. J. Nilsson and B. Raphael, *A formal basis for the heuristic determination of
+    /// minimum cost paths*, IEEE Trans. Syst. Sci. Cybern. 4, 1968). The length is the same bit by bit,
+    /// and fewer nodes are opened.
+    ///
+    /// # Errors
+    ///
+    /// [`GraphPathError::FarFromEnd`], [`GraphPathError::NotConnected`], and [`GraphPathError::Bound`] if
+    /// `c₁` is no bound at a node or at a nearest point.
+    pub fn shortest(
+        &self,
+        ends: &Ends<D>,
+        constants: Option<&Constants>,
+    ) -> Result<LatticePath<D>, GraphPathError> {
+        let near = |set: &dyn ClosedSet<D>, end| {
+            let gates = self.gates(set);
+            if gates.is_empty() { Err(GraphPathError::FarFromEnd { end }) } else { Ok(gates) }
+        };
+        let [first, second] = [near(&**ends.first(), "first")?, near(&**ends.second(), "second")?];
+        let points = first.iter().chain(&second).map(|gate| gate.1);
+        let c1 = constants.map_or(Ok(0.0), |bound| self.checked_bound(bound.c1(), points))?;
+        let count = self.lattice.nodes();
+        let (mut lengths, mut before) = (vec![f64::INFINITY; count], vec![u32::MAX; count]);
+        // A lower bound on the rest of the way from a node, when it is first asked for.
+        let mut rests = vec![f64::NAN; if c1 > 0.0 { count } else { 0 }];
+        let mut key = |node: usize, length: f64| {
+            let Some(rest) = rests.get_mut(node) else { return length };
+            if rest.is_nan() {
+                let x = self.lattice.point(node);
+                *rest = c1.sqrt() * (x - ends.second().project(&x)).norm();
+            }
+            length + *rest
+        };
+        // Lengths are not negative, so that their bits have the same order.
+        let entry = |key: f64, node: usize| Reverse((key.to_bits(), node as u32));
+        let mut heap = BinaryHeap::new();
+        for &(node, _, length) in &first {
+            lengths[node] = length;
+            heap.push(entry(key(node, length), node));
+        }
+        let mut ends_of: Vec<(usize, f64)> = second.iter().map(|gate| (gate.0, gate.2)).collect();
+        ends_of.sort_unstable_by_key(|end| end.0);
+        let (mut least, mut opened) = (f64::INFINITY, 0);
+        while let Some(Reverse((estimate, node))) = heap.pop() {
+            let (estimate, here) = (f64::from_bits(estimate), node as usize);
+            if estimate * (1.0 - ROUNDING) > least {
+                break;
+            }
+            let length = lengths[here];
+            if estimate > key(here, length) {
+                continue;
+            }
+            opened += 1;
+            if let Ok(at) = ends_of.binary_search_by_key(&here, |end| end.0) {
+                least = least.min(length + ends_of[at].1);
+            }
+            for (there, edge) in self.edges(here) {
+                let longer = length + edge;
+                if longer < lengths[there] {
+                    (lengths[there], before[there]) = (longer, node);
+                    heap.push(entry(key(there, longer), there));
+                }
+            }
+        }
+
+        let last =
+            second.iter().min_by(|a, b| (lengths[a.0] + a.2).total_cmp(&(lengths[b.0] + b.2)));
+        let Some((last, end, tail)) = last.filter(|last| (lengths[last.0] + last.2).is_finite())
+        else {
+            return Err(GraphPathError::NotConnected);
+        };
+        let mut corners =
+            vec![(lengths[*last] + tail, *end), (lengths[*last], self.lattice.point(*last))];
+        let mut node = *last;
+        while before[node] != u32::MAX {
+            node = before[node] as usize;
+            corners.push((lengths[node], self.lattice.point(node)));
+        }
+        let begin = first.iter().find(|begin| begin.0 == node);
+        corners.extend(begin.map(|(_, nearest, _)| (0.0, *nearest)));
+        corners.reverse();
+        Ok(LatticePath { corners, opened })
+    }
+
+    /// Checks that `c₁ I ≤ H`, up to rounding, at the nodes and at the points. Returns `c₁`, lowered by the
+    /// rounding.
+    fn checked_bound(
+        &self,
+        c1: f64,
+        points: impl Iterator<Item = SVector<f64, D>>,
+    ) -> Result<f64, GraphPathError> {
+        let nodes = self.gram.iter().enumerate();
+        let nodes = nodes.filter_map(|(n, h)| Some((self.lattice.point(n), (*h)?)));
+        let points = points.filter_map(|x| Some((x, gram_at(self.metric, &x)?)));
+        let mut lowered = c1;
+        for (x, h) in nodes.chain(points) {
+            // Eigenvalues, and the squares of norms, are off by some roundings of the norm of H.
+            let lower = c1 - 32.0 * f64::EPSILON * h.norm();
+            if (h - SMatrix::identity() * lower).cholesky().is_none() {
+                return Err(GraphPathError::Bound { c1, point: x.as_slice().to_vec() });
+            }
+            lowered = lowered.min(lower);
+        }
+        Ok(lowered.max(0.0))
+    }
+}
+
+fn gram_at<const D: usize>(
+    metric: &dyn Batches<D>,
+    x: &SVector<f64, D>,
+) -> Option<SMatrix<f64, D, D>> {
+    check_matrix(metric.gram(x), x).ok()
+}
+
+fn norm<const D: usize>(h: &SMatrix<f64, D, D>, d: &SVector<f64, D>) -> f64 {
+    let square = d.dot(&(h * d));
+    // A chord whose length overflows is infinitely long.
+    if square >= 0.0 { square.sqrt() } else { f64::INFINITY }
+}
+
+/// Returns the offsets of at most `reach` steps along each axis whose greatest common divisor is 1.
+fn offsets<const D: usize>(reach: isize) -> Vec<[isize; D]> {
+    let side = (2 * reach + 1) as usize;
+    let of_number = |mut number: usize| {
+        let mut offset = [0; D];
+        for along in &mut offset {
+            *along = (number % side) as isize - reach;
+            number /= side;
+        }
+        offset
+    };
+    let divisor = |mut a: isize, mut b: isize| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a.abs()
+    };
+    let is_primitive =
+        |offset: &[isize; D]| offset.iter().fold(0, |a, &along| divisor(a, along)) == 1;
+    (0..side.pow(D as u32)).map(of_number).filter(is_primitive).collect()
+}
