@@ -3,6 +3,7 @@
 //! | | method | ends |
 //! | --- | --- | --- |
 //! | [`descent`] | other minimisers of a discrete energy: gradients in a Sobolev norm, L-BFGS, dynamic programming | two points |
+//! | [`equal_speeds`] | the minimiser of a discrete energy among sequences of equal speeds, of Liu et al. | two points |
 //! | [`shooting`] | the initial velocity of a geodesic, by Newton's method; exponential map and logarithm | two closed sets |
 //! | [`collocation`] | the boundary value problem of a geodesic | two closed sets |
 //! | [`geodesic_calculus`] | discrete exponential, logarithm and parallel transport | two points |
@@ -15,6 +16,7 @@
 pub mod collocation;
 pub mod descent;
 mod eikonal;
+pub mod equal_speeds;
 pub mod geodesic_calculus;
 mod geodesic_equation;
 mod graph;

@@ -1,10 +1,11 @@
 //! Differential dynamic programming.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Batches, ChordBatch, ChordModel, Kind, Node, PointSequence, Rule, Watcher};
+use tautline::{Batches, ChordModel, Node, PointSequence, Rule, Watcher};
 
 use crate::descent::{
     Descended, DescentError, Ended, Limits,
+    chord_models::chord_models,
     search::{Here, Search},
 };
 
@@ -158,12 +159,12 @@ fn chords<const D: usize>(
     form: SecondOrder,
 ) -> Vec<ChordModel<D>> {
     match form {
-        SecondOrder::Full => models(metric, nodes, sequence),
+        SecondOrder::Full => chord_models(metric, nodes, sequence),
         SecondOrder::GaussNewton => {
             // Each node is a sum of squares of its own.
             let mut sums: Vec<ChordModel<D>> = Vec::new();
             for own in nodes.chunks(1) {
-                let of_node = models(metric, own, sequence).into_iter();
+                let of_node = chord_models(metric, own, sequence).into_iter();
                 let of_node = of_node.map(|model| gauss_newton(model, own[0].fraction));
                 if sums.is_empty() {
                     sums = of_node.collect();
@@ -174,23 +175,6 @@ fn chords<const D: usize>(
             sums
         }
     }
-}
-
-fn models<const D: usize>(
-    metric: &dyn Batches<D>,
-    nodes: &'static [Node],
-    sequence: &PointSequence<D>,
-) -> Vec<ChordModel<D>> {
-    let n = sequence.n().get();
-    let mut batch = ChordBatch::new(metric, Kind::Contraction, nodes, n as f64, n);
-    let mut models = Vec::with_capacity(n);
-    for begin in (0..n).step_by(batch.capacity()) {
-        let chords = begin..n.min(begin + batch.capacity());
-        batch.evaluate_from(0, sequence.chords_in(chords.clone()));
-        let some = batch.singles().first(chords.len());
-        models.extend((0..chords.len()).map(|lane| some.model(lane)));
-    }
-    models
 }
 
 fn add<const D: usize>(sum: &mut ChordModel<D>, other: &ChordModel<D>) {

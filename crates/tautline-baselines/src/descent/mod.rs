@@ -30,11 +30,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub(crate) mod chord_models;
 mod descended;
 mod dynamic_programming;
 mod laplacian;
 mod lbfgs;
-mod search;
+pub(crate) mod search;
 mod sobolev;
 
 pub use descended::{Descended, DescentError, Ended, Limits};

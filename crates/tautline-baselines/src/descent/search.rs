@@ -83,18 +83,35 @@ impl<'a, R: Rule, const D: usize> Search<'a, R, D> {
 
     /// Shows an iterate to the watcher, and returns why the descent ends there, if it does.
     pub(crate) fn end_at(&mut self, here: &Here<D>, iteration: usize) -> Option<Ended> {
+        self.end_if(here, iteration, true)
+    }
+
+    /// Ends like [`end_at`](Search::end_at), but calls an iterate stationary only if it is feasible
+    /// too.
+    pub(crate) fn end_if(
+        &mut self,
+        here: &Here<D>,
+        iteration: usize,
+        is_feasible: bool,
+    ) -> Option<Ended> {
         let ends = [&self.ends[0] as _, &self.ends[1] as _];
         let Here { sequence, model } = here;
         let iterate = Iterate::new(self.rule, self.metric, ends, sequence, model, iteration);
         self.residuals = [iterate.residual, iterate.residual_floor];
         let answer = (self.watcher)(&iterate);
-        if iterate.is_stationary(self.limits.tolerance) {
+        if is_feasible && iterate.is_stationary(self.limits.tolerance) {
             Some(Ended::Stationary)
         } else if answer == ControlFlow::Break(()) {
             Some(Ended::Interrupted)
         } else {
             (iteration == self.limits.iterations).then_some(Ended::IterationLimit)
         }
+    }
+
+    /// Returns the residual at an iterate.
+    pub(crate) fn residual(&self, here: &Here<D>) -> f64 {
+        let ends = [&self.ends[0] as _, &self.ends[1] as _];
+        Iterate::new(self.rule, self.metric, ends, &here.sequence, &here.model, 0).residual
     }
 
     /// Returns the energy at other inner points, or `None` if the metric is not positive there.

@@ -2,6 +2,7 @@
 
 mod collocation;
 mod descents;
+mod equal_speeds;
 mod geodesic_calculus;
 mod graphs;
 mod grid_errors;
