@@ -23,12 +23,14 @@ use crate::{Node, PointSequence, Rule};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeanoConstants {
     /// The constant `κ₁`, the distance of Wasserstein between the weights and the uniform density.
+    /// It is infinite for weights that do not add up to 1.
     pub first: f64,
     /// The constant `κ₂`, infinite for a rule that is not exact for linear functions.
     pub second: f64,
 }
 
-/// The sum `Σ wᵢ θᵢ` is `1/2` up to a few roundings if a rule is exact for linear functions.
+/// The sums `Σ wᵢ` and `Σ wᵢ θᵢ` are 1 and `1/2` up to a few roundings if a rule is exact for
+/// linear functions.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl PeanoConstants {
@@ -36,7 +38,9 @@ impl PeanoConstants {
     #[must_use]
     pub fn of<R: Rule>(_rule: R) -> Self {
         let moment: f64 = R::NODES.iter().map(|node| node.weight * node.fraction).sum();
-        let is_linear = (moment - 0.5).abs() <= ROUNDING;
+        let weight: f64 = R::NODES.iter().map(|node| node.weight).sum();
+        let is_constant = (weight - 1.0).abs() <= ROUNDING;
+        let is_linear = is_constant && (moment - 0.5).abs() <= ROUNDING;
         let mut ends: Vec<f64> = R::NODES.iter().map(|node| node.fraction).collect();
         ends.extend([0.0, 1.0]);
         ends.sort_by(f64::total_cmp);
@@ -46,13 +50,17 @@ impl PeanoConstants {
         let second =
             pieces().map(|piece| integral_of_size(piece, |s| second_kernel(R::NODES, piece, s)));
         let second = if is_linear { second.sum() } else { f64::INFINITY };
-        Self { first: first.sum(), second }
+        let first = if is_constant { first.sum() } else { f64::INFINITY };
+        Self { first, second }
     }
 
     /// Returns a bound on `|E(γᵖˡ) − E_N|`, in `m²`, for a metric with the Lipschitz constant
     /// `lipschitz` along the chords, in `m²/ℓ³`: `κ₁ (L/N) mean |β|³`.
     #[must_use]
     pub fn gap<const D: usize>(&self, sequence: &PointSequence<D>, lipschitz: f64) -> f64 {
+        if self.first == f64::INFINITY {
+            return f64::INFINITY;
+        }
         self.first * lipschitz * mean_power(sequence, 3) / sequence.n().get() as f64
     }
 
@@ -60,6 +68,9 @@ impl PeanoConstants {
     /// chords are at most `curvature`, the constant `M_H` in `m²/ℓ⁴`: `κ₂ (M/N²) mean |β|⁴`.
     #[must_use]
     pub fn smooth_gap<const D: usize>(&self, sequence: &PointSequence<D>, curvature: f64) -> f64 {
+        if self.second == f64::INFINITY {
+            return f64::INFINITY;
+        }
         self.second * curvature * mean_power(sequence, 4) / (sequence.n().get() as f64).powi(2)
     }
 }
@@ -113,8 +124,8 @@ fn mean_power<const D: usize>(sequence: &PointSequence<D>, power: i32) -> f64 {
 mod tests {
     use super::PeanoConstants;
     use crate::{
-        GaussThree, GaussTwo, LeftEndpoint, Node, RightEndpoint, Rule, Simpson, Trapezoidal,
-        TrueTrapezoid,
+        GaussThree, GaussTwo, LeftEndpoint, Node, PointSequence, RightEndpoint, Rule, Simpson,
+        Trapezoidal, TrueTrapezoid,
     };
 
     #[test]
@@ -170,5 +181,24 @@ mod tests {
         compare(Simpson);
         compare(GaussTwo);
         compare(GaussThree);
+    }
+
+    /// A constant that does not exist gives no bound, not even for a metric without slopes.
+    #[test]
+    fn a_missing_constant_bounds_nothing() {
+        #[derive(Clone, Copy, Debug)]
+        struct TooLight;
+        impl Rule for TooLight {
+            const NODES: &'static [Node] = &[Node { fraction: 0.5, weight: 0.9 }];
+            const ERROR_EXPONENT: i32 = 2;
+        }
+        let line = PointSequence::straight([0.0], [1.0], 2).expect("finite");
+        let found = PeanoConstants::of(TooLight);
+        assert_eq!(
+            (found.gap(&line, 0.0), found.smooth_gap(&line, 0.0)),
+            (f64::INFINITY, f64::INFINITY)
+        );
+        assert_eq!(PeanoConstants::of(LeftEndpoint).smooth_gap(&line, 0.0), f64::INFINITY);
+        assert_eq!(PeanoConstants::of(Trapezoidal).smooth_gap(&line, 0.0), 0.0);
     }
 }

@@ -12,7 +12,7 @@ const STEPS: usize = 64;
 
 impl<const D: usize> Interpolation<'_, D> {
     /// Returns `n + 1` points on this curve, in `ℓ`, so that the length under `metric` from each to
-    /// the next along this curve is the same, up to a few roundings. Both ends are exact.
+    /// the next along this curve is the same, up to a rounding of the whole for each old chord. Both ends are exact.
     ///
     /// This is the curve at constant speed. New chords cut the corners of the old ones, so that a
     /// minimiser on `n` chords is close to these points, but is not at them. A curve of length 0
@@ -21,8 +21,8 @@ impl<const D: usize> Interpolation<'_, D> {
     /// # Errors
     ///
     /// [`SequenceError::NoSubinterval`] and [`SequenceError::TooManySubintervals`] for an `n` that
-    /// is out of range, and [`SequenceError::NotFinite`] if the metric is not finite or not positive
-    /// along the curve.
+    /// is out of range, and [`SequenceError::NotFinite`], of no particular point, if the length is not
+    /// finite: the metric is not finite, or not positive, along the curve.
     pub fn resampled(
         &self,
         metric: &dyn Batches<D>,
@@ -42,7 +42,7 @@ impl<const D: usize> Interpolation<'_, D> {
             total += self.length_within(metric, chord, 1.0);
         }
         lengths.push(total);
-        if total.is_nan() {
+        if !total.is_finite() {
             return Err(SequenceError::NotFinite { index: 0, coordinate: 0, value: total });
         }
         if total == 0.0 {

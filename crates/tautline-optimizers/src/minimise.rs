@@ -136,9 +136,8 @@ pub fn minimise_by_batches<const D: usize, R: Rule>(
 /// from every start and on every grid. The watcher may end the solve, for example at a time limit;
 /// [`Trace`](crate::Trace) does, and keeps what was reached.
 ///
-/// An iterate whose Hessian is known to be definite from the one before is not told of, and neither
-/// is one of a search that looks for a second result nearby. The result is the same as without a
-/// watcher.
+/// The last iterate of a search on a coarse grid may not be told of: it is one small Newton step
+/// beyond the one that is. The result is the same as without a watcher.
 ///
 /// # Errors
 ///

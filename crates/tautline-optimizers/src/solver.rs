@@ -195,6 +195,9 @@ impl<'a, const D: usize> Search<'a, D> {
     where
         'a: 'e,
     {
+        if self.watch.has_ended() {
+            return None;
+        }
         let search = self.between(candidate.ends);
         let start = |memory| candidate.start(grid, search.energy, memory);
         let mut in_vain = 0;
@@ -249,7 +252,13 @@ impl<'a, const D: usize> Search<'a, D> {
         }
         for &ends in pieces {
             let search = self.between(ends);
+            if self.watch.has_ended() {
+                return;
+            }
             for start in self.options.starts.between(self.energy, ends, grid, all, lines) {
+                if self.watch.has_ended() {
+                    return;
+                }
                 let check = search.check(&start).map_err(SolveError::Metric);
                 let found = self.accept(check.and_then(|()| search.run(start)));
                 candidates.extend(found.map(|found| Candidate::new(ends, found)));

@@ -94,11 +94,15 @@ impl<'c, const D: usize> Trace<'c, D> {
         });
         self.entries.push(Entry { n, iteration, energy, residual, step, seconds });
         self.last = Some(sequence.clone());
-        // Energies on different grids are not comparable.
-        let is_better = match &self.best {
-            Some((lowest, best)) => best.n().get() < n || (best.n().get() == n && energy < *lowest),
-            None => true,
-        };
+        // Energies on different grids are not comparable, and without a metric they mean nothing.
+        let has_metric = energy >= 0.0 && residual < f64::INFINITY;
+        let is_better = has_metric
+            && match &self.best {
+                Some((lowest, best)) => {
+                    best.n().get() < n || (best.n().get() == n && energy < *lowest)
+                }
+                None => true,
+            };
         if is_better {
             self.best = Some((energy, sequence.clone()));
         }
@@ -112,8 +116,8 @@ impl<'c, const D: usize> Trace<'c, D> {
         &self.entries
     }
 
-    /// Returns the energy, in `m²`, and the points of the lowest iterate on the finest grid so far,
-    /// or `None` before the first iterate.
+    /// Returns the energy, in `m²`, and the points of the lowest iterate on the finest grid so far
+    /// that has a residual, or `None` before the first one.
     #[must_use]
     pub fn best(&self) -> Option<(f64, &PointSequence<D>)> {
         self.best.as_ref().map(|(energy, sequence)| (*energy, sequence))
@@ -137,7 +141,7 @@ mod tests {
             time += 1.0;
             time
         };
-        let mut trace = Trace::with_limit(&mut clock, 5.5);
+        let mut trace = Trace::with_limit(&mut clock, 8.5);
         let bent = |n: usize, bend: f64| {
             let at = |k: usize| vector![k as f64, if k == 1 { bend } else { 0.0 }];
             PointSequence::new((0..=n).map(at).collect()).expect("finite")
@@ -147,21 +151,37 @@ mod tests {
             let (residual, residual_floor) = (0.5, 0.0);
             trace.record(&Iterate { iteration, energy, residual, residual_floor, sequence })
         };
-        // A start, two steps of which the second goes up, another start, a finer grid.
+        // A start, two steps of which the second goes up, another start, a finer grid, on which an
+        // iterate without a metric comes first, and a coarse grid again.
         let answers = [
             record(0, 9.0, 2, 1.0),
             record(1, 3.0, 2, 0.25),
             record(2, 4.0, 2, -0.25),
             record(0, 2.5, 2, -0.25),
+            record(0, f64::NAN, 4, 0.0),
+            record(0, -1.0, 4, 0.0),
             record(0, 5.0, 4, 0.5),
             record(1, 6.0, 4, 0.0),
+            record(0, 1.0, 2, 0.0),
         ];
-        assert_eq!(answers[..5], [ControlFlow::Continue(()); 5]);
-        assert_eq!(answers[5], ControlFlow::Break(()));
+        assert_eq!(answers[..8], [ControlFlow::Continue(()); 8]);
+        assert_eq!(answers[8], ControlFlow::Break(()));
         let steps: Vec<_> = trace.entries().iter().map(|entry| entry.step).collect();
-        assert_eq!(steps, [f64::INFINITY, 0.75, 0.5, f64::INFINITY, f64::INFINITY, 0.5]);
+        let (none, infinity) = ([f64::INFINITY; 4], f64::INFINITY);
+        assert_eq!(steps[..3], [infinity, 0.75, 0.5]);
+        assert_eq!((&steps[3..7], steps[7], steps[8]), (&none[..], 0.5, infinity));
         let seconds: Vec<_> = trace.entries().iter().map(|entry| entry.seconds).collect();
-        assert_eq!(seconds, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        assert_eq!(seconds, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
         assert_eq!(trace.best(), Some((5.0, &bent(4, 0.5))));
+    }
+
+    #[test]
+    fn a_clock_that_is_no_number_ends_the_search() {
+        let mut clock = || f64::NAN;
+        let mut trace = Trace::with_limit(&mut clock, 1.0);
+        let sequence = &PointSequence::straight([0.0], [1.0], 2).expect("finite");
+        let (iteration, energy, residual, residual_floor) = (0, 1.0, 0.5, 0.0);
+        let iterate = Iterate { iteration, energy, residual, residual_floor, sequence };
+        assert_eq!(trace.record(&iterate), ControlFlow::Break(()));
     }
 }

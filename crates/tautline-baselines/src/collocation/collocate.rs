@@ -1,7 +1,7 @@
 //! `collocate`: damped Newton steps on a mesh that is refined where the residual is large.
 
 use nalgebra::SVector;
-use tautline::{Ends, Metric, PointSequence, check_gram};
+use tautline::{Ends, LARGEST_N, Metric, PointSequence, check_gram};
 
 use super::{
     Collocation, CollocationError,
@@ -30,8 +30,9 @@ pub struct Collocated<const D: usize> {
     pub energy: f64,
     /// Its length, in `m`.
     pub length: f64,
-    /// The largest residual `|γ̈ − a(γ, γ̇)|` of the geodesic equation between the Gauss points,
-    /// relative to the largest `|γ̇|`: a pure number.
+    /// The largest residual `|γ̈ − a(γ, γ̇)|` of the geodesic equation at the ends and in
+    /// the middle of the intervals, relative to the largest `|γ̇|`: a pure number. What the metric does
+    /// between all these points goes unseen.
     pub residual: f64,
     /// The number of Newton steps on all meshes.
     pub iterations: usize,
@@ -75,7 +76,8 @@ pub fn collocate<const D: usize>(
         return Err(CollocationError::NoIntervals);
     }
     let too_many = |intervals, residual| CollocationError::TooManyIntervals { intervals, residual };
-    if options.intervals > options.most_intervals {
+    let most_intervals = options.most_intervals.min(LARGEST_N);
+    if options.intervals > most_intervals {
         return Err(too_many(options.intervals, f64::INFINITY));
     }
     let [first, second] = [&**ends.first(), &**ends.second()];
@@ -121,7 +123,7 @@ pub fn collocate<const D: usize>(
                     if *residual <= tolerance { 1 } else { divisions(residual / (0.5 * tolerance)) }
                 })
                 .collect();
-        if parts.iter().sum::<usize>() > options.most_intervals {
+        if parts.iter().sum::<usize>() > most_intervals {
             return Err(too_many(path.intervals(), residual));
         }
         path = path.refined(&parts, &table);

@@ -9,7 +9,9 @@ pub struct Limits {
     /// [what rounding causes](tautline::Iterate::residual_floor) is small enough in any case.
     ///
     /// Near a minimum the relative excess of the energy is about the square of the residual, or less.
-    /// All descents compare energies, whose rounding hides residuals below about `N · 10⁻⁸`.
+    /// All descents compare energies, whose rounding hides residuals below about `N · 10⁻⁸`:
+    /// beyond a hundred chords, choose no smaller tolerance than that. A soft direction makes the
+    /// excess larger.
     pub tolerance: f64,
     /// The largest number of steps.
     pub iterations: usize,
@@ -23,6 +25,8 @@ impl Default for Limits {
 }
 
 /// Where a descent ended: a point sequence that is called stationary or not, and not more.
+///
+/// It has a metric at the nodes of the rule. Between them nothing is checked.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Descended<const D: usize> {
@@ -63,8 +67,8 @@ pub enum DescentError {
     /// The metric is not finite, symmetric and positive definite at a node of the start.
     #[error(transparent)]
     Metric(#[from] MetricError),
-    /// The energy of the start exceeds the range of `f64`.
-    #[error("the energy of the start is {energy}: the coordinates or the metric are too large")]
+    /// The energy of the start is beyond the range of `f64`.
+    #[error("the energy of the start is {energy}: too large or too small for f64")]
     Energy {
         /// The energy, in `m²`.
         energy: f64,

@@ -68,6 +68,7 @@ pub fn dynamic_programming<'a, const D: usize, R: Rule>(
         }
         search.evaluations += 1;
         let chords = chords(search.metric, R::NODES, &here.sequence, form);
+        let chords = chords.expect("every iterate has a metric");
         let there = loop {
             let policy = Policy::new(&chords, shift * here.stiffness());
             let found = policy.and_then(|policy| follow(&mut search, &here, &policy));
@@ -80,7 +81,7 @@ pub fn dynamic_programming<'a, const D: usize, R: Rule>(
             return Ok(search.descended(here, Ended::Stalled, iteration));
         };
         shift = if shift <= first { 0.0 } else { shift / factor };
-        here = search.at(there);
+        here = there;
     }
     unreachable!("a descent ends at its limit of steps")
 }
@@ -90,7 +91,7 @@ fn follow<R: Rule, const D: usize>(
     search: &mut Search<'_, R, D>,
     here: &Here<D>,
     policy: &Policy<D>,
-) -> Option<PointSequence<D>> {
+) -> Option<Here<D>> {
     let mut scale = 1.0;
     while scale >= SHORTEST {
         let points = policy.roll_out(here.sequence.points(), scale);
@@ -100,7 +101,11 @@ fn follow<R: Rule, const D: usize>(
             && here.falls_enough(energy, promised)
             && let Ok(sequence) = PointSequence::new(points)
         {
-            return Some(sequence);
+            // A positive energy does not yet mean that there is a metric.
+            let there = search.at(sequence);
+            if there.model.is_metric {
+                return Some(there);
+            }
         }
         scale *= 0.5;
     }
@@ -157,14 +162,14 @@ fn chords<const D: usize>(
     nodes: &'static [Node],
     sequence: &PointSequence<D>,
     form: SecondOrder,
-) -> Vec<ChordModel<D>> {
+) -> Option<Vec<ChordModel<D>>> {
     match form {
         SecondOrder::Full => chord_models(metric, nodes, sequence),
         SecondOrder::GaussNewton => {
             // Each node is a sum of squares of its own.
             let mut sums: Vec<ChordModel<D>> = Vec::new();
             for own in nodes.chunks(1) {
-                let of_node = chord_models(metric, own, sequence).into_iter();
+                let of_node = chord_models(metric, own, sequence)?.into_iter();
                 let of_node = of_node.map(|model| gauss_newton(model, own[0].fraction));
                 if sums.is_empty() {
                     sums = of_node.collect();
@@ -172,7 +177,7 @@ fn chords<const D: usize>(
                     sums.iter_mut().zip(of_node).for_each(|(sum, other)| add(sum, &other));
                 }
             }
-            sums
+            Some(sums)
         }
     }
 }
@@ -236,7 +241,9 @@ mod tests {
             let sequence = PointSequence::new(points).expect("finite");
             let metric = Prepared::new(Valleys);
             let full = chords::<2>(&metric, R::NODES, &sequence, SecondOrder::Full);
+            let full = full.expect("a metric");
             let found = chords::<2>(&metric, R::NODES, &sequence, SecondOrder::GaussNewton);
+            let found = found.expect("a metric");
             for (k, (x, d)) in sequence.chords().enumerate() {
                 let mut blocks = [SMatrix::<f64, 2, 2>::zeros(); 3];
                 for node in R::NODES {

@@ -3,7 +3,8 @@
 use std::convert::Infallible;
 
 use basin::{
-    CostFunction, Executor, FirstOrderState, Gradient, GradientState, Lbfgs, State, StepOutcome,
+    CostFunction, Executor, FirstOrderState, Gradient, GradientState, HagerZhang, Lbfgs, State,
+    StepOutcome,
 };
 use nalgebra::SVector;
 use tautline::{Batches, LinearModel, Node, PointSequence, Rule, Watcher, admissible_energy};
@@ -16,6 +17,9 @@ use crate::descent::{
 
 /// The number of steps that L-BFGS remembers.
 const MEMORY: usize = 10;
+
+/// By this multiple of itself an energy may rise in a line search, since sums are rounded.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// After this many steps in a row without a lower energy, what is left is rounding.
 const PATIENCE: usize = 3 * MEMORY;
@@ -32,7 +36,7 @@ pub enum Coordinates {
 }
 
 /// Minimises a discrete energy between the ends of `start` by L-BFGS with ten remembered steps and
-/// the line search of Moré and Thuente.
+/// the line search of Hager and Zhang, which turns back where there is no metric.
 ///
 /// `watcher` sees each iterate, and can end the descent.
 ///
@@ -42,7 +46,8 @@ pub enum Coordinates {
 ///
 /// # Source
 ///
-/// J. Nocedal, S. J. Wright, Numerical Optimization, 2nd edition, Algorithm 7.5; the library `basin`.
+/// J. Nocedal, S. J. Wright, Numerical Optimization, 2nd edition, Algorithm 7.5; W. W. Hager,
+/// H. Zhang, ACM Trans. Math. Softw. 32 (2006); the library `basin`.
 pub fn lbfgs<'a, const D: usize, R: Rule>(
     metric: &'a dyn Batches<D>,
     rule: R,
@@ -62,7 +67,9 @@ pub fn lbfgs<'a, const D: usize, R: Rule>(
     let (unit, scale) = (here.energy(), (here.stiffness() / here.energy()).sqrt());
     let energy = EnergyOf { metric, nodes: R::NODES, points, laplacian, unit, scale };
     let begin = FirstOrderState::new(vec![0.0; (n - 1) * D]);
-    let solver = Lbfgs::new().with_m_capacity(MEMORY).unbounded();
+    let mut line_search = HagerZhang::new();
+    line_search.epsilon = ROUNDING;
+    let solver = Lbfgs::with_line_search(line_search).with_m_capacity(MEMORY).unbounded();
     // The limit of steps is checked here, and not by the library as well.
     let executor = Executor::new(energy, solver, begin).max_iter(u64::MAX);
     let Ok(mut stepper) = executor.into_stepper();

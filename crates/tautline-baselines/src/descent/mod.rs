@@ -3,7 +3,9 @@
 //! Each takes a start, whose ends stay where they are, and goes down from there until the residual
 //! of [`Iterate`](tautline::Iterate) is small. They show the same [`Iterate`](tautline::Iterate)s as
 //! [`minimise_watched`](tautline::minimise_watched), so that a [`Trace`](tautline::Trace) compares
-//! them.
+//! them. Nobody watches with `&mut |_| ControlFlow::Continue(())`.
+//!
+//! The metric is one that is ready for batches, `Prepared::new(metric)`.
 //!
 //! ```
 //! use std::{ops::ControlFlow, time::Instant};

@@ -67,7 +67,8 @@ impl<'a, R: Rule, const D: usize> Search<'a, R, D> {
             residuals: [f64::INFINITY; 2],
         };
         let here = search.at(start);
-        if here.energy().is_finite() {
+        let moves = here.sequence.points().iter().any(|x| x != here.sequence.first());
+        if here.energy().is_finite() && (here.energy() >= f64::MIN_POSITIVE || !moves) {
             Ok((search, here))
         } else {
             Err(DescentError::Energy { energy: here.energy() })

@@ -8,8 +8,10 @@ use crate::descent::{
     search::{Search, dot},
 };
 
-/// A step shorter than this fraction of the first trial is none.
+/// The lengths of steps relative to that for a constant metric: a shorter one is none, and where the
+/// energy hardly bends, no trial is longer.
 const SHORTEST: f64 = 1e-10;
+const LONGEST: f64 = 1e3;
 
 /// Minimises a discrete energy between the ends of `start` by gradient descent, with the gradient in
 /// the norm `(∫ |δ̇|²)^{1/2}` of displacements.
@@ -49,18 +51,22 @@ pub fn sobolev_descent<'a, const D: usize, R: Rule>(
         direction.iter_mut().for_each(|d| *d = -*d);
         // δᵀTδ = −δᵀg for the direction δ.
         let slope = -dot(&direction, here.gradient());
-        let first = length.take().unwrap_or_else(|| 1.0 / here.stiffness());
-        let mut scale = first;
+        let usual = 1.0 / here.stiffness();
+        let mut scale = length.take().unwrap_or(usual).min(LONGEST * usual);
         let there = loop {
             let points = here.moved(&direction, scale);
             if let Some(energy) = search.energy(&points)
                 && here.falls_enough(energy, scale * slope)
                 && let Ok(sequence) = PointSequence::new(points)
             {
-                break Some(search.at(sequence));
+                // A positive energy does not yet mean that there is a metric.
+                let there = search.at(sequence);
+                if there.model.is_metric {
+                    break Some(there);
+                }
             }
             scale *= 0.5;
-            if !(scale >= SHORTEST * first) {
+            if !(scale >= SHORTEST * usual) {
                 break None;
             }
         };

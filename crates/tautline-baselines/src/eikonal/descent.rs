@@ -62,7 +62,8 @@ pub(super) fn descend<M: Metric<D>, const D: usize>(
         distance,
     };
     let counts = distances.equation.lattice().counts();
-    let most = 64 * counts.iter().sum::<usize>() + 64;
+    // A corridor may wind through all nodes, with a few steps beside each.
+    let most = 4 * counts.iter().product::<usize>() + 64;
     let (mut points, mut x, mut value) = (vec![end], end, distance);
     while !distances.is_near(&x) {
         if points.len() > most {

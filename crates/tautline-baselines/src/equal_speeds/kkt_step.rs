@@ -197,6 +197,7 @@ mod tests {
             let sequence = PointSequence::new((0..=n).map(at).collect()).expect("finite");
             let metric = Prepared::new(Valleys);
             let chords = chord_models::<2>(&metric, Trapezoidal::NODES, &sequence);
+            let chords = chords.expect("a metric");
             let multipliers: Vec<_> = (0..n).map(|k| (1.0 + 0.1 * k as f64) / n as f64).collect();
             let found = KktStep::new(&chords, &multipliers, 0.3).expect("definite");
             // The unknowns: 2 (n − 1) coordinates, n multipliers, and the level.

@@ -65,7 +65,8 @@ pub fn equal_speeds<'a, const D: usize, R: Rule>(
     let n = sequence.n().get();
     let [first, factor, last] = SHIFTS;
     let (mut shift, mut penalty) = (0.0, 0.0_f64);
-    let mut at = At::new(metric, R::NODES, sequence, vec![1.0 / n as f64; n]);
+    let at = At::new(metric, R::NODES, sequence, vec![1.0 / n as f64; n]);
+    let mut at = at.expect("the start has a metric");
     for iteration in 0.. {
         let speeds = at.speed_residual();
         if let Some(ended) = search.end_if(&at.here, iteration, speeds <= limits.tolerance) {
@@ -108,8 +109,8 @@ impl<const D: usize> At<D> {
         nodes: &'static [tautline::Node],
         sequence: PointSequence<D>,
         multipliers: Vec<f64>,
-    ) -> Self {
-        let chords = chord_models(metric, nodes, &sequence);
+    ) -> Option<Self> {
+        let chords = chord_models(metric, nodes, &sequence)?;
         let n = chords.len();
         let mut gradient = vec![SVector::zeros(); n + 1];
         for (k, (chord, multiplier)) in chords.iter().zip(&multipliers).enumerate() {
@@ -118,7 +119,7 @@ impl<const D: usize> At<D> {
         }
         let energy = chords.iter().map(|chord| chord.energy).sum();
         let model = LinearModel { energy, gradient, is_metric: true };
-        Self { here: Here { sequence, model }, chords, multipliers }
+        Some(Self { here: Here { sequence, model }, chords, multipliers })
     }
 
     /// Returns the mean energy of a chord, the level to which all should come.
@@ -155,8 +156,9 @@ impl<const D: usize> At<D> {
                 let mix = |(new, old): (&f64, &f64)| old + (new - old) * scale;
                 let multipliers = step.multipliers.iter().zip(&self.multipliers).map(mix).collect();
                 let next = Self::new(search.metric, R::NODES, sequence, multipliers);
-                if merit(&next) <= merit(self) - SUFFICIENT * scale * promised
-                    || self.halves(search, &next)
+                if let Some(next) = next
+                    && (merit(&next) <= merit(self) - SUFFICIENT * scale * promised
+                        || self.halves(search, &next))
                 {
                     return Some(next);
                 }

@@ -1,6 +1,6 @@
 //! `CalculusError`: the reason why a step of the discrete calculus has no result.
 
-use tautline::{SequenceError, SolveError};
+use tautline::{SequenceError, SetError, SolveError};
 
 use crate::EquationError;
 
@@ -18,6 +18,9 @@ pub enum CalculusError {
         /// The coordinate.
         value: f64,
     },
+    /// Two points make no pair of ends, as where their coordinates are too large.
+    #[error(transparent)]
+    Ends(#[from] SetError),
     /// The number of chords is 0, or too large for a sequence.
     #[error(transparent)]
     Sequence(#[from] SequenceError),

@@ -10,7 +10,7 @@ use super::{CalculusError, calculus_error::finite, chord::Chord, step::extend_at
 ///
 /// # Errors
 ///
-/// [`CalculusError::NotFinite`] for the points, and [`CalculusError::Solve`] if there is no
+/// [`CalculusError::NotFinite`] and [`CalculusError::Ends`] for the points, and [`CalculusError::Solve`] if there is no
 /// minimiser, for instance for `n = 0`.
 pub fn discrete_geodesic<const D: usize>(
     metric: &impl Metric<D>,
@@ -20,7 +20,7 @@ pub fn discrete_geodesic<const D: usize>(
 ) -> Result<PointSequence<D>, CalculusError> {
     finite("first point", x)?;
     finite("second point", y)?;
-    let ends = Ends::points(*x, *y).expect("finite points");
+    let ends = Ends::points(*x, *y)?;
     Ok(minimise(metric, &ends, Trapezoidal, n, &Options::default())?.sequence)
 }
 
@@ -45,7 +45,8 @@ pub fn discrete_logarithm<const D: usize>(
 
 /// Returns the discrete geodesic of `n` chords from `x` with the first chord `v/N`: each point
 /// [`extends`](super::extend) the two before. Its last point is the discrete exponential of `v`, in
-/// `ℓ`, which differs from `exp_x(v)` by `O(1/N)`. It inverts the discrete logarithm exactly.
+/// `ℓ`, which differs from `exp_x(v)` by `O(1/N)`. It inverts the discrete logarithm up to
+/// rounding, where Newton's method takes the same branch.
 ///
 /// # Errors
 ///

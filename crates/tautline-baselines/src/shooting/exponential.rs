@@ -27,8 +27,9 @@ use crate::{
 /// for a point `x` and a velocity `v`, both in `ℓ`, with its derivatives by `x` and `v` from the
 /// variational equation. The integrator is the method of order 8 of Dormand and Prince (E. Hairer,
 /// S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., II.5 and II.6).
-/// The error of a step is at most the tolerance times `|v|` in position and velocity. Between the
-/// steps the geodesic is the polynomial of degree 7 that has the right derivatives up to third
+/// The estimated error of a step is at most the tolerance times the largest `|vᵢ|`, as a root mean
+/// square over position, velocity and their derivatives. Between the steps, where no error is
+/// estimated, the geodesic is the polynomial of degree 7 that has the right derivatives up to third
 /// order at both ends of the step.
 ///
 /// # Errors

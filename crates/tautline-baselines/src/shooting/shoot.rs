@@ -12,8 +12,10 @@ use crate::normal_map::{NormalMap, nearby, pseudo_inverse, turned};
 pub struct Shot<const D: usize> {
     /// The geodesic.
     pub geodesic: Geodesic<D>,
-    /// The distance between its end and its target, in `ℓ`. It is zero if and only if the end lies
-    /// in the second set and the momentum there is normal to the set.
+    /// The distance between its end and its target, in `ℓ`. If it is zero, the end lies in the
+    /// second set and the momentum there is normal to the set. The converse holds for convex sets, and
+    /// for others if the momentum, over the mean of the metric at the start, is shorter than the reach
+    /// of the set.
     pub residual: f64,
     /// The number of Newton steps.
     pub iterations: usize,
@@ -89,7 +91,7 @@ pub fn shoot<const D: usize>(
 ///
 /// # Errors
 ///
-/// As for [`shoot`]; also [`ShootingError::NotFinite`] for the points.
+/// As for [`shoot`]; also [`ShootingError::NotFinite`] and [`ShootingError::Ends`] for the points.
 pub fn logarithm<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -98,7 +100,7 @@ pub fn logarithm<const D: usize>(
 ) -> Result<SVector<f64, D>, ShootingError> {
     finite("first point", x)?;
     finite("second point", y)?;
-    let ends = Ends::points(*x, *y).expect("finite points");
+    let ends = Ends::points(*x, *y)?;
     Ok(shoot(metric, &ends, options)?.geodesic.initial_velocity())
 }
 

@@ -1,5 +1,7 @@
 //! `ShootingError`: the reason why there is no shot.
 
+use tautline::SetError;
+
 use crate::EquationError;
 
 /// The reason why there is no geodesic by shooting.
@@ -16,6 +18,9 @@ pub enum ShootingError {
         /// The coordinate.
         value: f64,
     },
+    /// Two points make no pair of ends, as where their coordinates are too large.
+    #[error(transparent)]
+    Ends(#[from] SetError),
     /// The tolerance of the integration is not between `10⁻¹⁴` and `10⁻²`.
     #[error("the tolerance is {tolerance}: it must be between 1e-14 and 1e-2")]
     Tolerance {

@@ -284,6 +284,73 @@ fn a_start_without_a_metric_or_an_energy_is_an_error() {
     }
 }
 
+/// The metric `(1 + 10 (x₁ − 0.02)²) I` to the right of 0 alone: the first steps of all methods lead
+/// beyond that edge.
+struct BesideAnEdge;
+
+impl Metric<2> for BesideAnEdge {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let cost = (x[0] - 0.02).sqr() * 10.0 + 1.0 + x[0].sqrt() * 0.0;
+        SMatrix::from_diagonal_element(cost)
+    }
+}
+
+/// The matrix `diag(e^{x₂}, x₂)`, a metric above 0 alone, where it has positive energies below it.
+struct Above;
+
+impl Metric<2> for Above {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let zero = S::constant(0.0);
+        SMatrix::from([[x[1].exp(), zero], [zero, x[1]]])
+    }
+}
+
+#[test]
+fn descents_turn_back_where_there_is_no_metric() {
+    let start = PointSequence::straight([1.0, 0.0], [1.0, 3.0], N).expect("finite");
+    let ends = Ends::points(*start.first(), *start.last()).expect("finite");
+    let only = Options { starts: Starts::Only(vec![start.clone()]), ..Options::default() };
+    let newton = minimise(&BesideAnEdge, &ends, Trapezoidal, N, &only).expect("a metric");
+    let metric = Prepared::new(BesideAnEdge);
+    for method in METHODS {
+        let found = method.run(&metric, Trapezoidal, &start, &Limits::default(), &mut go_on);
+        let found = found.expect("a metric");
+        assert_eq!(found.ended, Ended::Stationary, "{method:?}");
+        let error = found.energy / newton.energy - 1.0;
+        assert!(error.abs() <= 1e-10, "{method:?}: {error:e}");
+    }
+    // Here the energy has no minimum above 0: what is returned has a metric all the same.
+    let start = PointSequence::straight([0.0, 0.1], [4.0, 0.1], 2).expect("finite");
+    let metric = Prepared::new(Above);
+    for method in METHODS {
+        let limits = Limits { iterations: 300, ..Limits::default() };
+        let found = method.run(&metric, Trapezoidal, &start, &limits, &mut go_on);
+        let found = found.expect("a metric");
+        assert!(found.sequence.chords().all(|(x, d)| (x + d * 0.5)[1] > 0.0), "{method:?}");
+        assert!(found.energy > 0.0 && found.ended != Ended::Stationary, "{method:?}");
+    }
+}
+
+/// A sequence is evaluated at the start, and once or twice in each step of the descents of ours: as a
+/// trial, with its gradient, and for dynamic programming with its Hessian.
+#[test]
+fn evaluations_are_counted() {
+    let flat = Constant::<2>::new(SMatrix::identity()).expect("definite");
+    let metric = Prepared::new(flat);
+    let bent = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]].map(SVector::from);
+    let bent = PointSequence::new(bent.to_vec()).expect("finite");
+    // The energy is quadratic, and the first step of both leads to its minimum.
+    for (method, evaluations) in [
+        (Method::Sobolev, 3),
+        (Method::Dynamic(SecondOrder::Full), 4),
+        (Method::Dynamic(SecondOrder::GaussNewton), 4),
+    ] {
+        let found = method.run(&metric, Trapezoidal, &bent, &Limits::default(), &mut go_on);
+        let found = found.expect("a metric");
+        assert_eq!((found.iterations, found.evaluations), (1, evaluations), "{method:?}");
+    }
+}
+
 /// One chord has no inner point, and two chords have one.
 #[test]
 fn the_smallest_grids_have_a_minimum_too() {

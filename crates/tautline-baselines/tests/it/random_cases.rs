@@ -4,8 +4,12 @@ use nalgebra::{SMatrix, SVector, vector};
 use tautline::gallery::{Bump, Hyperbolic, Valleys};
 use tautline::{Ends, KnownDistance, Metric, Scalar};
 use tautline_baselines::collocation::{Collocation, CollocationError, collocate};
-use tautline_baselines::geodesic_calculus::{discrete_exponential, extend, midpoint};
-use tautline_baselines::shooting::{Integration, Shooting, ShootingError, exponential, shoot};
+use tautline_baselines::geodesic_calculus::{
+    CalculusError, discrete_exponential, discrete_geodesic, extend, midpoint,
+};
+use tautline_baselines::shooting::{
+    Integration, Shooting, ShootingError, exponential, logarithm, shoot,
+};
 use tautline_chance::{Random, cases, seed};
 
 use crate::problems::{shear, swirl};
@@ -73,6 +77,7 @@ fn energies_out_of_range_are_errors() {
 #[test]
 fn extreme_numbers_do_not_panic() {
     fn check(metric: &impl Metric<2>) {
+        let mut refused = 0;
         let sizes = [0.0, 5e-324, 1e-200, 1e-8, 1.0, 1e8, 1e200, f64::MAX];
         for a in sizes {
             for b in sizes {
@@ -89,8 +94,19 @@ fn extreme_numbers_do_not_panic() {
                     assert!(path.extent().is_finite());
                 }
                 let options = Shooting { integration: few, iterations: 3, velocity: None };
+                let shot = logarithm(metric, &x, &y, &options);
+                assert!(shot.is_err() || shot.is_ok_and(|v| v.iter().all(|v| v.is_finite())));
+                let path = discrete_geodesic(metric, &x, &y, 3);
+                assert!(path.is_err() || path.is_ok_and(|path| path.extent().is_finite()));
                 // The largest numbers are too far from the origin for a pair of ends.
-                let Ok(ends) = Ends::points(x, y) else { continue };
+                let Ok(ends) = Ends::points(x, y) else {
+                    let shot = logarithm(metric, &x, &y, &options);
+                    assert!(matches!(shot, Err(ShootingError::Ends(_))), "{shot:?}");
+                    let path = discrete_geodesic(metric, &x, &y, 3);
+                    assert!(matches!(path, Err(CalculusError::Ends(_))), "{path:?}");
+                    refused += 1;
+                    continue;
+                };
                 if let Ok(shot) = shoot(metric, &ends, &options) {
                     assert!(shot.residual.is_finite() && shot.geodesic.length().is_finite());
                 }
@@ -101,6 +117,7 @@ fn extreme_numbers_do_not_panic() {
                 }
             }
         }
+        assert!(refused > 0);
     }
     check(&Valleys);
     check(&Hyperbolic);

@@ -52,7 +52,11 @@ impl<const D: usize> Residual<D> {
     ) -> (f64, f64) {
         let n = self.last as f64;
         let momentum = magnitude.momentum();
-        if !(momentum > 0.0) {
+        // Without a metric there is no residual that could be small.
+        if momentum.is_nan() {
+            return (f64::INFINITY, 0.0);
+        }
+        if momentum == 0.0 {
             return (0.0, 0.0);
         }
         // A coordinate is rounded with the variance u²/12, where u ≤ ε max |x|, so that xₙ₋₁ − 2xₙ
