@@ -10,7 +10,7 @@
 //! | [`graph()`] | shortest paths along a lattice | two closed sets |
 //! | [`eikonal()`] | the distance from a set at the nodes of a lattice, by fast marching | two closed sets |
 //!
-//! They need the formula of the metric alone: all derivatives come from jets. The last two see the
+//! They need the formula of the metric alone: all derivatives come from it. The last two see the
 //! whole of a box, in up to three or four dimensions; the others are local. A path along a lattice
 //! becomes a start of the local ones by its `sequence(n)`: see [`Starts::Only`](tautline::Starts::Only)
 //! and [`Collocation::start`](collocation::Collocation::start).

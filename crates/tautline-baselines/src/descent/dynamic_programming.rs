@@ -68,7 +68,10 @@ pub fn dynamic_programming<'a, const D: usize, R: Rule>(
         }
         search.evaluations += 1;
         let chords = chords(search.metric, R::NODES, &here.sequence, form);
-        let chords = chords.expect("every iterate has a metric");
+        // On the edge of positive definite, two programs may round to either side.
+        let Some(chords) = chords else {
+            return Ok(search.descended(here, Ended::Stalled, iteration));
+        };
         let there = loop {
             let policy = Policy::new(&chords, shift * here.stiffness());
             let found = policy.and_then(|policy| follow(&mut search, &here, &policy));

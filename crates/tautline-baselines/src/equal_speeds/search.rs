@@ -61,12 +61,16 @@ pub fn equal_speeds<'a, const D: usize, R: Rule>(
     limits: &Limits,
     watcher: &'a mut Watcher<'a, D>,
 ) -> Result<EqualSpeeds<D>, DescentError> {
-    let (mut search, Here { sequence, .. }) = Search::begin(metric, rule, start, limits, watcher)?;
-    let n = sequence.n().get();
+    let (mut search, here) = Search::begin(metric, rule, start, limits, watcher)?;
+    let n = here.sequence.n().get();
     let [first, factor, last] = SHIFTS;
     let (mut shift, mut penalty) = (0.0, 0.0_f64);
-    let at = At::new(metric, R::NODES, sequence, vec![1.0 / n as f64; n]);
-    let mut at = at.expect("the start has a metric");
+    let multipliers = vec![1.0 / n as f64; n];
+    // On the edge of positive definite, two programs may round to either side.
+    let Some(mut at) = At::new(metric, R::NODES, here.sequence.clone(), multipliers) else {
+        let descended = search.descended(here, Ended::Stalled, 0);
+        return Ok(EqualSpeeds { descended, speed_residual: f64::INFINITY });
+    };
     for iteration in 0.. {
         let speeds = at.speed_residual();
         if let Some(ended) = search.end_if(&at.here, iteration, speeds <= limits.tolerance) {
