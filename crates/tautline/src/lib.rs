@@ -128,8 +128,9 @@ pub use tautline_metrics::{
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Entry, Estimate, Iterate, LeadingConstants, Level, Minimum,
-    NewtonStep, Options, Other, SolveError, Starts, Stop, Trace, Watcher, Workspace, extrapolate,
-    leading_constants, minimise, minimise_by_batches, minimise_in, minimise_watched, newton_step,
+    NewtonStep, Options, Other, SolveError, Starts, Stop, Trace, Watcher, Workspace, are_apart,
+    extrapolate, leading_constants, minimise, minimise_by_batches, minimise_in, minimise_watched,
+    newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table};
 pub use tautline_sets::{

@@ -4,7 +4,7 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 27] = [
+const BELOW: [(&str, &str); 28] = [
     ("drawing", ""),
     ("chance", ""),
     ("array", ""),
@@ -25,6 +25,7 @@ const BELOW: [(&str, &str); 27] = [
         "bounds certify check discretizations distance formula lattice metrics optimizers scalar sets spline",
     ),
     ("baselines", "chance tautline"),
+    ("minima", "baselines chance tautline"),
     ("portrait", "chance drawing tautline"),
     ("page", "drawing tautline"),
     ("problem", "array chance portrait tautline"),

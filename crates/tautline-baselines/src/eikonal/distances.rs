@@ -160,11 +160,12 @@ impl<'s, M: Metric<D>, const D: usize> Distances<'s, M, D> {
         (weights > 0.0 && direction.iter().all(|along| along.is_finite())).then_some(direction)
     }
 
-    /// Returns the gradient of the values at a node: central differences, or one-sided ones next to nodes
-    /// that were not reached.
-    fn gradient(&self, node: usize) -> Option<SVector<f64, D>> {
+    /// Returns the gradient of the values at a node, in `m/ℓ`: central differences, or one-sided ones next
+    /// to nodes that were not reached. `None` at a node that was not reached, or that there is not.
+    #[must_use]
+    pub fn gradient(&self, node: usize) -> Option<SVector<f64, D>> {
         let lattice = self.equation.lattice();
-        let here = Some(self.values[node]).filter(|value| value.is_finite())?;
+        let here = self.values.get(node).copied().filter(|value| value.is_finite())?;
         let place = lattice.place(node);
         let slope = |i: usize| {
             let beside = [1, -1].map(|side| {

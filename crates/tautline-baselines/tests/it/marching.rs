@@ -226,3 +226,29 @@ fn first_order_marching_is_monotone() {
         assert!(low.iter().all(|value| value.is_finite() && *value < 10.0));
     }
 }
+
+/// The gradients of the values solve the equation that they come from, `∇uᵀH⁻¹∇u = 1`, up to the spacing
+/// over the distance from the source; a node that there is not has none.
+#[test]
+fn gradients_have_unit_length() {
+    let metric = Swirl::new(1.0, 0.8).expect("a width");
+    let cube = Cube { half: 2.0, inner: 1.5 };
+    let lattice = cube.lattice(0.05);
+    let equation = Eikonal::new(&metric, &lattice).expect("stencils");
+    let source = Ball::new([0.2, -0.1], 0.4).expect("a ball");
+    let distances = equation.distances_from(&source, Order::Second).expect("reached");
+    let mut checked = 0;
+    for node in 0..lattice.nodes() {
+        let x: SVector<f64, 2> = lattice.point(node);
+        if x.amax() > cube.inner || (x - source.project(&x)).norm() < 0.3 {
+            continue;
+        }
+        let slope = distances.gradient(node).expect("it was reached");
+        let h: SMatrix<f64, 2, 2> = metric.gram(&x);
+        let square = slope.dot(&h.cholesky().expect("positive definite").solve(&slope));
+        assert!((square - 1.0).abs() < 0.1, "{square} at {x}");
+        checked += 1;
+    }
+    assert!(checked > 1000);
+    assert_eq!(distances.gradient(lattice.nodes()), None);
+}

@@ -1,0 +1,122 @@
+//! Local minima that are followed through a family of metrics.
+
+use nalgebra::SVector;
+use tautline::{
+    Ends, Metric, Minimum, Options, PointSequence, Problem, Rule, SolveError, Starts, TautLine,
+    are_apart,
+};
+
+/// The least step to either side of a followed minimum, as a part of the extent of the curve.
+const LEAST_STEP: f64 = 0.05;
+
+/// A local minimum that was followed to the last metric of a family.
+#[derive(Clone, Debug)]
+pub struct Branch<M, R, const D: usize> {
+    /// The line under the last metric.
+    pub line: TautLine<M, R, D>,
+    /// The parameter from which on it was known: where it split off another one, or the first.
+    pub since: f64,
+}
+
+/// Follows local minima through a family of metrics, from the first parameter to the last, and returns
+/// those of the last metric, shortest first, at most `most` of them.
+///
+/// A bump that rises under a curve makes it unstable: where it was there is a saddle, with a minimum on
+/// either side. Therefore each minimum is followed from where it was, and also from its last step
+/// continued and turned round, which leads to the other side. Of minima along the same curve one is
+/// followed.
+///
+/// # Errors
+///
+/// Those of [`Problem::solve`] for the first metric, and [`SolveError::NoStart`] without parameters. A
+/// branch without a minimum under a later metric ends; if all do, the error of the last is returned.
+pub fn follow<M: Metric<D>, R: Rule, const D: usize>(
+    family: impl Fn(f64) -> M,
+    parameters: &[f64],
+    ends: &Ends<D>,
+    rule: R,
+    n: usize,
+    most: usize,
+) -> Result<Vec<Branch<M, R, D>>, SolveError> {
+    let Some((&first, later)) = parameters.split_first() else { return Err(SolveError::NoStart) };
+    let line = Problem::new(family(first), ends.clone()).solve(rule, n)?;
+    let others = line.other_minima();
+    let mut branches: Vec<Branch<M, R, D>> = Vec::new();
+    for line in std::iter::once(line).chain(others) {
+        keep(&mut branches, Branch { line, since: first });
+    }
+    for &parameter in later {
+        let problem = Problem::new(family(parameter), ends.clone());
+        let mut failure = SolveError::NoStart;
+        let mut next = Vec::new();
+        for branch in &branches {
+            let before = branch.line.sequence();
+            let mut from = |start: PointSequence<D>, since: f64| {
+                let starts = Starts::OnTheGrid(vec![start]);
+                match problem.solve_with(rule, n, &Options { starts, ..Options::default() }) {
+                    Ok(line) => {
+                        let sequence = line.sequence().clone();
+                        keep(&mut next, Branch { line, since });
+                        Some(sequence)
+                    }
+                    Err(error) => {
+                        failure = error;
+                        None
+                    }
+                }
+            };
+            if let Some(after) = from(before.clone(), branch.since)
+                && let Some(sides) = sides(before, &after)
+            {
+                for side in sides {
+                    from(side, parameter);
+                }
+            }
+        }
+        if next.is_empty() {
+            return Err(failure);
+        }
+        next.truncate(most.max(1));
+        branches = next;
+    }
+    branches.retain(|branch| is_minimum(branch.line.minimum()));
+    Ok(branches)
+}
+
+/// Returns whether a search converged, to a minimum that may be degenerate.
+pub(crate) fn is_minimum<const D: usize>(minimum: &Minimum<D>) -> bool {
+    use tautline::{Curvature, Stop};
+    let is_flat_at_most = !matches!(minimum.curvature, Curvature::Indefinite { .. });
+    minimum.is_local_minimum() || minimum.stop == Stop::Converged && is_flat_at_most
+}
+
+/// Inserts a branch by its length, unless it runs along one that is as old or shorter.
+fn keep<M: Metric<D>, R: Rule, const D: usize>(
+    branches: &mut Vec<Branch<M, R, D>>,
+    branch: Branch<M, R, D>,
+) {
+    let energy = branch.line.discrete_energy();
+    if branches.iter().all(|known| are_apart(branch.line.sequence(), known.line.sequence())) {
+        let is_shorter = |known: &Branch<M, R, D>| known.line.discrete_energy() <= energy;
+        branches.insert(branches.partition_point(is_shorter), branch);
+    }
+}
+
+/// Returns starts on both sides of where a minimum was, in the direction of its step: the step, and the
+/// one turned round. `None` if it did not move.
+fn sides<const D: usize>(
+    before: &PointSequence<D>,
+    after: &PointSequence<D>,
+) -> Option<[PointSequence<D>; 2]> {
+    let step: Vec<SVector<f64, D>> =
+        after.points().iter().zip(before.points()).map(|(new, old)| new - old).collect();
+    let largest = step.iter().map(|step| step.amax()).fold(0.0, f64::max);
+    let from = before.first();
+    let extent = before.points().iter().map(|x| (x - from).amax()).fold(0.0, f64::max);
+    let scale = (LEAST_STEP * extent / largest).max(1.0);
+    let side = |sign: f64| {
+        let points = before.points().iter().zip(&step);
+        PointSequence::new(points.map(|(x, step)| x + step * (sign * scale)).collect()).ok()
+    };
+    Some([side(1.0)?, side(-1.0)?])
+}

@@ -1,0 +1,147 @@
+//! `Minima`: what a search found, and which of it is proved to be the shortest.
+
+use nalgebra::SVector;
+use tautline::{
+    CertificateError, GraphPathError, Metric, Rule, SolveError, TautLine,
+    distance::{Found, Wanted},
+};
+use tautline_baselines::EikonalError;
+
+use crate::{Punctures, Word};
+
+/// The local minima that a search found, each along another curve.
+#[derive(Clone, Debug)]
+pub struct Minima<M, R, const D: usize> {
+    pub(crate) minima: Vec<LocalMinimum<M, R, D>>,
+    pub(crate) punctures: Punctures,
+    pub(crate) starts: usize,
+    pub(crate) refused: Vec<Refused>,
+}
+
+/// A local minimum.
+#[derive(Clone, Debug)]
+pub struct LocalMinimum<M, R, const D: usize> {
+    /// The line. Its [minimum](TautLine::minimum) has the energy and the curvature: positive definite, or
+    /// degenerate.
+    pub line: TautLine<M, R, D>,
+    /// On which sides it passes the punctures.
+    pub word: Word,
+    /// The first start that led to it.
+    pub origin: Origin<D>,
+    /// How many starts led to it.
+    pub hits: usize,
+}
+
+/// Where a start came from.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Origin<const D: usize> {
+    /// The straight line, lines that are bent, or nearest points of the sets.
+    Automatic,
+    /// The shortest lattice path with this word. The minimum may have another one.
+    Class(Word),
+    /// A curve through this pass between two distance fields, in `ℓ`.
+    Pass(SVector<f64, D>),
+    /// Continuation from a flat metric, since this share of the metric.
+    Continuation {
+        /// The share.
+        since: f64,
+    },
+}
+
+/// What a search could not do, and why.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refused {
+    /// There are no lattice paths.
+    #[error("no homotopy classes: {0}")]
+    Classes(#[source] GraphPathError),
+    /// There are no distance fields.
+    #[error("no passes between distance fields: {0}")]
+    Passes(#[source] EikonalError),
+    /// Nothing could be followed from a flat metric.
+    #[error("no continuation: {0}")]
+    Continuation(#[source] SolveError),
+}
+
+/// How a local minimum stands to a proved enclosure of the distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Standing {
+    /// No curve is shorter than it by more than this part of its length.
+    Shortest {
+        /// `(length − lower)/length`, a pure number.
+        gap: f64,
+    },
+    /// It is longer than a curve whose length is proved, by at least this part of the length of that, up
+    /// to the error of its own length, which is estimated.
+    Longer {
+        /// `(length − error − upper)/upper`, a pure number.
+        by: f64,
+    },
+}
+
+/// Local minima beside a certificate of the distance.
+#[derive(Clone, Debug)]
+pub struct Ranked<const D: usize> {
+    /// The certificate, and the enclosure of the distance that it proves.
+    pub found: Found<D>,
+    /// How each minimum stands to it, in their order.
+    pub standings: Vec<Standing>,
+}
+
+impl<M: Metric<D>, R: Rule, const D: usize> Minima<M, R, D> {
+    /// Returns the minima, lowest energy first. There is at least one.
+    #[must_use]
+    pub fn minima(&self) -> &[LocalMinimum<M, R, D>] {
+        &self.minima
+    }
+
+    /// Returns the lowest of the minima.
+    #[must_use]
+    pub fn lowest(&self) -> &TautLine<M, R, D> {
+        &self.minima[0].line
+    }
+
+    /// Returns the punctures that the words of the minima are about.
+    #[must_use]
+    pub fn punctures(&self) -> &Punctures {
+        &self.punctures
+    }
+
+    /// Returns the number of starts.
+    #[must_use]
+    pub fn starts(&self) -> usize {
+        self.starts
+    }
+
+    /// Returns what could not be done, and why.
+    #[must_use]
+    pub fn refused(&self) -> &[Refused] {
+        &self.refused
+    }
+
+    /// Searches for a [certificate](TautLine::certificate) of the distance, and tells how each minimum
+    /// stands to it. If all but one are longer, that one is the shortest of all curves up to its gap,
+    /// whatever the search may have missed.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`TautLine::certificate_with`].
+    pub fn ranked(&self, wanted: Wanted) -> Result<Ranked<D>, CertificateError> {
+        let go_on = &mut |_| std::ops::ControlFlow::Continue(());
+        let found = self.lowest().certificate_with(wanted, go_on)?;
+        let standing = |minimum: &LocalMinimum<M, R, D>| {
+            let length = minimum.line.length();
+            let upper = found.proved.upper.unwrap_or(f64::INFINITY);
+            let by = (length.value - length.error - upper) / upper;
+            if by > 0.0 {
+                Standing::Longer { by }
+            } else {
+                let gap = (length.value - found.proved.lower) / length.value;
+                Standing::Shortest { gap: gap.max(0.0) }
+            }
+        };
+        let standings = self.minima.iter().map(standing).collect();
+        Ok(Ranked { found, standings })
+    }
+}

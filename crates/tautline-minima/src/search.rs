@@ -1,0 +1,235 @@
+//! `GlobalSearch`: all ways to find starts, and the minima to which they lead.
+
+use tautline::{
+    GraphPathError, Lattice, LatticeGraph, Metric, Options, Plain, PointSequence, Problem, Rule,
+    SolveError, Starts, TautLine, are_apart, check_gram,
+};
+use tautline_baselines::EikonalError;
+
+use crate::{
+    Flattened, LocalMinimum, Minima, MinimaError, Origin, Punctures, Refused, class_paths,
+    continuation::is_minimum, follow, pass_paths,
+};
+
+/// Where a search for all minima looks.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct GlobalSearch<const D: usize> {
+    /// The box in which paths are sought, with nodes closer than the details of the metric. Without it
+    /// there are neither classes nor passes.
+    pub lattice: Option<Lattice<D>>,
+    /// The points around which classes are told apart; without them the [peaks](Punctures::peaks) of the
+    /// metric with a prominence of 1.05.
+    pub punctures: Option<Punctures>,
+    /// The most homotopy classes, and the most passes, that are tried.
+    pub most: usize,
+    /// How many times as long as the shortest path a path may be.
+    pub slack: f64,
+    /// The number of steps in which the metric is raised from a flat one; 0 for no continuation.
+    pub steps: usize,
+}
+
+/// The prominence of peaks that are found by themselves.
+const PROMINENCE: f64 = 1.05;
+
+/// How many steps along each axis the edges of the lattice reach.
+const REACH: usize = 2;
+
+impl<const D: usize> Default for GlobalSearch<D> {
+    /// Returns a search without a lattice, of up to 32 classes and passes with paths up to twice as long
+    /// as the shortest, and eight steps of continuation.
+    fn default() -> Self {
+        Self { lattice: None, punctures: None, most: 32, slack: 2.0, steps: 8 }
+    }
+}
+
+impl<const D: usize> GlobalSearch<D> {
+    /// Returns the default search in the box of this lattice.
+    #[must_use]
+    pub fn within(lattice: Lattice<D>) -> Self {
+        Self { lattice: Some(lattice), ..Self::default() }
+    }
+
+    /// Searches for all local minima of the energy with `n` chords.
+    ///
+    /// The starts are those of [`Problem::solve`] and its [other minima](TautLine::other_minima); the
+    /// shortest lattice path of each homotopy class ([`class_paths`]); curves through the passes between
+    /// two distance fields ([`pass_paths`]); and the minima that continuation finds while the metric
+    /// rises from a flat one ([`Flattened`], [`follow`]). Each start leads to one local minimum. Of minima
+    /// along the same curve, up to 2 % of its extent, the lowest is kept.
+    ///
+    /// What cannot be done is no error: it is listed among the [refused](Minima::refused). Nothing proves
+    /// that all minima are found; a [certificate](Minima::ranked) proves which of them is the shortest of
+    /// all curves, up to a gap.
+    ///
+    /// ```
+    /// use tautline::{Ends, Lattice, Problem, Trapezoidal, gallery::{Obstacle, SoftObstacles}};
+    /// use tautline_minima::GlobalSearch;
+    ///
+    /// // Two hills: above, between and below.
+    /// let hill = |y: f64| Obstacle { centre: [0.0, y].into(), height: 20.0, width: 0.3 };
+    /// let hills = SoftObstacles::new(vec![hill(0.7), hill(-0.6)])?;
+    /// let problem = Problem::new(hills, Ends::points([-2.0, 0.0], [2.0, 0.1])?);
+    /// let lattice = Lattice::new([-2.2, -2.0], [2.2, 2.0], 0.1)?;
+    /// let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 64)?;
+    /// assert_eq!(found.minima().len(), 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`MinimaError::Slack`] unless `slack` is at least 1, and [`MinimaError::NoMinimum`].
+    pub fn search<M: Metric<D>, R: Rule>(
+        &self,
+        problem: &Problem<M, D>,
+        rule: R,
+        n: usize,
+    ) -> Result<Minima<M, R, D>, MinimaError> {
+        if !(self.slack >= 1.0) {
+            return Err(MinimaError::Slack { slack: self.slack });
+        }
+        let mut collected = Collected { problem, rule, n, minima: Vec::new(), starts: 0 };
+        let mut refused = Vec::new();
+        let automatic = problem.solve(rule, n);
+        let source = automatic.as_ref().err().cloned();
+        let level = automatic.as_ref().ok().and_then(level);
+        collected.starts += 1;
+        if let Ok(line) = automatic {
+            let others = line.other_minima();
+            collected.keep(line, &Origin::Automatic);
+            for other in others {
+                collected.solve(Some(other.sequence().clone()), &Origin::Automatic);
+            }
+        }
+        let punctures = self.punctures(problem.metric())?;
+        if let Some(lattice) = &self.lattice {
+            if let Err(error) = self.by_classes(&mut collected, lattice, &punctures) {
+                refused.push(Refused::Classes(error));
+            }
+            if let Err(error) = self.by_passes(&mut collected, lattice) {
+                refused.push(Refused::Passes(error));
+            }
+        }
+        if self.steps > 0 {
+            let level = level.ok_or(SolveError::NoStart);
+            let followed = level.and_then(|level| self.by_continuation(&mut collected, level));
+            if let Err(error) = followed {
+                refused.push(Refused::Continuation(error));
+            }
+        }
+        let Collected { mut minima, starts, .. } = collected;
+        if minima.is_empty() {
+            return Err(MinimaError::NoMinimum { starts, source });
+        }
+        minima.sort_by(|a, b| a.line.discrete_energy().total_cmp(&b.line.discrete_energy()));
+        for minimum in &mut minima {
+            minimum.word = punctures.word(minimum.line.sequence().points());
+        }
+        Ok(Minima { minima, punctures, starts, refused })
+    }
+
+    fn punctures<M: Metric<D>>(&self, metric: &M) -> Result<Punctures, MinimaError> {
+        match (&self.punctures, &self.lattice) {
+            (Some(punctures), _) => Ok(punctures.clone()),
+            (None, Some(lattice)) => Punctures::peaks(metric, lattice, PROMINENCE),
+            (None, None) => Punctures::new(Vec::new()),
+        }
+    }
+
+    fn by_classes<M: Metric<D>, R: Rule>(
+        &self,
+        collected: &mut Collected<'_, M, R, D>,
+        lattice: &Lattice<D>,
+        punctures: &Punctures,
+    ) -> Result<(), GraphPathError> {
+        let metric = Plain::new(collected.problem.metric());
+        let graph = LatticeGraph::new(&metric, lattice.clone(), REACH)?;
+        let ends = collected.problem.ends();
+        for path in class_paths(&graph, ends, punctures, self.most, self.slack)? {
+            collected.solve(path.sequence(collected.n).ok(), &Origin::Class(path.word().clone()));
+        }
+        Ok(())
+    }
+
+    fn by_passes<M: Metric<D>, R: Rule>(
+        &self,
+        collected: &mut Collected<'_, M, R, D>,
+        lattice: &Lattice<D>,
+    ) -> Result<(), EikonalError> {
+        let problem = collected.problem;
+        for path in pass_paths(problem.metric(), problem.ends(), lattice, self.most, self.slack)? {
+            collected.solve(path.sequence(collected.n).ok(), &Origin::Pass(*path.pass()));
+        }
+        Ok(())
+    }
+
+    fn by_continuation<M: Metric<D>, R: Rule>(
+        &self,
+        collected: &mut Collected<'_, M, R, D>,
+        level: f64,
+    ) -> Result<(), SolveError> {
+        let Collected { problem, rule, n, .. } = *collected;
+        let metric = problem.metric();
+        let shares: Vec<f64> =
+            (0..=self.steps).map(|step| step as f64 / self.steps as f64).collect();
+        let family = |share| Flattened { metric, level, share };
+        let branches = follow(family, &shares, problem.ends(), rule, n, self.most)?;
+        for branch in branches {
+            let start = branch.line.sequence().clone();
+            collected.solve(Some(start), &Origin::Continuation { since: branch.since });
+        }
+        Ok(())
+    }
+}
+
+/// Returns a level `c` with `H ≥ c I` at the points of a line, `1/‖H⁻¹‖`.
+fn level<M: Metric<D>, R: Rule, const D: usize>(line: &TautLine<M, R, D>) -> Option<f64> {
+    let points = line.sequence().points().iter();
+    let inverse = |x| Some(check_gram(line.metric(), x).ok()?.cholesky()?.inverse().norm());
+    points.map(inverse).try_fold(0.0, |most, norm| Some(f64::max(most, norm?))).map(f64::recip)
+}
+
+/// The minima so far.
+struct Collected<'p, M, R, const D: usize> {
+    problem: &'p Problem<M, D>,
+    rule: R,
+    n: usize,
+    minima: Vec<LocalMinimum<M, R, D>>,
+    starts: usize,
+}
+
+impl<M: Metric<D>, R: Rule, const D: usize> Collected<'_, M, R, D> {
+    /// Searches from a start, if there is one.
+    fn solve(&mut self, start: Option<PointSequence<D>>, origin: &Origin<D>) {
+        self.starts += 1;
+        let Some(start) = start else { return };
+        let starts = Starts::OnTheGrid(vec![start]);
+        let options = Options { starts, ..Options::default() };
+        if let Ok(line) = self.problem.solve_with(self.rule, self.n, &options) {
+            self.keep(line, origin);
+        }
+    }
+
+    /// Keeps a line that is a minimum and no other one, or a lower one.
+    fn keep(&mut self, line: TautLine<M, R, D>, origin: &Origin<D>) {
+        if !is_minimum(line.minimum()) {
+            return;
+        }
+        let is_same =
+            |known: &&mut LocalMinimum<M, R, D>| !are_apart(line.sequence(), known.line.sequence());
+        match self.minima.iter_mut().find(is_same) {
+            Some(known) => {
+                known.hits += 1;
+                if line.discrete_energy() < known.line.discrete_energy() {
+                    known.line = line;
+                }
+            }
+            None => self.minima.push(LocalMinimum {
+                line,
+                word: Default::default(),
+                origin: origin.clone(),
+                hits: 1,
+            }),
+        }
+    }
+}

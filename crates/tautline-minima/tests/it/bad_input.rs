@@ -1,0 +1,77 @@
+//! What cannot be searched is told.
+
+use nalgebra::{SMatrix, SVector};
+use tautline::{
+    Ends, GraphPathError, Lattice, Metric, Problem, Scalar, SolveError, Trapezoidal,
+    gallery::Valleys,
+};
+use tautline_baselines::EikonalError;
+use tautline_minima::{GlobalSearch, MinimaError, Punctures, Refused, follow};
+
+fn problem() -> Problem<Valleys, 2> {
+    Problem::new(Valleys, Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite"))
+}
+
+#[test]
+fn a_lattice_far_from_an_end_refuses_paths_and_nothing_is_lost() {
+    let lattice = Lattice::new([-1.0, -1.0], [0.5, 1.0], 0.1).expect("a box");
+    let found = GlobalSearch::within(lattice).search(&problem(), Trapezoidal, 16).expect("found");
+    assert_eq!(found.minima().len(), 1);
+    let [Refused::Classes(classes), Refused::Passes(passes)] = found.refused() else {
+        panic!("{:?}", found.refused())
+    };
+    assert_eq!(*classes, GraphPathError::FarFromEnd { end: "second" });
+    assert_eq!(*passes, EikonalError::FarFromEnd { end: "second" });
+}
+
+/// Between the ends there is a gap without a metric.
+#[derive(Debug)]
+struct Torn;
+
+impl Metric<2> for Torn {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let beside = ((x[0] - 0.5).sqr() - 0.04).sqrt();
+        SMatrix::identity() * (beside * 0.0 + 1.0)
+    }
+}
+
+#[test]
+fn ends_that_nothing_joins_have_no_minimum() {
+    let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
+    let lattice = Lattice::new([-1.0, -1.0], [2.0, 1.0], 0.1).expect("a box");
+    let search = GlobalSearch::within(lattice);
+    let error = search.search(&Problem::new(Torn, ends), Trapezoidal, 16).expect_err("torn");
+    let MinimaError::NoMinimum { starts: 1, source: Some(SolveError::Metric(_)) } = error else {
+        panic!("{error:?}")
+    };
+}
+
+#[test]
+fn numbers_out_of_range_are_errors() {
+    let lattice = Lattice::new([-1.0, -1.0], [2.0, 2.0], 0.1).expect("a box");
+    for slack in [0.5, f64::NAN] {
+        let mut search = GlobalSearch::within(lattice.clone());
+        search.slack = slack;
+        let error = search.search(&problem(), Trapezoidal, 16);
+        assert!(matches!(error, Err(MinimaError::Slack { .. })));
+    }
+    let error = GlobalSearch::default().search(&problem(), Trapezoidal, 0);
+    let Err(MinimaError::NoMinimum { source: Some(SolveError::NoSubinterval), .. }) = error else {
+        panic!("{error:?}")
+    };
+    let twice = Punctures::new(vec![[0.0, 0.0]; 2]);
+    assert!(matches!(twice, Err(MinimaError::Puncture { number: 2, .. })));
+    let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
+    let nothing = follow(|_| Valleys, &[], &ends, Trapezoidal, 16, 8);
+    assert_eq!(nothing.map(|_| ()), Err(SolveError::NoStart));
+}
+
+/// Neither classes nor passes nor continuation: the automatic search is left.
+#[test]
+fn without_ways_there_is_the_automatic_search() {
+    let lattice = Lattice::new([-1.0, -1.0], [2.0, 2.0], 0.1).expect("a box");
+    let mut search = GlobalSearch::within(lattice);
+    (search.most, search.steps) = (0, 0);
+    let found = search.search(&problem(), Trapezoidal, 16).expect("found");
+    assert_eq!((found.minima().len(), found.starts()), (1, 1));
+}

@@ -1,0 +1,84 @@
+//! Minima of a bump that rises.
+
+use tautline::{Ends, Problem, Trapezoidal, are_apart, gallery::Bump};
+use tautline_minima::{Flattened, GlobalSearch, follow};
+
+/// The bump `φ² I` with `φ = 1 + a e^{−r²/2s²}` lies on the line from `(−L, 0)` to `(L, 0)`. The second
+/// variation of the length for the displacement `η` across is `∫ φ η′² − (a/s²) e^{−x²/2s²} η²`: it is
+/// positive on the grid of `n` intervals exactly if the pivots of its tridiagonal matrix are.
+fn is_stable(a: f64, s: f64, half: f64, n: usize) -> bool {
+    let h = 2.0 * half / n as f64;
+    let gaussian = |x: f64| (-x * x / (2.0 * s * s)).exp();
+    let stiffness = |k: f64| (1.0 + a * gaussian(-half + k * h)) / h;
+    let mut pivot = f64::INFINITY;
+    (1..n).all(|k| {
+        let (left, right) = (stiffness(k as f64 - 0.5), stiffness(k as f64 + 0.5));
+        let well = h * a / (s * s) * gaussian(-half + k as f64 * h);
+        pivot = left + right - well - if k > 1 { left * left / pivot } else { 0.0 };
+        pivot > 0.0
+    })
+}
+
+/// The line over the bump is a minimum up to the height at which its second variation loses its sign.
+/// There it splits into two mirror images.
+#[test]
+fn a_rising_bump_splits_the_line_where_the_second_variation_vanishes() {
+    let (s, half, n) = (0.5, 1.5, 64);
+    let (mut low, mut high) = (0.0, 4.0);
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        *(if is_stable(middle, s, half, 4096) { &mut low } else { &mut high }) = middle;
+    }
+    let critical = low;
+    assert!((0.1..3.0).contains(&critical), "{critical}");
+    let ends = Ends::points([-half, 0.0], [half, 0.0]).expect("finite");
+    let family = |a: f64| Bump::new(a, s).expect("a bump");
+    // The error of 64 chords moves the critical height by their square, some 10⁻³ of it.
+    for (last, expected) in [(0.98 * critical, 1), (1.1 * critical, 2)] {
+        let heights: Vec<f64> = (0..=10).map(|k| last * f64::from(k) / 10.0).collect();
+        let branches = follow(family, &heights, &ends, Trapezoidal, n, 8).expect("followed");
+        assert_eq!(branches.len(), expected, "up to {last} of {critical}");
+        let line = branches[0].line.sequence();
+        let bend = line.points().iter().map(|x| x[1].abs()).fold(0.0, f64::max);
+        if let [_, other] = &branches[..] {
+            assert!(bend > 0.1 && are_apart(line, other.line.sequence()));
+            let [a, b] = [&branches[0], other].map(|branch| branch.line.discrete_energy());
+            // Mirror images, each to the floor of rounding.
+            assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
+            // The heights are rounded.
+            assert!((other.since / last - 1.0).abs() < 1e-15, "{}", other.since);
+        } else {
+            assert!(bend < 1e-6, "{bend}");
+        }
+    }
+}
+
+/// A flattened metric is Euclidean at first and the metric at last.
+#[test]
+fn a_flattened_metric_goes_from_flat_to_whole() {
+    use tautline::{Metric, SMatrix, SVector};
+    let metric = &Bump::new(3.0, 0.5).expect("a bump");
+    let x = SVector::from([0.2, -0.1]);
+    let at =
+        |share: f64| -> SMatrix<f64, 2, 2> { Flattened { metric, level: 0.7, share }.gram(&x) };
+    let (whole, one): (SMatrix<f64, 2, 2>, _) = (metric.gram(&x), SMatrix::<f64, 2, 2>::identity());
+    assert_eq!(at(0.0), one * 0.7);
+    assert_eq!(at(1.0), whole);
+    // Exact up to two roundings.
+    assert!((at(0.25) - (whole * 0.25 + one * 0.525)).amax() < 1e-14);
+}
+
+/// Without a lattice both sides of a bump are found, the far one of which splits off while it rises.
+#[test]
+fn continuation_alone_finds_both_sides() {
+    let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
+    let problem = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends.clone());
+    let metric = problem.metric();
+    let shares: Vec<f64> = (0..=8).map(|k| f64::from(k) / 8.0).collect();
+    let family = |share| Flattened { metric, level: 1.0, share };
+    let branches = follow(family, &shares, &ends, Trapezoidal, 64, 8).expect("followed");
+    let search = GlobalSearch::default();
+    let found = search.search(&problem, Trapezoidal, 64).expect("found");
+    assert_eq!((branches.len(), found.minima().len()), (2, 2));
+    assert!(branches[1].since > 0.0);
+}

@@ -1,0 +1,9 @@
+//! Tests of the search for all minima.
+
+mod bad_input;
+mod classes;
+mod continuation;
+mod landscapes;
+mod obstacles;
+mod passes;
+mod setup;

@@ -1,0 +1,77 @@
+//! Curves through passes between two distance fields.
+
+use tautline::{Ball, Ends, HalfSpace, Lattice, Options, Problem, Starts, Trapezoidal, are_apart};
+use tautline_minima::{GlobalSearch, pass_paths};
+
+use crate::setup::{PAST, Planar, around, two_hills};
+
+/// Each of the three ways past two hills has a pass. The curve through it is longer than the minimum to
+/// which it leads by the errors of two descents, of the order of the spacing over its length. Some
+/// curves through further nodes without a corner are much longer.
+#[test]
+fn each_way_past_the_hills_has_a_pass() {
+    let ends = Ends::points(PAST[0], PAST[1]).expect("finite");
+    let problem = Problem::new(two_hills(), ends.clone());
+    let known = GlobalSearch::within(around()).search(&problem, Trapezoidal, 64).expect("found");
+    let paths = pass_paths(problem.metric(), &ends, &around(), 9, 2.0).expect("passes");
+    let mut longer = [f64::INFINITY; 3];
+    for path in &paths {
+        let sequence = path.sequence(64).expect("chords");
+        assert!(sequence.points().windows(2).all(|pair| (pair[1] - pair[0]).norm() < 0.2));
+        // The pass is on the curve.
+        let nearest = sequence.points().iter().map(|x| (x - path.pass()).norm());
+        assert!(nearest.fold(f64::INFINITY, f64::min) < 0.1);
+        let options = Options { starts: Starts::OnTheGrid(vec![sequence]), ..Options::default() };
+        let line = problem.solve_with(Trapezoidal, 64, &options).expect("solved");
+        let is_it = |k: &usize| !are_apart(line.sequence(), known.minima()[*k].line.sequence());
+        let way = (0..3).find(is_it).expect("one of the ways");
+        longer[way] = longer[way].min(path.length() / line.length().value - 1.0);
+    }
+    assert!(longer.iter().all(|longer| (-1e-3..0.05).contains(longer)), "{longer:?}");
+}
+
+/// A slack of 1 leaves the lowest pass, that of the minimal geodesic.
+#[test]
+fn slack_and_number_bound_the_passes() {
+    let ends = Ends::points(PAST[0], PAST[1]).expect("finite");
+    let paths =
+        |most, slack| pass_paths(&two_hills(), &ends, &around(), most, slack).expect("passes");
+    let all = paths(9, 2.0);
+    assert!(all.len() >= 3);
+    assert_eq!(paths(2, 2.0), all[..2]);
+    assert!(paths(0, 2.0).is_empty());
+    let [only] = &paths(9, 1.0)[..] else { panic!("one pass") };
+    let shortest = all.iter().map(|path| path.length()).fold(f64::INFINITY, f64::min);
+    assert!((only.length() / shortest - 1.0).abs() < 0.02);
+}
+
+/// In space the ways past two pillars are those of the plane.
+#[test]
+fn pillars_in_space_have_three_passes() {
+    let [a, b] = PAST.map(|[x, y]| [x, y, 0.0]);
+    let ends = Ends::points(a, b).expect("finite");
+    let lattice = Lattice::new([-2.2, -2.0, -0.4], [2.2, 2.0, 0.4], 0.2).expect("a box");
+    let paths = pass_paths(&Planar(two_hills()), &ends, &lattice, 9, 2.0).expect("passes");
+    let height = |at: f64| paths.iter().any(|path| (path.pass()[1] - at).abs() < 0.35);
+    assert!(height(1.7) && height(0.1) && height(-1.5), "{paths:?}");
+}
+
+/// Between sets the ends are free: from a ball to a half-plane there are three ways past the hills, and the
+/// last chord is normal to the edge of the half-plane.
+#[test]
+fn between_sets_there_are_three_ways_as_well() {
+    let ball = Ball::new([-2.0, 0.0], 0.2).expect("a ball");
+    let side = HalfSpace::new([-1.0, 0.0], -2.0).expect("a half-plane");
+    let problem = Problem::new(two_hills(), Ends::new(ball, side).expect("bounded"));
+    let lattice = Lattice::new([-2.6, -2.2], [2.2, 2.2], 0.1).expect("a box");
+    let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 64).expect("found");
+    assert!(found.refused().is_empty(), "{:?}", found.refused());
+    assert_eq!(found.minima().len(), 3);
+    for minimum in found.minima() {
+        assert!(minimum.line.minimum().is_local_minimum());
+        let points = minimum.line.sequence().points();
+        let last = points[64] - points[63];
+        // The metric is nearly flat there; the normality of a chord is off by its length.
+        assert!(last[1].abs() < 0.05 * last[0], "{last}");
+    }
+}
