@@ -49,6 +49,8 @@ pub(crate) struct Options {
     only_these_starts: bool,
     /// The first node, the corner at which the nodes end, and their spacing.
     lattice: Option<(Vec<f64>, Vec<f64>, Vec<f64>)>,
+    /// The most homotopy classes of paths along it.
+    classes: usize,
     steps: Option<usize>,
     threads: Option<usize>,
 }
@@ -279,10 +281,20 @@ impl Program {
     }
 
     fn request(&self, options: Options) -> PyResult<Request> {
-        let Options { n, tolerance, rule, starts, only_these_starts, lattice, steps, threads } =
-            options;
+        let Options {
+            n,
+            tolerance,
+            rule,
+            starts,
+            only_these_starts,
+            lattice,
+            classes,
+            steps,
+            threads,
+        } = options;
         let grid = tolerance.map_or(Grid::Chords(n), Grid::Tolerance);
-        let lattice = lattice.map(|(lower, upper, spacing)| Nodes { lower, upper, spacing });
+        let nodes = |(lower, upper, spacing)| Nodes { lower, upper, spacing, classes };
+        let lattice = lattice.map(nodes);
         let rule = match &rule[..] {
             "trapezoidal" => RuleName::Trapezoidal,
             "left_endpoint" => RuleName::LeftEndpoint,

@@ -34,6 +34,7 @@ def solve(
     rule: str = "trapezoidal",
     starts: Starts = (),
     only_these_starts: bool = False,
+    classes: int = 1,
     steps: int | None = None,
     threads: int | None = None,
 ) -> Curve:
@@ -47,8 +48,10 @@ def solve(
     in place of them: an array of shape (m, D), a curve, or a list of such. `steps` is the largest
     number of Newton steps of a search on one grid. `threads` is 1 or 2. If the metric has a
     `lattice`, as an image has, a second search starts from a shortest path along it, unless
-    `only_these_starts`, and the shorter curve is returned. Sets that are far from its nodes are joined
-    without it. The result is a local minimiser: `Curve.certificate` says whether another curve may be
+    `only_these_starts`, and the shorter curve is returned. With `classes` above 1 the paths are the
+    shortest ones of as many homotopy classes, ways around the peaks and holes of the metric, and
+    `Curve.other_minima` has up to eight of the curves to which they lead. Sets that are far from its
+    nodes are joined without it. The result is a local minimiser: `Curve.certificate` says whether another curve may be
     shorter.
 
     Warns with `UnresolvedWarning` if the chords do not resolve the metric, if a shorter local minimum was
@@ -68,8 +71,14 @@ def solve(
         )
     if tolerance is not None:
         options["tolerance"] = number(tolerance, "the tolerance")
+    classes = whole(classes, "classes")
+    if classes > 1 and not searches_lattice:
+        raise ProblemError(
+            f"classes = {classes} without a lattice: set metric.lattice to its first node, its last one, and the "
+            "spacing"
+        )
     if searches_lattice:
-        options["lattice"] = _lattice(metric.lattice)
+        options["lattice"], options["classes"] = _lattice(metric.lattice), classes
     ends = as_set(start, "the start"), as_set(goal, "the goal")
     beside = ""
     try:
@@ -246,6 +255,7 @@ def _options(
         "starts": starts,
         "only_these_starts": only_these_starts,
         "lattice": None,
+        "classes": 1,
     }
 
 

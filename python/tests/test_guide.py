@@ -60,6 +60,19 @@ class Lattices(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, says):
                 tautline.solve(metric, [0, 0], [1, 1])
 
+    def test_classes_find_every_way_past_the_hills(self):
+        hills = "1 + " + " + ".join(f"20*exp(-(x1^2 + (x2 - ({y}))^2)/0.08)" for y in (-1.0, 0.1, 1.3))
+        metric, ends = tautline.Metric.cost(hills, 2), ([-2, 0], [2, 0.1])
+        with self.assertRaisesRegex(ValueError, "classes = 4 without a lattice"):
+            tautline.solve(metric, *ends, n=64, classes=4)
+        metric.lattice = ([-2.2, -2.0], [2.2, 2.2], 0.1)
+        # Below, above and twice between them.
+        self.assertEqual(len(tautline.solve(metric, *ends, n=64, classes=4).other_minima) + 1, 4)
+        self.assertLess(len(tautline.solve(metric, *ends, n=64).other_minima) + 1, 4)
+        for classes in (0, 1.5, True):
+            with self.assertRaisesRegex(ValueError, "classes is .*; expected a whole number"):
+                tautline.solve(metric, *ends, n=64, classes=classes)
+
 
 class Tables(unittest.TestCase):
     def test_metrics_that_call_other_tables_are_others(self):

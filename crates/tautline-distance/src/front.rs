@@ -52,8 +52,8 @@ impl Front {
     /// spacing.
     ///
     /// `inverse` returns `H⁻¹` at a node, or `None` where there is no metric: such a node is never
-    /// reached. `neighbour` returns the node at an offset in steps from a node, if there is one. In more
-    /// than three dimensions only the diagonal of `H⁻¹` counts.
+    /// reached. `neighbour` returns the node at an offset in steps from a node, if there is one; one beyond
+    /// the last is none. In more than three dimensions only the diagonal of `H⁻¹` counts.
     #[must_use]
     pub fn new<const D: usize>(
         count: usize,
@@ -63,7 +63,8 @@ impl Front {
     ) -> Self {
         let of_node = |node: usize| -> Vec<Direction> {
             let at = |e: &[i32; D], k: i32| {
-                neighbour(node, &e.map(|along| along * k)).map_or(NONE, |other| other as u32)
+                let other = neighbour(node, &e.map(|along| along * k));
+                other.filter(|&other| other < count).map_or(NONE, |other| other as u32)
             };
             let terms = inverse(node).map(|inverse| selling(&inverse)).unwrap_or_default();
             terms
@@ -107,9 +108,12 @@ impl Front {
         self.spacing
     }
 
-    /// Returns the nodes from which a node is updated: those at `±eₖ`, one step away.
+    /// Returns the nodes from which a node is updated: those at `±eₖ`, one step away. A node beyond the last
+    /// has none.
     pub fn neighbours(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
-        let directions = &self.directions[self.first[node] as usize..self.first[node + 1] as usize];
+        let of_node = self.first.get(node..).and_then(|rest| Some(*rest.first()?..*rest.get(1)?));
+        let of_node = of_node.unwrap_or_default();
+        let directions = &self.directions[of_node.start as usize..of_node.end as usize];
         let near = directions.iter().flat_map(|direction| [direction.nodes[0], direction.nodes[1]]);
         near.filter(|&other| other != NONE).map(|other| other as usize)
     }
@@ -210,5 +214,29 @@ impl PartialOrd for Ordered {
 impl Ord for Ordered {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.0.total_cmp(&other.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SMatrix;
+
+    use super::{Front, Order};
+
+    /// On a line the distance from the first node is its number.
+    #[test]
+    fn a_neighbour_beyond_the_last_node_is_none() {
+        for beyond in [None, Some(5), Some(usize::MAX)] {
+            let neighbour = |node: usize, offset: &[i32; 1]| {
+                let other = node as i64 + i64::from(offset[0]);
+                usize::try_from(other).ok().filter(|&other| other < 5).or(beyond)
+            };
+            let front = Front::new(5, 1.0, |_| Some(SMatrix::<f64, 1, 1>::identity()), neighbour);
+            let mut seeds = vec![f64::INFINITY; 5];
+            seeds[0] = 0.0;
+            assert_eq!(front.march(seeds, Order::Second), [0.0, 1.0, 2.0, 3.0, 4.0]);
+            assert_eq!(front.neighbours(4).collect::<Vec<_>>(), [3]);
+            assert_eq!(front.neighbours(5).count() + front.neighbours(usize::MAX).count(), 0);
+        }
     }
 }

@@ -80,6 +80,26 @@ pub enum GraphPathError {
     /// The nodes near the sets are not connected by nodes with a metric.
     #[error("no path along nodes with a metric joins the sets")]
     NotConnected,
+    /// A puncture is not finite, or stands twice.
+    #[error("puncture {number} at {point:?} is not finite, or stands twice")]
+    Puncture {
+        /// The number of the puncture, from 1.
+        number: usize,
+        /// The point, in `ℓ`.
+        point: [f64; 2],
+    },
+    /// A peak is at least as high as its pass.
+    #[error("a prominence of {prominence}; expected a number from 1 on")]
+    Prominence {
+        /// The quotient of the heights.
+        prominence: f64,
+    },
+    /// Paths are at least as long as the shortest.
+    #[error("paths of up to {slack} times the shortest; expected a number from 1 on")]
+    Slack {
+        /// The quotient of the lengths.
+        slack: f64,
+    },
     /// The path is no sequence of finite points.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
@@ -88,8 +108,8 @@ pub enum GraphPathError {
 /// Returns a shortest path along a lattice between two sets, as a sequence of `n` chords of equal
 /// length under the metric.
 ///
-/// It is the [shortest path of the graph](LatticeGraph::shortest) whose edges reach two steps along each
-/// axis in the plane, and one step in space. Nodes without a metric are left out.
+/// It is the [shortest path](LatticeGraph::shortest) of the [usual](LatticeGraph::usual) graph. Nodes without a
+/// metric are left out.
 ///
 /// # Errors
 ///
@@ -102,8 +122,7 @@ pub fn graph_path<const D: usize>(
 ) -> Result<PointSequence<D>, GraphPathError> {
     // Before the search, which may take long.
     check_chords(n)?;
-    let reach = if D <= 2 { 2 } else { 1 };
-    LatticeGraph::new(metric, lattice.clone(), reach)?.shortest(ends, None)?.sequence(n)
+    LatticeGraph::usual(metric, lattice.clone()).shortest(ends, None)?.sequence(n)
 }
 
 fn check_chords(n: usize) -> Result<(), GraphPathError> {

@@ -16,9 +16,10 @@ use crate::{
 /// The largest reach: in four dimensions it has some 80 000 offsets.
 const LARGEST_REACH: usize = 8;
 
-/// By how much an estimate is lowered before a node is left unopened. A length is a sum of at most
+/// By how much two sums of the same edges can differ, relative to them: an estimate is lowered by it before
+/// a node is left unopened. A length is a sum of at most
 /// 2²³ edges, each rounded by 2⁻⁵³ of the sum, so that it is off by less than 10⁻⁹ of itself.
-const ROUNDING: f64 = 1e-9;
+pub(crate) const ROUNDING: f64 = 1e-9;
 
 /// A lattice whose nodes are joined by edges under a metric.
 ///
@@ -37,8 +38,8 @@ pub struct LatticeGraph<'m, const D: usize> {
 /// A shortest path along a lattice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LatticePath<const D: usize> {
-    corners: Vec<(f64, SVector<f64, D>)>,
-    opened: usize,
+    pub(crate) corners: Vec<(f64, SVector<f64, D>)>,
+    pub(crate) opened: usize,
 }
 
 impl<const D: usize> LatticePath<D> {
@@ -97,12 +98,22 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
         if !(1..=LARGEST_REACH).contains(&reach) {
             return Err(GraphPathError::Reach { reach, largest: LARGEST_REACH });
         }
+        Ok(Self::with_reach(metric, lattice, reach))
+    }
+
+    fn with_reach(metric: &'m dyn Batches<D>, lattice: Lattice<D>, reach: usize) -> Self {
         let of_node = |node| gram_at(metric, &lattice.point(node));
         let gram = (0..lattice.nodes()).map(of_node).collect();
         let chord =
             |offset: &[isize; D]| SVector::from_fn(|i, _| lattice.spacing()[i] * offset[i] as f64);
         let steps = offsets(reach as isize).into_iter().map(|e| (e, chord(&e))).collect();
-        Ok(Self { metric, lattice, gram, steps })
+        Self { metric, lattice, gram, steps }
+    }
+
+    /// Returns the graph whose edges reach two steps along each axis in the plane, and one step in space.
+    #[must_use]
+    pub fn usual(metric: &'m dyn Batches<D>, lattice: Lattice<D>) -> Self {
+        Self::with_reach(metric, lattice, if D <= 2 { 2 } else { 1 })
     }
 
     /// Returns the lattice.
@@ -249,7 +260,8 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
     }
 }
 
-fn gram_at<const D: usize>(
+/// Returns `H(x)` if there is a metric.
+pub(crate) fn gram_at<const D: usize>(
     metric: &dyn Batches<D>,
     x: &SVector<f64, D>,
 ) -> Option<SMatrix<f64, D, D>> {

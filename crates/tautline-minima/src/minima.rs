@@ -2,12 +2,10 @@
 
 use nalgebra::SVector;
 use tautline::{
-    CertificateError, GraphPathError, Metric, Rule, SolveError, TautLine,
+    CertificateError, GraphPathError, Metric, Punctures, Rule, SolveError, TautLine, Word,
     distance::{Found, Wanted},
 };
 use tautline_baselines::EikonalError;
-
-use crate::{Punctures, Word};
 
 /// The local minima that a search found, each along another curve.
 #[derive(Clone, Debug)]

@@ -1,14 +1,14 @@
 //! `GlobalSearch`: all ways to find starts, and the minima to which they lead.
 
 use tautline::{
-    GraphPathError, Lattice, LatticeGraph, Metric, Options, Plain, PointSequence, Problem, Rule,
-    SolveError, Starts, TautLine, are_apart, check_gram,
+    GraphPathError, Lattice, LatticeGraph, Metric, Options, Plain, PointSequence, Problem,
+    Punctures, Rule, SolveError, Starts, TautLine, are_apart, check_gram, class_paths,
 };
 use tautline_baselines::EikonalError;
 
 use crate::{
-    Flattened, LocalMinimum, Minima, MinimaError, Origin, Punctures, Refused, class_paths,
-    continuation::is_minimum, follow, pass_paths,
+    Flattened, LocalMinimum, Minima, MinimaError, Origin, Refused, continuation::is_minimum,
+    follow, pass_paths,
 };
 
 /// Where a search for all minima looks.
@@ -31,9 +31,6 @@ pub struct GlobalSearch<const D: usize> {
 
 /// The prominence of peaks that are found by themselves.
 const PROMINENCE: f64 = 1.05;
-
-/// How many steps along each axis the edges of the lattice reach.
-const REACH: usize = 2;
 
 impl<const D: usize> Default for GlobalSearch<D> {
     /// Returns a search without a lattice, of up to 32 classes and passes with paths up to twice as long
@@ -78,7 +75,7 @@ impl<const D: usize> GlobalSearch<D> {
     ///
     /// # Errors
     ///
-    /// [`MinimaError::Slack`] unless `slack` is at least 1, and [`MinimaError::NoMinimum`].
+    /// [`GraphPathError::Slack`] unless `slack` is at least 1, and [`MinimaError::NoMinimum`].
     pub fn search<M: Metric<D>, R: Rule>(
         &self,
         problem: &Problem<M, D>,
@@ -86,7 +83,7 @@ impl<const D: usize> GlobalSearch<D> {
         n: usize,
     ) -> Result<Minima<M, R, D>, MinimaError> {
         if !(self.slack >= 1.0) {
-            return Err(MinimaError::Slack { slack: self.slack });
+            return Err(GraphPathError::Slack { slack: self.slack }.into());
         }
         let mut collected = Collected { problem, rule, n, minima: Vec::new(), starts: 0 };
         let mut refused = Vec::new();
@@ -128,10 +125,10 @@ impl<const D: usize> GlobalSearch<D> {
         Ok(Minima { minima, punctures, starts, refused })
     }
 
-    fn punctures<M: Metric<D>>(&self, metric: &M) -> Result<Punctures, MinimaError> {
+    fn punctures<M: Metric<D>>(&self, metric: &M) -> Result<Punctures, GraphPathError> {
         match (&self.punctures, &self.lattice) {
             (Some(punctures), _) => Ok(punctures.clone()),
-            (None, Some(lattice)) => Punctures::peaks(metric, lattice, PROMINENCE),
+            (None, Some(lattice)) => Punctures::peaks(&Plain::new(metric), lattice, PROMINENCE),
             (None, None) => Punctures::new(Vec::new()),
         }
     }
@@ -143,10 +140,11 @@ impl<const D: usize> GlobalSearch<D> {
         punctures: &Punctures,
     ) -> Result<(), GraphPathError> {
         let metric = Plain::new(collected.problem.metric());
-        let graph = LatticeGraph::new(&metric, lattice.clone(), REACH)?;
+        let graph = LatticeGraph::usual(&metric, lattice.clone());
         let ends = collected.problem.ends();
         for path in class_paths(&graph, ends, punctures, self.most, self.slack)? {
-            collected.solve(path.sequence(collected.n).ok(), &Origin::Class(path.word().clone()));
+            collected
+                .solve(path.path().sequence(collected.n).ok(), &Origin::Class(path.word().clone()));
         }
         Ok(())
     }

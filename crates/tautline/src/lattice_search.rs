@@ -1,15 +1,20 @@
-//! `Problem::solve_on_lattice`: a search that also starts from a shortest path along a lattice.
+//! Searches that also start from shortest paths along a lattice.
 
 use std::sync::Arc;
 
 use tautline_discretizations::{PointSequence, Rule};
-use tautline_lattice::{Lattice, graph_path};
+use tautline_lattice::{GraphPathError, Lattice, LatticeGraph, Punctures, class_paths, graph_path};
 use tautline_metrics::Metric;
 use tautline_optimizers::{
     Level, Minimum, Options, Other, SolveError, Starts, are_apart, lowest_different,
 };
 
 use crate::{Problem, TautLine};
+
+/// What counts as a peak, how many of them have sides, and how long the way around them may be.
+const PROMINENCE: f64 = 1.05;
+const MOST_PEAKS: usize = 24;
+const SLACK: f64 = 2.0;
 
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// Solves like [`solve_with`](Problem::solve_with), and once more on the grid of `n` chords from a
@@ -35,6 +40,62 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         lattice: &Lattice<D>,
         options: &Options<D>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
+        self.solve_from(rule, n, options, || {
+            Ok(vec![graph_path(&**self.prepared(), self.ends(), lattice, n)?])
+        })
+    }
+
+    /// Solves like [`solve_on_lattice`](Problem::solve_on_lattice), from the shortest lattice paths of
+    /// `classes` homotopy classes: ways around the peaks and holes of the metric, shortest first. Each leads
+    /// to a local minimum; the shortest is the line, and up to eight others are its
+    /// [other minima](TautLine::other_minima).
+    ///
+    /// Use it where there are obstacles. The [peaks](Punctures::peaks) are the 24 most prominent ones that
+    /// are at least 5 % above their passes, and the [paths](class_paths) at most twice as long as the
+    /// shortest.
+    ///
+    /// ```
+    /// use tautline::{Ends, Lattice, Options, Problem, Trapezoidal, gallery::{Obstacle, SoftObstacles}};
+    ///
+    /// // Three hills in a row across the way: there are four ways past them.
+    /// let hill = |y: f64| Obstacle { centre: [0.0, y].into(), height: 20.0, width: 0.2 };
+    /// let hills = SoftObstacles::new([-1.0, 0.1, 1.3].map(hill).to_vec())?;
+    /// let problem = Problem::new(hills, Ends::points([-2.0, 0.0], [2.0, 0.1])?);
+    /// let lattice = Lattice::new([-2.2, -2.0], [2.2, 2.2], 0.1)?;
+    /// let options = Options::default();
+    /// let line = problem.solve_by_classes(Trapezoidal, 64, &lattice, 4, &options)?;
+    /// assert_eq!(line.other_minima().len(), 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`solve_on_lattice`](Problem::solve_on_lattice).
+    pub fn solve_by_classes<R: Rule>(
+        &self,
+        rule: R,
+        n: usize,
+        lattice: &Lattice<D>,
+        classes: usize,
+        options: &Options<D>,
+    ) -> Result<TautLine<M, R, D>, SolveError> {
+        let metric = &**self.prepared();
+        self.solve_from(rule, n, options, || {
+            let peaks = Punctures::peaks(metric, lattice, PROMINENCE)?.first(MOST_PEAKS);
+            let graph = LatticeGraph::usual(metric, lattice.clone());
+            let paths = class_paths(&graph, self.ends(), &peaks, classes.max(1), SLACK)?;
+            paths.iter().map(|path| path.path().sequence(n)).collect()
+        })
+    }
+
+    /// Solves, and once more on the grid of `n` chords from other starts.
+    fn solve_from<R: Rule>(
+        &self,
+        rule: R,
+        n: usize,
+        options: &Options<D>,
+        starts: impl FnOnce() -> Result<Vec<PointSequence<D>>, GraphPathError>,
+    ) -> Result<TautLine<M, R, D>, SolveError> {
         let first = self.solve_with(rule, n, options);
         // A number of chords that is no grid, or for which there is no memory, is none for the path.
         if let Err(
@@ -45,8 +106,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         {
             return first;
         }
-        let path = graph_path(&**self.prepared(), self.ends(), lattice, n)?;
-        match [first, self.solve_on_the_grid(rule, n, path, options)] {
+        match [first, self.solve_on_the_grid(rule, n, starts()?, options)] {
             [Ok(first), Ok(second)] => {
                 // A line whose length is NaN is not the shorter one.
                 let is_shorter = second.length().value < first.length().value;
@@ -68,10 +128,10 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         &self,
         rule: R,
         n: usize,
-        start: PointSequence<D>,
+        starts: Vec<PointSequence<D>>,
         options: &Options<D>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
-        let starts = Starts::OnTheGrid(vec![start]);
+        let starts = Starts::OnTheGrid(starts);
         self.solve_with(rule, n, &Options { starts, ..options.clone() })
     }
 
@@ -88,7 +148,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
             if coarser >= minimum.levels[0].n {
                 break;
             }
-            let start = line.sequence().clone();
+            let start = vec![line.sequence().clone()];
             let found = self.solve_on_the_grid(line.rule(), coarser, start, options);
             let Ok(found) = found else { break };
             minimum.iterations += found.minimum().iterations;

@@ -119,7 +119,8 @@ pub use tautline_formula::{
     RecordError, TextError, Values,
 };
 pub use tautline_lattice::{
-    GraphPathError, Lattice, LatticeGraph, LatticePath, equal_chords, graph_path,
+    ClassPath, GraphPathError, Lattice, LatticeGraph, LatticePath, Punctures, Word, class_paths,
+    equal_chords, graph_path,
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,

@@ -2,11 +2,11 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Ends, GraphPathError, Lattice, Metric, Problem, Scalar, SolveError, Trapezoidal,
+    Ends, GraphPathError, Lattice, Metric, Problem, Punctures, Scalar, SolveError, Trapezoidal,
     gallery::Valleys,
 };
 use tautline_baselines::EikonalError;
-use tautline_minima::{GlobalSearch, MinimaError, Punctures, Refused, follow};
+use tautline_minima::{GlobalSearch, MinimaError, Refused, follow};
 
 fn problem() -> Problem<Valleys, 2> {
     Problem::new(Valleys, Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite"))
@@ -53,14 +53,14 @@ fn numbers_out_of_range_are_errors() {
         let mut search = GlobalSearch::within(lattice.clone());
         search.slack = slack;
         let error = search.search(&problem(), Trapezoidal, 16);
-        assert!(matches!(error, Err(MinimaError::Slack { .. })));
+        assert!(matches!(error, Err(MinimaError::Lattice(GraphPathError::Slack { .. }))));
     }
     let error = GlobalSearch::default().search(&problem(), Trapezoidal, 0);
     let Err(MinimaError::NoMinimum { source: Some(SolveError::NoSubinterval), .. }) = error else {
         panic!("{error:?}")
     };
     let twice = Punctures::new(vec![[0.0, 0.0]; 2]);
-    assert!(matches!(twice, Err(MinimaError::Puncture { number: 2, .. })));
+    assert!(matches!(twice, Err(GraphPathError::Puncture { number: 2, .. })));
     let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
     let nothing = follow(|_| Valleys, &[], &ends, Trapezoidal, 16, 8);
     assert_eq!(nothing.map(|_| ()), Err(SolveError::NoStart));

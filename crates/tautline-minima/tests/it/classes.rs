@@ -1,8 +1,7 @@
 //! Lattice paths of homotopy classes, beside shortest paths in a plane with a wall.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Ends, Lattice, LatticeGraph, Metric, Plain, Scalar};
-use tautline_minima::{Punctures, class_paths};
+use tautline::{Ends, Lattice, LatticeGraph, Metric, Plain, Punctures, Scalar, class_paths};
 
 fn lattice() -> Lattice<2> {
     Lattice::new([-2.0, -1.5], [2.0, 1.5], 0.1).expect("a box")
@@ -59,11 +58,11 @@ fn a_class_is_as_long_as_the_way_around_a_wall() {
             assert_eq!(paths.len(), 2);
             for (path, around) in paths.iter().zip(around) {
                 // Sums of some fifty edges, which may be other ones of the same length.
-                assert!((path.length() / around - 1.0).abs() < 1e-13, "{puncture:?}");
-                let corners = path.sequence(512).expect("chords");
+                assert!((path.path().length() / around - 1.0).abs() < 1e-13, "{puncture:?}");
+                let corners = path.path().sequence(512).expect("chords");
                 assert_eq!(punctures.word(corners.points()), *path.word());
             }
-            assert!(paths[0].length() < paths[1].length());
+            assert!(paths[0].path().length() < paths[1].path().length());
         }
     }
     check(&Euclidean, [0.03, 0.33]);
@@ -102,11 +101,11 @@ fn slack_and_number_bound_the_classes() {
     words.sort();
     words.dedup();
     assert_eq!(words.len(), 20);
-    assert!(all.is_sorted_by(|a, b| a.length() <= b.length()));
+    assert!(all.is_sorted_by(|a, b| a.path().length() <= b.path().length()));
     assert_eq!(paths(3, 9.0), all[..3]);
     assert_eq!(paths(20, 1.0), all[..1]);
-    let slack = 0.5 * (all[4].length() + all[5].length()) / all[0].length();
-    assert!(all[4].length() < all[5].length());
+    let slack = 0.5 * (all[4].path().length() + all[5].path().length()) / all[0].path().length();
+    assert!(all[4].path().length() < all[5].path().length());
     assert_eq!(paths(20, slack), all[..5]);
     assert!(paths(0, 9.0).is_empty());
 }

@@ -45,6 +45,9 @@ pub(crate) struct LatticeFile {
     pub(crate) upper: Vector,
     /// The distance of neighbouring nodes.
     pub(crate) spacing: Text,
+    /// The most ways around the peaks and holes of the metric from which a search starts, shortest first: the
+    /// shortest path of each homotopy class. 1 unless said otherwise, the shortest path of all.
+    pub(crate) classes: Option<Placed<usize>>,
 }
 
 /// A rule of numerical integration.

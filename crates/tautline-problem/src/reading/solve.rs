@@ -61,10 +61,18 @@ impl Solve {
                     .label("a search along a lattice has one grid")
                     .help("write n in place of the tolerance"));
             }
-            let LatticeFile { lower, upper, spacing } = lattice.get_ref();
+            let LatticeFile { lower, upper, spacing, classes } = lattice.get_ref();
             let [lower, upper] =
                 [numbers.vector(lower, dimension)?, numbers.vector(upper, dimension)?];
-            let nodes = Nodes { lower, upper, spacing: vec![numbers.number(spacing)?] };
+            let classes = match classes {
+                Some(classes) if *classes.get_ref() == 0 => {
+                    return Err(Diagnostic::new("no homotopy class", classes.span())
+                        .label("expected 1 class or more"));
+                }
+                classes => classes.as_ref().map_or(1, |classes| *classes.get_ref()),
+            };
+            let spacing = vec![numbers.number(spacing)?];
+            let nodes = Nodes { lower, upper, spacing, classes };
             Ok(Placed::at(lattice.span(), nodes))
         });
         let lattice = lattice.transpose()?;

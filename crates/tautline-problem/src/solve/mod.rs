@@ -177,7 +177,7 @@ impl Question {
             let wrong = |error: String| Failure::BadInput(Diagnostic::new(error, nodes.span()));
             let lattice =
                 nodes.get_ref().lattice::<D>().map_err(|error| wrong(error.to_string()))?;
-            let line = problem.solve_on_lattice(rule, first, &lattice, options);
+            let line = nodes.get_ref().solve(problem, rule, first, &lattice, options);
             return line.map_err(|error| match error {
                 SolveError::GraphPath(error) => wrong(error.to_string()),
                 error => failure(error),

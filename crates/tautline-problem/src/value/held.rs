@@ -10,7 +10,7 @@ use tautline::{
 use tautline_portrait::Shape;
 
 use super::{
-    Found, Given, GivenError, Least, Nodes, Proofs, Region, Request,
+    Found, Given, GivenError, Least, Proofs, Region, Request,
     avoiding::avoiding,
     curve::NamedRule,
     sets::{check_coordinates, point, set},
@@ -64,11 +64,14 @@ impl<const D: usize> Held<D> {
         goes_on: &dyn Fn() -> bool,
     ) -> Found {
         let options = request.options::<D>()?;
-        let lattice = request.lattice.as_ref().map(Nodes::lattice::<D>).transpose()?;
+        let lattice = request.lattice.as_ref();
+        let lattice = lattice
+            .map(|nodes| nodes.lattice::<D>().map(|lattice| (nodes, lattice)))
+            .transpose()?;
         held(match (request.grid, lattice) {
             (Grid::Chords(n), None) => problem.solve_with(rule, n, &options),
-            (Grid::Chords(n), Some(lattice)) => {
-                problem.solve_on_lattice(rule, n, &lattice, &options)
+            (Grid::Chords(n), Some((nodes, lattice))) => {
+                nodes.solve(problem, rule, n, &lattice, &options)
             }
             (Grid::Tolerance(_), Some(_)) => return Err(GivenError::LatticeAndTolerance),
             (Grid::Tolerance(tolerance), None) => {

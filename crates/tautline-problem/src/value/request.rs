@@ -1,7 +1,8 @@
 //! `Request`: how a problem is to be solved.
 
 use tautline::{
-    Constants, Lattice, Options, PointSequence, SVector, SolveError, Starts, certify::Accuracy,
+    Constants, Lattice, Options, PointSequence, Problem, Rule, SVector, SolveError, Starts,
+    TautLine, certify::Accuracy,
 };
 
 use super::GivenError;
@@ -9,6 +10,7 @@ use crate::{
     Grid,
     bounds::Proving,
     file::request::RuleName,
+    known::Known,
     question::{ACCURACY, CHORDS, default_boxes},
     reading::shape::vector,
 };
@@ -24,8 +26,8 @@ pub struct Request {
     pub starts: Vec<Vec<Vec<f64>>>,
     /// Whether they replace the automatic starts.
     pub only_these_starts: bool,
-    /// Nodes; a search also starts from a shortest path along them, with all of the chords. It needs
-    /// their number. See [`solve_on_lattice`](tautline::Problem::solve_on_lattice).
+    /// Nodes; a search also starts from shortest paths along them, with all of the chords. It needs their
+    /// number. See [`solve_on_lattice`](Problem::solve_on_lattice).
     pub lattice: Option<Nodes>,
     /// The largest number of Newton steps of a local search on one grid.
     pub steps: usize,
@@ -58,6 +60,9 @@ pub struct Nodes {
     pub upper: Vec<f64>,
     /// The distance of neighbouring nodes, in `ℓ`: one number, or one for each axis.
     pub spacing: Vec<f64>,
+    /// The most homotopy classes whose shortest paths are starts, see
+    /// [`solve_by_classes`](Problem::solve_by_classes). With 1, or 0, it is the shortest path of all.
+    pub classes: usize,
 }
 
 impl Nodes {
@@ -79,6 +84,22 @@ impl Nodes {
         };
         let [lower, upper] = [&self.lower, &self.upper].map(|corner| vector::<D>(corner));
         Ok(Lattice::with_spacings(lower, upper, spacing).map_err(SolveError::from)?)
+    }
+
+    /// Solves a problem from the shortest path along a lattice of these nodes, or from those of the classes.
+    pub(crate) fn solve<R: Rule, const D: usize>(
+        &self,
+        problem: &Problem<Known<D>, D>,
+        rule: R,
+        n: usize,
+        lattice: &Lattice<D>,
+        options: &Options<D>,
+    ) -> Result<TautLine<Known<D>, R, D>, SolveError> {
+        if self.classes <= 1 {
+            problem.solve_on_lattice(rule, n, lattice, options)
+        } else {
+            problem.solve_by_classes(rule, n, lattice, self.classes, options)
+        }
     }
 }
 

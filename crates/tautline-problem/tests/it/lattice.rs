@@ -39,6 +39,7 @@ fn each_mistake_in_a_lattice_is_underlined() {
         ("\"1/20\"", "1e-6", "{ lower", "nodes; at most"),
         ("lower = [-2, -1]", "lower = [1.5, 3]", "{ lower", "no node of the lattice"),
         ("spacing", "step", "step", "unknown key step"),
+        (" }", ", classes = 0 }", "0", "no homotopy class"),
     ] {
         let wrong = file.replace(from, to);
         let solved =
@@ -47,4 +48,28 @@ fn each_mistake_in_a_lattice_is_underlined() {
         assert!(wrong[diagnostic.at.clone()].starts_with(underlined), "{wrong}: {diagnostic:?}");
         assert!(diagnostic.to_string().contains(says), "{wrong}: {diagnostic}");
     }
+}
+
+/// Three hills across the way leave four ways: the answer has all of them, where the automatic search
+/// meets fewer.
+#[test]
+fn classes_find_every_way_past_the_hills() {
+    let hill = |y: f64| format!("20*exp(-(x1^2 + (x2 - ({y}))^2)/0.08)");
+    let hills: Vec<String> = [-1.0, 0.1, 1.3].map(hill).to_vec();
+    let file = format!(
+        "[metric]\ncost = \"1 + {}\"\n[from]\npoint = [-2, 0]\n[to]\npoint = [2, 0.1]\n\
+         [certify]\nbound = false\n[solve]\nn = 64\n",
+        hills.join(" + ")
+    );
+    let ways = |file: &str| {
+        let question = Question::read(file).expect("a file");
+        let answer = question.solve(&mut |_| ()).expect("a curve");
+        let others: Vec<f64> = answer.other_minima.iter().map(|other| other.length.value).collect();
+        assert!(others.iter().all(|other| *other > answer.length.value));
+        others.len() + 1
+    };
+    let lattice =
+        "lattice = { lower = [-2.2, -2], upper = [2.2, 2.2], spacing = 0.1, classes = 4 }";
+    assert!(ways(&file) < 4);
+    assert_eq!(ways(&format!("{file}{lattice}\n")), 4);
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::{MinimaError, Word};
+use crate::{GraphPathError, Word};
 
 /// The directions among which the rays are chosen: as many as degrees in a half turn.
 const DIRECTIONS: usize = 180;
@@ -23,12 +23,12 @@ impl Punctures {
     ///
     /// # Errors
     ///
-    /// [`MinimaError::Puncture`] if a coordinate is not finite or a point stands twice.
-    pub fn new(points: Vec<[f64; 2]>) -> Result<Self, MinimaError> {
+    /// [`GraphPathError::Puncture`] if a coordinate is not finite or a point stands twice.
+    pub fn new(points: Vec<[f64; 2]>) -> Result<Self, GraphPathError> {
         for (k, point) in points.iter().enumerate() {
             let is_finite = point.iter().all(|along| along.is_finite());
             if !is_finite || points[..k].contains(point) {
-                return Err(MinimaError::Puncture { number: k + 1, point: *point });
+                return Err(GraphPathError::Puncture { number: k + 1, point: *point });
             }
         }
         // The rays are parallel. They must not run through other punctures: the best direction is the
@@ -47,6 +47,14 @@ impl Punctures {
         let direction = best.unwrap_or([0.0, 1.0]);
         let places = points.iter().map(|x| place(x, &direction)).collect();
         Ok(Self { points, direction, places })
+    }
+
+    /// Returns the first `most` of them, or all if there are fewer.
+    #[must_use]
+    pub fn first(mut self, most: usize) -> Self {
+        self.points.truncate(most);
+        self.places.truncate(most);
+        self
     }
 
     /// Returns the points, in `ℓ`.
@@ -105,7 +113,7 @@ mod tests {
     use nalgebra::{SVector, vector};
 
     use super::Punctures;
-    use crate::MinimaError;
+    use crate::GraphPathError;
 
     type Corners = [SVector<f64, 2>];
 
@@ -159,7 +167,7 @@ mod tests {
     #[test]
     fn no_puncture_stands_twice() {
         let twice = Punctures::new(vec![[0.0, 1.0], [0.0, 1.0]]);
-        assert_eq!(twice, Err(MinimaError::Puncture { number: 2, point: [0.0, 1.0] }));
+        assert_eq!(twice, Err(GraphPathError::Puncture { number: 2, point: [0.0, 1.0] }));
         assert!(Punctures::new(vec![[f64::NAN, 1.0]]).is_err());
         assert!(Punctures::new(Vec::new()).expect("none").points().is_empty());
     }

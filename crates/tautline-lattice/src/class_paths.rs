@@ -6,22 +6,21 @@ use std::{
 };
 
 use nalgebra::SVector;
-use tautline::{ClosedSet, Ends, GraphPathError, LatticeGraph, PointSequence, equal_chords};
+use tautline_sets::{ClosedSet, Ends};
 
-use crate::{Punctures, Word, word::Words};
+use crate::{
+    GraphPathError, LatticeGraph, LatticePath, Punctures, Word, lattice_graph::ROUNDING,
+    word::Words,
+};
 
 /// The most states that a search stores: about 100 bytes each.
 const MOST_STATES: usize = 1 << 22;
-
-/// By how much an estimate may be above its limit. A length is a sum of at most 2²³ edges, each rounded by
-/// 2⁻⁵³ of the sum, so that it is off by less than 10⁻⁹ of itself.
-const ROUNDING: f64 = 1e-9;
 
 /// A shortest lattice path among those with one word.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClassPath<const D: usize> {
     word: Word,
-    corners: Vec<(f64, SVector<f64, D>)>,
+    path: LatticePath<D>,
 }
 
 impl<const D: usize> ClassPath<D> {
@@ -31,19 +30,10 @@ impl<const D: usize> ClassPath<D> {
         &self.word
     }
 
-    /// Returns the length, in `m`.
+    /// Returns the path. Its number of opened nodes is that of the whole search.
     #[must_use]
-    pub fn length(&self) -> f64 {
-        self.corners.last().map_or(0.0, |last| last.0)
-    }
-
-    /// Returns `n` chords of equal length along the path.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`equal_chords`].
-    pub fn sequence(&self, n: usize) -> Result<PointSequence<D>, GraphPathError> {
-        equal_chords(&self.corners, n)
+    pub fn path(&self) -> &LatticePath<D> {
+        &self.path
     }
 }
 
@@ -71,7 +61,8 @@ const NONE: u32 = u32::MAX;
 ///
 /// # Errors
 ///
-/// [`GraphPathError::FarFromEnd`] and [`GraphPathError::NotConnected`].
+/// [`GraphPathError::Slack`] unless `slack` is at least 1, [`GraphPathError::FarFromEnd`] and
+/// [`GraphPathError::NotConnected`].
 pub fn class_paths<const D: usize>(
     graph: &LatticeGraph<'_, D>,
     ends: &Ends<D>,
@@ -79,6 +70,9 @@ pub fn class_paths<const D: usize>(
     most: usize,
     slack: f64,
 ) -> Result<Vec<ClassPath<D>>, GraphPathError> {
+    if !(slack >= 1.0) {
+        return Err(GraphPathError::Slack { slack });
+    }
     let near = |set: &dyn ClosedSet<D>, end| {
         let gates = graph.gates(set);
         if gates.is_empty() { Err(GraphPathError::FarFromEnd { end }) } else { Ok(gates) }
@@ -123,7 +117,7 @@ pub fn class_paths<const D: usize>(
             heap.extend(reach(&mut states, *node, word, *length, NONE));
         }
     }
-    let mut found = Vec::new();
+    let (mut found, mut opened) = (Vec::new(), 0);
     while found.len() < most
         && let Some(Reverse((_, place))) = heap.pop()
     {
@@ -136,6 +130,7 @@ pub fn class_paths<const D: usize>(
             found.push(place);
             continue;
         }
+        opened += 1;
         let here = point(node);
         if let Some((end, tail)) = exits.get(&node)
             && let Some(word) = along(&mut words, word, &here, end)
@@ -166,7 +161,8 @@ pub fn class_paths<const D: usize>(
             at = before;
         }
         corners.reverse();
-        ClassPath { word: words.word(states[place as usize].word), corners }
+        let path = LatticePath { corners, opened };
+        ClassPath { word: words.word(states[place as usize].word), path }
     };
     Ok(found.into_iter().map(path).collect())
 }

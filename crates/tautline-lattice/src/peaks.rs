@@ -1,14 +1,14 @@
 //! The peaks of a metric on a lattice: where curves pass on either side.
 
 use nalgebra::SVector;
-use tautline::{Lattice, Metric, check_gram};
+use tautline_formula::Batches;
 
-use crate::{MinimaError, Punctures};
+use crate::{GraphPathError, Lattice, Punctures, lattice_graph::gram_at};
 
 impl Punctures {
     /// Returns the peaks of a metric: the middles of its holes, where it has none, and the nodes where its
     /// scale `(det H)^{1/2D}` is highest, if that is at least `prominence` times the scale at the highest
-    /// pass to a higher peak or to the boundary of the lattice. The highest come first.
+    /// pass to a higher peak or to the boundary of the lattice. The most prominent come first.
     ///
     /// This is the persistent homology of the scale (H. Edelsbrunner and J. Harer, *Computational
     /// Topology*, 2010): the level falls, islands rise and grow, and where two merge, the lower peak ends.
@@ -17,14 +17,14 @@ impl Punctures {
     ///
     /// # Errors
     ///
-    /// [`MinimaError::Prominence`] unless `prominence` is at least 1.
-    pub fn peaks<M: Metric<D>, const D: usize>(
-        metric: &M,
+    /// [`GraphPathError::Prominence`] unless `prominence` is at least 1.
+    pub fn peaks<const D: usize>(
+        metric: &dyn Batches<D>,
         lattice: &Lattice<D>,
         prominence: f64,
-    ) -> Result<Self, MinimaError> {
+    ) -> Result<Self, GraphPathError> {
         if !(prominence >= 1.0) {
-            return Err(MinimaError::Prominence { prominence });
+            return Err(GraphPathError::Prominence { prominence });
         }
         if D < 2 {
             return Self::new(Vec::new());
@@ -38,7 +38,7 @@ impl Punctures {
             })
         };
         let scale = |node: usize| {
-            let factor = check_gram(metric, &point(node)).ok().and_then(|h| h.cholesky());
+            let factor = gram_at(metric, &point(node)).and_then(|h| h.cholesky());
             // (det H)^{1/2} is the product of the diagonal of a factor.
             let volume = factor.map(|factor| factor.l_dirty().diagonal().product());
             volume.map_or(f64::INFINITY, |volume: f64| volume.powf((D as f64).recip()))
@@ -52,14 +52,16 @@ impl Punctures {
             islands.rise(node);
             for other in beside(node, counts) {
                 let Some(peak) = islands.merge(node, other, &heights) else { continue };
-                if heights[peak] > heights[node] && heights[peak] >= prominence * heights[node] {
-                    peaks.push((heights[peak], peak));
+                let quotient = heights[peak] / heights[node];
+                // That of two nodes without a metric is NaN.
+                if quotient > 1.0 && quotient >= prominence {
+                    peaks.push((quotient, peak));
                 }
             }
         }
         peaks.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let middle = |&(height, peak): &(f64, usize)| {
-            let node = if height.is_finite() { peak } else { middle(&heights, peak, counts) };
+        let middle = |&(quotient, peak): &(f64, usize)| {
+            let node = if quotient.is_finite() { peak } else { middle(&heights, peak, counts) };
             [point(node)[0], point(node)[1]]
         };
         Self::new(peaks.iter().map(middle).collect())
@@ -158,10 +160,13 @@ impl Islands {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
-    use tautline::gallery::{Obstacle, SoftObstacles};
-    use tautline::{Lattice, Metric, Scalar};
+    use tautline_formula::Plain;
+    use tautline_metrics::{
+        Metric, Scalar,
+        gallery::{Obstacle, SoftObstacles},
+    };
 
-    use crate::{MinimaError, Punctures};
+    use crate::{GraphPathError, Lattice, Punctures};
 
     fn lattice() -> Lattice<2> {
         Lattice::new([-2.0, -1.5], [2.0, 1.5], 0.1).expect("a box")
@@ -176,11 +181,11 @@ mod tests {
         SoftObstacles::new(hills.iter().map(hill).collect()).expect("hills")
     }
 
-    /// The highest first; a hill beyond the boundary is none.
+    /// The most prominent first; a hill beyond the boundary is none.
     #[test]
     fn hills_are_peaks() {
         let metric = hills(&[([-1.0, 0.5], 3.0), ([0.5, -0.4], 8.0), ([1.2, 2.0], 5.0)]);
-        let peaks = Punctures::peaks(&metric, &lattice(), 1.1).expect("a prominence");
+        let peaks = Punctures::peaks(&Plain::new(&metric), &lattice(), 1.1).expect("a prominence");
         let [first, second] = peaks.points() else { panic!("{peaks:?}") };
         for (found, exact) in [(first, [0.5, -0.4]), (second, [-1.0, 0.5])] {
             // The other hill moves a peak by less than a step.
@@ -198,7 +203,8 @@ mod tests {
         let quotient = ((2.0 + (-4.5_f64).exp()) / pass).sqrt();
         // No node is the very peak; one is within 0.07 of it, where the hill falls by 3 % or less.
         for (prominence, expected) in [(quotient - 0.03, 2), (quotient + 0.01, 1)] {
-            let peaks = Punctures::peaks(&metric, &lattice(), prominence).expect("a prominence");
+            let peaks = Punctures::peaks(&Plain::new(&metric), &lattice(), prominence)
+                .expect("a prominence");
             assert_eq!(peaks.points().len(), expected, "{prominence}");
         }
     }
@@ -216,7 +222,7 @@ mod tests {
 
     #[test]
     fn a_hole_is_a_peak_in_its_middle_unless_it_reaches_the_boundary() {
-        let peaks = Punctures::peaks(&Holes, &lattice(), 1.1).expect("a prominence");
+        let peaks = Punctures::peaks(&Plain::new(&Holes), &lattice(), 1.1).expect("a prominence");
         let [middle] = peaks.points() else { panic!("{peaks:?}") };
         // The mean of the nodes in the disc is its centre, which is a node.
         assert!((vector![middle[0], middle[1]] - vector![0.3, 0.2]).norm() < 1e-9, "{middle:?}");
@@ -225,8 +231,8 @@ mod tests {
     #[test]
     fn a_prominence_is_at_least_one() {
         for prominence in [0.9, f64::NAN] {
-            let error = Punctures::peaks(&Holes, &lattice(), prominence);
-            assert!(matches!(error, Err(MinimaError::Prominence { .. })));
+            let error = Punctures::peaks(&Plain::new(&Holes), &lattice(), prominence);
+            assert!(matches!(error, Err(GraphPathError::Prominence { .. })));
         }
     }
 }
