@@ -116,17 +116,17 @@ fn follow<R: Rule, const D: usize>(
 }
 
 /// The affine policy `δxₙ₊₁ = s kₙ + Kₙ δxₙ` for `n = 0, …, N − 2`.
-struct Policy<const D: usize> {
+pub(crate) struct Policy<const D: usize> {
     steps: Vec<SVector<f64, D>>,
     gains: Vec<SMatrix<f64, D, D>>,
     /// The decrease of the quadratic model, in `m²`.
-    decrease: f64,
+    pub(crate) decrease: f64,
 }
 
 impl<const D: usize> Policy<D> {
     /// Goes backward over the chords; `None` if a control has no minimum. `shift` is added to the
     /// Hessian of each control.
-    fn new(chords: &[ChordModel<D>], shift: f64) -> Option<Self> {
+    pub(crate) fn new(chords: &[ChordModel<D>], shift: f64) -> Option<Self> {
         let last = chords.last()?;
         // The model of the cost to go from a point: its gradient and Hessian.
         let (mut gradient, mut hessian) = (last.gradient[0], last.hessian[0]);
@@ -148,7 +148,7 @@ impl<const D: usize> Policy<D> {
     }
 
     /// Follows the policy forward from the first point.
-    fn roll_out(&self, points: &[SVector<f64, D>], scale: f64) -> Vec<SVector<f64, D>> {
+    pub(crate) fn roll_out(&self, points: &[SVector<f64, D>], scale: f64) -> Vec<SVector<f64, D>> {
         let mut points = points.to_vec();
         let mut moved = SVector::zeros();
         for (x, (step, gain)) in points[1..].iter_mut().zip(self.steps.iter().zip(&self.gains)) {

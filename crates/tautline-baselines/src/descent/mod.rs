@@ -33,6 +33,7 @@
 //! ```
 
 pub(crate) mod chord_models;
+mod constrained;
 mod descended;
 mod dynamic_programming;
 mod laplacian;
@@ -40,6 +41,7 @@ mod lbfgs;
 pub(crate) mod search;
 mod sobolev;
 
+pub use constrained::{Constrained, ConstrainedError, Equality, constrained_dynamic_programming};
 pub use descended::{Descended, DescentError, Ended, Limits};
 pub use dynamic_programming::{SecondOrder, dynamic_programming};
 pub use lbfgs::{Coordinates, lbfgs};

@@ -1,6 +1,7 @@
 //! Tests the other ways to a minimal geodesic, against known distances and against each other.
 
 mod collocation;
+mod constrained;
 mod descents;
 mod equal_speeds;
 mod geodesic_calculus;
