@@ -5,6 +5,8 @@
 //! [`minimise_watched`](tautline::minimise_watched), so that a [`Trace`](tautline::Trace) compares
 //! them. Nobody watches with `&mut |_| ControlFlow::Continue(())`.
 //!
+//! [`constrained_dynamic_programming`] confines the points to a surface `c(x) = 0`.
+//!
 //! The metric is one that is ready for batches, `Prepared::new(metric)`.
 //!
 //! ```

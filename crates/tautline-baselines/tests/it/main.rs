@@ -7,6 +7,7 @@ mod equal_speeds;
 mod geodesic_calculus;
 mod graphs;
 mod grid_errors;
+mod impossible_constraints;
 mod marching;
 mod marching_paths;
 mod orders;
