@@ -30,7 +30,7 @@ fn solve<const D: usize>(
     )
 }
 
-struct TwoSpheres;
+pub(crate) struct TwoSpheres;
 
 impl Equality<3> for TwoSpheres {
     fn value<S: Scalar>(&self, x: &SVector<S, 3>) -> S {
@@ -127,6 +127,27 @@ fn a_constraint_that_always_holds_is_none() {
     assert_eq!(found.descended.ended, Ended::Stationary, "{found:?}");
     // The square of the distance 5, from a residual of at most 1e-7.
     assert!((found.descended.energy - 25.0).abs() < 1e-12, "{found:?}");
+}
+
+/// Where values have steps of `10⁻⁸`, energies and forces hide in them, and no step is seen to
+/// descend.
+#[test]
+fn a_constraint_of_few_digits_ends_a_descent_soon() {
+    struct Coarse;
+    impl Equality<2> for Coarse {
+        fn value<S: Scalar>(&self, x: &SVector<S, 2>) -> S {
+            (x[0].sqr() + x[1].sqr() * 0.9 + 3e7) - 3e7 - 0.97
+        }
+    }
+    let end = |x: f64| [x, ((0.97 - x * x) / 0.9).sqrt()];
+    let start = PointSequence::straight(end(-0.9), end(0.9), 50).expect("finite");
+    let run = |feasibility| solve(start.clone(), &Coarse, feasibility).expect("a metric").descended;
+    // A thousand steps of the value are enough to see.
+    let found = run(1e-4);
+    assert_eq!(found.ended, Ended::Stationary, "{found:?}");
+    let found = run(1e-7);
+    assert_eq!(found.ended, Ended::Stalled, "{found:?}");
+    assert!(found.iterations < 50, "{}", found.iterations);
 }
 
 /// The root is no number to the left of the line `x₁ = 1`.

@@ -1,5 +1,6 @@
 //! Tests the other ways to a minimal geodesic, against known distances and against each other.
 
+mod charts;
 mod collocation;
 mod constrained;
 mod descents;

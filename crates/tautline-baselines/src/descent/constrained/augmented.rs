@@ -151,7 +151,7 @@ impl Augmented {
         let of_terms = all.map(|(contact, (centre, multiplier))| {
             let size = contact.value.abs();
             let weight = centre.abs() + multiplier.abs() + 2.0 * size / self.parameter;
-            weight * (size * ROUNDING + 4.0 * contact.rounding)
+            weight * (size * ROUNDING + contact.rounding)
         });
         at.here.energy() * ROUNDING + of_terms.sum::<f64>()
     }
@@ -166,7 +166,7 @@ impl Augmented {
     ) -> Option<At<D>> {
         let values = at.contacts.iter().map(|contact| contact.value);
         let before = at.here.energy() + self.added(values, &at.multipliers);
-        let allowed = before + self.rounding(at);
+        let rounding = self.rounding(at);
         let mut scale = 1.0;
         while scale >= SHORTEST {
             let points = at.here.moved(&step.points, scale);
@@ -176,8 +176,12 @@ impl Augmented {
             let added = self.added(values, &multipliers);
             // The quadratic model falls by (2s − s²) times the decrease of the whole step.
             let promised = (2.0 * scale - scale * scale) * step.decrease;
+            // A part that is negligible is no remedy for a step that does not descend.
+            if scale < 1.0 && promised <= rounding {
+                return None;
+            }
             if let Some(energy) = search.energy(&points)
-                && energy + added <= allowed - SUFFICIENT * promised
+                && energy + added <= before + rounding - SUFFICIENT * promised
                 && let Ok(sequence) = PointSequence::new(points)
             {
                 // A positive energy does not yet mean that there is a metric.
@@ -189,5 +193,57 @@ impl Augmented {
             scale *= 0.5;
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+
+    use nalgebra::{SVector, vector};
+    use tautline::{Iterate, PointSequence, Prepared, Scalar, Trapezoidal, gallery::Valleys};
+
+    use super::{At, Augmented};
+    use crate::descent::{Limits, constrained::Equality, search::Search};
+
+    struct Circle;
+
+    impl Equality<2> for Circle {
+        fn value<S: Scalar>(&self, x: &SVector<S, 2>) -> S {
+            x[0].sqr() + x[1].sqr() - 1.0
+        }
+    }
+
+    /// Along a step `p` of Newton's method with the matrix `B` the function `M` has the slope
+    /// `−pᵀBp`, twice the decrease of its model, whatever the shift. A central difference of step `h
+    /// = 10⁻⁴` has the error `h²/6` times a third derivative below 10⁴.
+    #[test]
+    fn the_decrease_is_that_of_the_function() {
+        let metric = Prepared::new(Valleys);
+        let points =
+            vec![vector![1.0, 0.0], vector![0.9, 0.8], vector![-0.3, 0.7], vector![-1.0, 0.0]];
+        let start = PointSequence::new(points).expect("finite");
+        let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
+        let limits = Limits::default();
+        let (mut search, here) =
+            Search::begin(&metric, Trapezoidal, start, &limits, watch).expect("a metric");
+        let at = At::new(&Circle, here, vec![0.7, -0.4]);
+        let augmented = Augmented { centre: vec![-0.2, 0.5], parameter: 0.3 };
+        let chords = augmented.chords(&mut search, &at).expect("a metric");
+        for shift in [10.0, 100.0] {
+            let step = augmented.step(&at, &chords, shift).expect("definite");
+            let mut along = |scale: f64| {
+                let points = at.here.moved(&step.points, scale);
+                let steps = at.multipliers.iter().zip(&step.multipliers);
+                let multipliers: Vec<f64> = steps.map(|(old, step)| old + step * scale).collect();
+                let values = points[1..].iter().map(|x| Circle.value(x));
+                let added = augmented.added(values, &multipliers);
+                search.energy(&points).expect("a metric") + added
+            };
+            let slope = (along(1e-4) - along(-1e-4)) / 2e-4;
+            let expected = -2.0 * step.decrease;
+            assert!((slope - expected).abs() < 2e-5, "{slope} {expected}");
+            assert!(expected < -1.0, "{expected}");
+        }
     }
 }

@@ -3,6 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{Jet2, PointSequence, Scalar};
 
+use crate::descent::search::ROUNDING;
+
 /// An equality `c(x) = 0` that every point of a curve has to satisfy: a surface on which it runs.
 ///
 /// ```
@@ -27,7 +29,8 @@ pub(crate) struct Contact<const D: usize> {
     pub(crate) value: f64,
     pub(crate) slope: SVector<f64, D>,
     pub(crate) bend: SMatrix<f64, D, D>,
-    /// The error of the value that the rounding of the point causes, in the unit of the constraint.
+    /// The error of the value that a few roundings of the point cause, in the unit of the
+    /// constraint.
     pub(crate) rounding: f64,
 }
 
@@ -39,7 +42,7 @@ impl<const D: usize> Contact<D> {
             value: jet.value(),
             slope,
             bend: SMatrix::from_fn(|i, j| jet.second(i, j)),
-            rounding: f64::EPSILON * slope.abs().dot(&x.abs()),
+            rounding: ROUNDING * slope.abs().dot(&x.abs()),
         }
     }
 

@@ -12,8 +12,14 @@ use crate::descent::constrained::equality::{Contact, Equality};
 const BISECTIONS: usize = 4;
 const HALF: f64 = 0.75;
 
-/// The largest number of Newton steps to the surface.
+/// The largest number of Newton steps to the surface, and the step, relative to the chord, after
+/// which a point is on it as exactly as its distances from the ends need.
 const NEWTON: usize = 20;
+const NEAR: f64 = 1e-3;
+
+/// A chord is judged if it is longer than this number of distances of its ends from the surface, so
+/// that its last parts are longer than four of them.
+const JUDGED: f64 = 64.0;
 
 /// Returns the first chord whose ends are not joined by points of the surface.
 ///
@@ -23,20 +29,21 @@ const NEWTON: usize = 20;
 pub(crate) fn leaps<const D: usize>(
     constraint: &impl Equality<D>,
     sequence: &PointSequence<D>,
-    feasibility: f64,
 ) -> Option<usize> {
-    let points = sequence.points();
-    let joined = |pair: &[SVector<f64, D>]| {
-        is_joined(constraint, &pair[0], &pair[1], feasibility, BISECTIONS)
+    let off = |x: &SVector<f64, D>| {
+        let contact = Contact::at(constraint, x);
+        (contact.value.abs() + contact.rounding) / contact.slope.norm()
     };
-    points.windows(2).position(|pair| !joined(pair))
+    let is_joined = |a: &SVector<f64, D>, b: &SVector<f64, D>| {
+        (b - a).norm() <= JUDGED * (off(a) + off(b)) || is_joined(constraint, a, b, BISECTIONS)
+    };
+    sequence.points().windows(2).position(|pair| !is_joined(&pair[0], &pair[1]))
 }
 
 fn is_joined<const D: usize>(
     constraint: &impl Equality<D>,
     a: &SVector<f64, D>,
     b: &SVector<f64, D>,
-    feasibility: f64,
     bisections: usize,
 ) -> bool {
     let length = (b - a).norm();
@@ -46,14 +53,68 @@ fn is_joined<const D: usize>(
     let mut middle = (a + b) * 0.5;
     for _ in 0..NEWTON {
         let contact = Contact::at(constraint, &middle);
-        if contact.holds(feasibility) {
+        // Where the value is 0, the slope may be too.
+        let step = if contact.holds(0.0) {
+            SVector::zeros()
+        } else {
+            contact.slope * (contact.value / contact.slope.norm_squared())
+        };
+        middle -= step;
+        if step.norm() <= NEAR * length {
             let halves = (middle - a).norm().max((b - middle).norm());
-            // A NaN joins nothing.
             return halves <= HALF * length
-                && is_joined(constraint, a, &middle, feasibility, bisections - 1)
-                && is_joined(constraint, &middle, b, feasibility, bisections - 1);
+                && is_joined(constraint, a, &middle, bisections - 1)
+                && is_joined(constraint, &middle, b, bisections - 1);
         }
-        middle -= contact.slope * (contact.value / contact.slope.norm_squared());
     }
     false
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SVector, vector};
+    use tautline::Scalar;
+
+    use super::{BISECTIONS, is_joined};
+    use crate::descent::constrained::Equality;
+
+    struct Circle;
+
+    impl Equality<2> for Circle {
+        fn value<S: Scalar>(&self, x: &SVector<S, 2>) -> S {
+            x[0].sqr() + x[1].sqr() - 1.0
+        }
+    }
+
+    #[test]
+    fn arcs_up_to_a_half_turn_are_joined() {
+        for angle in [1e-9_f64, 1e-3, 1.0, 3.0] {
+            let (a, b) = (vector![1.0, 0.0], vector![angle.cos(), angle.sin()]);
+            assert!(is_joined(&Circle, &a, &b, BISECTIONS), "{angle}");
+        }
+        // The middle is the centre, where there is no way to the circle.
+        assert!(!is_joined(&Circle, &vector![1.0, 0.0], &vector![-1.0, 0.0], BISECTIONS));
+        assert!(is_joined(&Circle, &vector![1.0, 0.0], &vector![1.0, 0.0], BISECTIONS));
+    }
+
+    /// The lines `x₂ = 0` and `x₂ = 1/10 + x₁/100`.
+    struct Lines;
+
+    impl Equality<2> for Lines {
+        fn value<S: Scalar>(&self, x: &SVector<S, 2>) -> S {
+            x[1] * (x[1] - 0.1 - x[0] * 0.01)
+        }
+    }
+
+    /// The gap is a tenth of the chord, and only one quarter or less of the chord is across it.
+    #[test]
+    fn a_short_gap_in_either_half_is_found() {
+        let (a, b) = (vector![0.0, 0.0], vector![1.0, 0.11]);
+        assert!(!is_joined(&Lines, &a, &b, BISECTIONS));
+        assert!(!is_joined(&Lines, &b, &a, BISECTIONS));
+        // One bisection does not see it.
+        assert!(is_joined(&Lines, &a, &b, 1));
+        assert!(is_joined(&Lines, &a, &vector![1.0, 0.0], BISECTIONS));
+        assert!(is_joined(&Lines, &vector![0.0, 0.1], &b, BISECTIONS));
+    }
 }

@@ -107,7 +107,7 @@ pub fn constrained_dynamic_programming<'a, const D: usize, R: Rule>(
         let is_feasible = at.contacts.iter().all(|contact| contact.holds(feasibility));
         let mut ended = search.end_if(&at.here, iteration, is_feasible);
         if ended == Some(Ended::Stationary)
-            && let Some(chord) = leaps(constraint, &at.here.sequence, feasibility)
+            && let Some(chord) = leaps(constraint, &at.here.sequence)
         {
             ended = Some(Ended::Leaping { chord });
         }
