@@ -15,3 +15,4 @@ mod orders;
 mod problems;
 mod random_cases;
 mod shooting;
+mod units;
