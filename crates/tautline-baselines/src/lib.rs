@@ -23,6 +23,7 @@ pub mod geodesic_calculus;
 mod geodesic_equation;
 mod graph;
 mod normal_map;
+mod not_finite;
 pub mod shooting;
 
 pub use eikonal::{Distances, Eikonal, EikonalError, EikonalPath, eikonal};
