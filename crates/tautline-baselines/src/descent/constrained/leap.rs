@@ -73,9 +73,9 @@ fn is_joined<const D: usize>(
 #[cfg(test)]
 mod tests {
     use nalgebra::{SVector, vector};
-    use tautline::Scalar;
+    use tautline::{PointSequence, Scalar};
 
-    use super::{BISECTIONS, is_joined};
+    use super::{BISECTIONS, is_joined, leaps};
     use crate::descent::constrained::Equality;
 
     struct Circle;
@@ -95,6 +95,19 @@ mod tests {
         // The middle is the centre, where there is no way to the circle.
         assert!(!is_joined(&Circle, &vector![1.0, 0.0], &vector![-1.0, 0.0], BISECTIONS));
         assert!(is_joined(&Circle, &vector![1.0, 0.0], &vector![1.0, 0.0], BISECTIONS));
+    }
+
+    /// The middle of a chord that is shorter than its ends are off the circle is farther from them
+    /// than they are from each other.
+    #[test]
+    fn a_chord_that_is_shorter_than_its_ends_are_off_is_not_judged() {
+        let off = |length: f64| {
+            let points = vec![vector![1.0 + 1e-9, 0.0], vector![1.0 + 1e-9, length]];
+            leaps(&Circle, &PointSequence::new(points).expect("finite"))
+        };
+        assert_eq!([1e-10, 1e-9, 1e-7, 1e-5, 0.1].map(off), [None; 5]);
+        let points = vec![vector![1.0, 0.0], vector![0.0, 1.0], vector![0.0, -1.0]];
+        assert_eq!(leaps(&Circle, &PointSequence::new(points).expect("finite")), Some(1));
     }
 
     /// The lines `x₂ = 0` and `x₂ = 1/10 + x₁/100`.
