@@ -2,7 +2,7 @@
 //!
 //! | | method | ends |
 //! | --- | --- | --- |
-//! | [`descent`] | other minimisers of a discrete energy: gradients in a Sobolev norm, L-BFGS, dynamic programming | two points |
+//! | [`descent`] | other minimisers of a discrete energy: gradients in a Sobolev norm, L-BFGS, dynamic programming, also on a surface | two points |
 //! | [`equal_speeds`] | the minimiser of a discrete energy among sequences of equal speeds, of Liu et al. | two points |
 //! | [`shooting`] | the initial velocity of a geodesic, by Newton's method; exponential map and logarithm | two closed sets |
 //! | [`collocation`] | the boundary value problem of a geodesic | two closed sets |
@@ -23,6 +23,7 @@ pub mod geodesic_calculus;
 mod geodesic_equation;
 mod graph;
 mod normal_map;
+mod not_finite;
 pub mod shooting;
 
 pub use eikonal::{Distances, Eikonal, EikonalError, EikonalPath, eikonal};

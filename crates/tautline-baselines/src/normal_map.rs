@@ -135,4 +135,20 @@ mod tests {
         assert!((inverse - matrix![0.5, 0.0; 0.0, 0.0]).norm() < 1e-14, "{inverse}");
         assert_eq!(pseudo_inverse(&matrix![2.0, f64::NAN; 0.0, 1.0]), None);
     }
+
+    /// What counts as zero is relative to the largest singular value, in any unit.
+    #[test]
+    fn a_singular_value_is_zero_below_a_billionth_of_the_largest() {
+        for unit in [1.0, 2_f64.powi(60), 2_f64.powi(-60)] {
+            let inverse = |small: f64| {
+                let a = matrix![2.0, 0.0; 0.0, small] * unit;
+                pseudo_inverse(&a).expect("finite") * unit
+            };
+            // The singular values of a diagonal matrix have a few roundings.
+            let found = inverse(4e-9);
+            assert!((found[(1, 1)] * 4e-9 - 1.0).abs() < 1e-14, "{unit}: {found}");
+            let found = inverse(1e-9);
+            assert!((found - matrix![0.5, 0.0; 0.0, 0.0]).norm() < 1e-14, "{unit}: {found}");
+        }
+    }
 }

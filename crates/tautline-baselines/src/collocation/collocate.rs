@@ -5,7 +5,6 @@ use tautline::{Ends, LARGEST_N, Metric, PointSequence, check_gram};
 
 use super::{
     Collocation, CollocationError,
-    collocation_error::finite,
     gauss::{STAGES, Table},
     path::{Path, larger},
     system::{Defects, System, defects},
@@ -14,6 +13,7 @@ use crate::{
     EquationError,
     geodesic_equation::in_range,
     normal_map::{NormalMap, nearby},
+    not_finite::finite,
 };
 
 /// Newton's method has converged if its step, relative to the distance of the ends, is at most

@@ -1,6 +1,6 @@
 //! `CollocationError`: the reason why there is no path by collocation.
 
-use crate::EquationError;
+use crate::{EquationError, not_finite::NotFinite};
 
 /// The reason why there is no geodesic by collocation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -58,15 +58,8 @@ pub enum CollocationError {
     },
 }
 
-/// Refuses coordinates that are not finite.
-pub(crate) fn finite<const D: usize>(
-    what: &'static str,
-    x: &nalgebra::SVector<f64, D>,
-) -> Result<(), CollocationError> {
-    match x.iter().position(|value| !value.is_finite()) {
-        Some(coordinate) => {
-            Err(CollocationError::NotFinite { what, coordinate, value: x[coordinate] })
-        }
-        None => Ok(()),
+impl From<NotFinite> for CollocationError {
+    fn from(NotFinite { what, coordinate, value }: NotFinite) -> Self {
+        Self::NotFinite { what, coordinate, value }
     }
 }

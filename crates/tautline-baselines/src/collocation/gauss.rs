@@ -81,7 +81,7 @@ impl Table {
 
 #[cfg(test)]
 mod tests {
-    use super::{points, weights};
+    use super::{Table, points, weights};
 
     /// The coefficients of the Lagrange polynomials are below 100, so that a sum rounds by `10⁻¹³`.
     const ROUNDING: f64 = 1e-13;
@@ -108,6 +108,29 @@ mod tests {
                 assert!((apply(w.integral) - tau.powi(n + 1) / once).abs() < ROUNDING);
                 assert!((apply(w.double_integral) - tau.powi(n + 2) / twice).abs() < ROUNDING);
             }
+        }
+    }
+
+    /// Sampled finely, `Π (τ − cⱼ)` is nowhere larger than at the samples, of which both ends have
+    /// the largest values. The one in the middle is the largest between the inner Gauss points.
+    #[test]
+    fn the_residual_is_sampled_where_it_is_largest() {
+        let product = |tau: f64| points().iter().map(|c| tau - c).product::<f64>().abs();
+        let samples = Table::new().samples.map(|sample| product(sample.fraction));
+        let fractions = || (0..=1000).map(|k| f64::from(k) / 1000.0);
+        let most = fractions().map(product).fold(0.0, f64::max);
+        assert_eq!([samples[0], samples[2]].map(|value| value >= most - ROUNDING), [true; 2]);
+        let [first, left, right, last] = points();
+        let fractions_of = Table::new().samples.map(|sample| sample.fraction);
+        assert!(fractions_of[0] < first && fractions_of[2] > last, "{fractions_of:?}");
+        assert!((left..right).contains(&fractions_of[1]), "{fractions_of:?}");
+        let inner = fractions().filter(|tau| (left..right).contains(tau)).map(product);
+        let most = inner.fold(0.0, f64::max);
+        assert!(most > 0.0 && samples[1] >= most - ROUNDING, "{samples:?} {most}");
+        // The weights belong to the fractions.
+        for sample in Table::new().samples {
+            let at: f64 = points().iter().zip(sample.value).map(|(c, b)| b * c).sum();
+            assert!((at - sample.fraction).abs() < ROUNDING);
         }
     }
 }

@@ -58,6 +58,14 @@ pub enum Ended {
     IterationLimit,
     /// The watcher ended it.
     Interrupted,
+    /// The violation of a constraint is stationary, but not zero.
+    Infeasible,
+    /// The residual is small enough and the points satisfy the constraint, but a chord leaps from
+    /// one part of its surface to another: no points of the surface were found that join its ends.
+    Leaping {
+        /// The number of the chord.
+        chord: usize,
+    },
 }
 
 /// Why there is no descent.

@@ -26,7 +26,7 @@ pub enum SecondOrder {
 const SHIFTS: [f64; 3] = [1e-3, 8.0, 1e12];
 
 /// The shortest step along the policy.
-const SHORTEST: f64 = 1e-6;
+pub(crate) const SHORTEST: f64 = 1e-6;
 
 /// Minimises a discrete energy between the ends of `start` by differential dynamic programming.
 ///
@@ -95,9 +95,10 @@ fn follow<R: Rule, const D: usize>(
     here: &Here<D>,
     policy: &Policy<D>,
 ) -> Option<Here<D>> {
+    let step = policy.displacements();
     let mut scale = 1.0;
     while scale >= SHORTEST {
-        let points = policy.roll_out(here.sequence.points(), scale);
+        let points = here.moved(&step, scale);
         // The quadratic model falls by (s − s²/2) times twice the decrease of the whole step.
         let promised = (2.0 * scale - scale * scale) * policy.decrease;
         if let Some(energy) = search.energy(&points)
@@ -116,17 +117,17 @@ fn follow<R: Rule, const D: usize>(
 }
 
 /// The affine policy `δxₙ₊₁ = s kₙ + Kₙ δxₙ` for `n = 0, …, N − 2`.
-struct Policy<const D: usize> {
+pub(crate) struct Policy<const D: usize> {
     steps: Vec<SVector<f64, D>>,
     gains: Vec<SMatrix<f64, D, D>>,
     /// The decrease of the quadratic model, in `m²`.
-    decrease: f64,
+    pub(crate) decrease: f64,
 }
 
 impl<const D: usize> Policy<D> {
     /// Goes backward over the chords; `None` if a control has no minimum. `shift` is added to the
     /// Hessian of each control.
-    fn new(chords: &[ChordModel<D>], shift: f64) -> Option<Self> {
+    pub(crate) fn new(chords: &[ChordModel<D>], shift: f64) -> Option<Self> {
         let last = chords.last()?;
         // The model of the cost to go from a point: its gradient and Hessian.
         let (mut gradient, mut hessian) = (last.gradient[0], last.hessian[0]);
@@ -147,15 +148,16 @@ impl<const D: usize> Policy<D> {
         decrease.is_finite().then_some(Self { steps, gains, decrease })
     }
 
-    /// Follows the policy forward from the first point.
-    fn roll_out(&self, points: &[SVector<f64, D>], scale: f64) -> Vec<SVector<f64, D>> {
-        let mut points = points.to_vec();
+    /// Follows the policy forward from the first point, and returns by how much each inner point
+    /// moves for `s = 1`. All moves are proportional to `s`.
+    pub(crate) fn displacements(&self) -> Vec<SVector<f64, D>> {
         let mut moved = SVector::zeros();
-        for (x, (step, gain)) in points[1..].iter_mut().zip(self.steps.iter().zip(&self.gains)) {
-            moved = step * scale + gain * moved;
-            *x += moved;
-        }
-        points
+        let both = self.steps.iter().zip(&self.gains);
+        both.map(|(step, gain)| {
+            moved = step + gain * moved;
+            moved
+        })
+        .collect()
     }
 }
 

@@ -5,6 +5,8 @@
 //! [`minimise_watched`](tautline::minimise_watched), so that a [`Trace`](tautline::Trace) compares
 //! them. Nobody watches with `&mut |_| ControlFlow::Continue(())`.
 //!
+//! [`constrained_dynamic_programming`] confines the points to a surface `c(x) = 0`.
+//!
 //! The metric is one that is ready for batches, `Prepared::new(metric)`.
 //!
 //! ```
@@ -33,6 +35,7 @@
 //! ```
 
 pub(crate) mod chord_models;
+mod constrained;
 mod descended;
 mod dynamic_programming;
 mod laplacian;
@@ -40,6 +43,7 @@ mod lbfgs;
 pub(crate) mod search;
 mod sobolev;
 
+pub use constrained::{Constrained, ConstrainedError, Equality, constrained_dynamic_programming};
 pub use descended::{Descended, DescentError, Ended, Limits};
 pub use dynamic_programming::{SecondOrder, dynamic_programming};
 pub use lbfgs::{Coordinates, lbfgs};

@@ -30,10 +30,10 @@ pub(crate) struct Here<const D: usize> {
 
 /// An energy that has risen by this multiple of itself may have fallen: the sums of trials are
 /// rounded a few times, with compensation.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// The fraction of the predicted decrease that a step has to achieve (Armijo).
-const SUFFICIENT: f64 = 1e-4;
+pub(crate) const SUFFICIENT: f64 = 1e-4;
 
 impl<'a, R: Rule, const D: usize> Search<'a, R, D> {
     /// Begins a descent at `start`, whose metric is checked at the nodes and ends.

@@ -2,7 +2,7 @@
 
 use tautline::{SequenceError, SetError, SolveError};
 
-use crate::EquationError;
+use crate::{EquationError, not_finite::NotFinite};
 
 /// The reason why the discrete geodesic calculus has no result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -45,15 +45,8 @@ pub enum CalculusError {
     },
 }
 
-/// Refuses coordinates that are not finite.
-pub(crate) fn finite<const D: usize>(
-    what: &'static str,
-    x: &nalgebra::SVector<f64, D>,
-) -> Result<(), CalculusError> {
-    match x.iter().position(|value| !value.is_finite()) {
-        Some(coordinate) => {
-            Err(CalculusError::NotFinite { what, coordinate, value: x[coordinate] })
-        }
-        None => Ok(()),
+impl From<NotFinite> for CalculusError {
+    fn from(NotFinite { what, coordinate, value }: NotFinite) -> Self {
+        Self::NotFinite { what, coordinate, value }
     }
 }

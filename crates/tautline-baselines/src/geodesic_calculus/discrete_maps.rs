@@ -3,7 +3,8 @@
 use nalgebra::SVector;
 use tautline::{Ends, Metric, Options, PointSequence, Trapezoidal, minimise};
 
-use super::{CalculusError, calculus_error::finite, chord::Chord, step::extend_at};
+use super::{CalculusError, chord::Chord, step::extend_at};
+use crate::not_finite::finite;
 
 /// Returns a discrete geodesic of `n` chords from `x` to `y`: a sequence of least discrete energy
 /// `N Σ W[xₖ, xₖ₊₁]`, as far as [`minimise`] finds it. Its points have errors `O(1/N²)`.

@@ -3,8 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::Metric;
 
-use super::{CalculusError, calculus_error::finite, chord::Chord};
-use crate::EquationError;
+use super::{CalculusError, chord::Chord};
+use crate::{EquationError, not_finite::finite};
 
 /// The largest number of Newton steps for one point. From a neighbour it takes two to five.
 const LIMIT: usize = 50;

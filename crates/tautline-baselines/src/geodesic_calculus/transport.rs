@@ -5,9 +5,9 @@ use tautline::{Metric, PointSequence};
 
 use super::{
     CalculusError,
-    calculus_error::finite,
     step::{extend_at, midpoint_at},
 };
+use crate::not_finite::finite;
 
 /// Returns the vector `u` at the first point of `path`, transported in parallel to its last point
 /// by Schild's ladder, in `ℓ`.

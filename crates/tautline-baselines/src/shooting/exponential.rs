@@ -11,11 +11,11 @@ use super::{
     Integration, ShootingError,
     flow::{Equation, Flow},
     geodesic::{Derivatives, Geodesic, Step},
-    shooting_error::finite,
 };
 use crate::{
     EquationError,
     geodesic_equation::{Acceleration, in_range},
+    not_finite::finite,
 };
 
 /// Returns the geodesic `γ(t) = exp_x(tv)` over `t ∈ [0, 1]`: the solution of

@@ -3,8 +3,11 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{ClosedSet, Ends, Metric};
 
-use super::{Geodesic, Shooting, ShootingError, exponential::exponential, shooting_error::finite};
-use crate::normal_map::{NormalMap, nearby, pseudo_inverse, turned};
+use super::{Geodesic, Shooting, ShootingError, exponential::exponential};
+use crate::{
+    normal_map::{NormalMap, nearby, pseudo_inverse, turned},
+    not_finite::finite,
+};
 
 /// A geodesic that was found by shooting.
 #[derive(Clone, Debug, PartialEq)]

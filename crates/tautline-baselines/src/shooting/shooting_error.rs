@@ -2,7 +2,7 @@
 
 use tautline::SetError;
 
-use crate::EquationError;
+use crate::{EquationError, not_finite::NotFinite};
 
 /// The reason why there is no geodesic by shooting.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -68,15 +68,8 @@ pub enum ShootingError {
     },
 }
 
-/// Refuses coordinates that are not finite.
-pub(crate) fn finite<const D: usize>(
-    what: &'static str,
-    x: &nalgebra::SVector<f64, D>,
-) -> Result<(), ShootingError> {
-    match x.iter().position(|value| !value.is_finite()) {
-        Some(coordinate) => {
-            Err(ShootingError::NotFinite { what, coordinate, value: x[coordinate] })
-        }
-        None => Ok(()),
+impl From<NotFinite> for ShootingError {
+    fn from(NotFinite { what, coordinate, value }: NotFinite) -> Self {
+        Self::NotFinite { what, coordinate, value }
     }
 }

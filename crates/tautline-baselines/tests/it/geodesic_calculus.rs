@@ -1,8 +1,10 @@
 //! The discrete geodesic calculus: orders against exact formulas, identities, and every error.
 
-use nalgebra::{SVector, vector};
+use nalgebra::{SMatrix, SVector, vector};
 use tautline::gallery::Valleys;
-use tautline::{PointSequence, SequenceError, SolveError, Trapezoidal, energy_gradient};
+use tautline::{
+    Metric, PointSequence, Scalar, SequenceError, SolveError, Trapezoidal, energy_gradient,
+};
 use tautline_baselines::geodesic_calculus::{
     CalculusError, discrete_exponential, discrete_geodesic, discrete_logarithm, extend, midpoint,
     parallel_transport,
@@ -223,6 +225,56 @@ fn a_step_out_of_the_domain_is_an_error_with_its_number() {
     assert!(matches!(found, Err(CalculusError::LeavesTheDomain { step: 0, .. })), "{found:?}");
     let found = discrete_logarithm(&Cut, &vector![-1.0], &vector![0.5], 4);
     assert!(matches!(found, Err(CalculusError::Solve(SolveError::Metric(_)))), "{found:?}");
+}
+
+/// The line with `H = 1`, and NaN to the left of 0.
+struct FlatCut;
+
+impl Metric<1> for FlatCut {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+        SMatrix::from_diagonal_element(x[0].sqrt() * 0.0 + 1.0)
+    }
+}
+
+/// A chord from `x` to `y` carries the point `x + s` to `y + s`, by way of the middle `c = (x + s +
+/// y)/2`. The metric is evaluated in the middle of the chords from `x + s` to `c` and from `c` to
+/// `y`, and then from `x` to `c` and from `c` to `y + s`.
+#[test]
+fn an_error_of_a_transport_has_the_number_of_its_chord() {
+    let number = |points: &[f64], s: f64| {
+        let path = points.iter().map(|&x| vector![x]).collect();
+        let path = PointSequence::new(path).expect("finite");
+        match parallel_transport(&FlatCut, &path, &vector![s * (points.len() - 1) as f64]) {
+            Err(CalculusError::LeavesTheDomain { step, .. }) => Some(step),
+            Ok(_) => None,
+            other => panic!("{other:?}"),
+        }
+    };
+    // From c = 0.025 to −0.8.
+    let path = [2.0, 1.4, 0.8, -0.8];
+    // From c = 0.35 to ½ − 1.
+    let other = [3.0, 2.0, 1.2, 0.5];
+    for begin in 0..3 {
+        assert_eq!(number(&path[begin..], 0.05), Some(2 - begin));
+        assert_eq!(number(&other[begin..], -1.0), Some(2 - begin));
+    }
+    assert_eq!((number(&path[..3], 0.05), number(&other[..3], -1.0)), (None, None));
+    // From −1 to c = ¾.
+    assert_eq!(number(&[4.0, -1.0, 0.5], 2.0), Some(1));
+    assert_eq!(number(&[-1.0, 0.5], 2.0), Some(0));
+}
+
+/// Where the chords become too long, as is derived below, the ladder ends too.
+#[test]
+fn a_transport_without_a_solution_has_the_number_of_its_chord() {
+    for steps in 0..3 {
+        let mut points: Vec<_> = (0..=steps).map(|k| vector![0.1 * k as f64]).collect();
+        points.push(points[steps].add_scalar(1.4));
+        let path = PointSequence::new(points).expect("finite");
+        let found = parallel_transport(&crate::problems::Runaway, &path, &vector![0.1]);
+        let Err(CalculusError::NoConvergence { step, .. }) = found else { panic!("{found:?}") };
+        assert_eq!(step, steps);
+    }
 }
 
 /// For `W = e^{−(y+z)} (z − y)²` on the line the equation of a step has no solution if the chord is
