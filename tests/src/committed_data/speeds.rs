@@ -50,7 +50,8 @@ fn equal_speeds_cost_energy_and_ever_less() {
     let (mut costs, mut errors) = (Vec::new(), Vec::new());
     for n in [8, 32, 128] {
         let rows: Vec<Row<'_>> = table.rows().filter(|row| row.n() == n).collect();
-        let free = rows.iter().map(|row| row.number("least_energy").powi(2)).sum::<f64>() / n as f64;
+        let free =
+            rows.iter().map(|row| row.number("least_energy").powi(2)).sum::<f64>() / n as f64;
         let equal = rows[0].number("equal");
         assert!(rows.iter().all(|row| row.number("equal") == equal), "N = {n}: one speed");
         costs.push(equal.powi(2) - free);
