@@ -19,8 +19,8 @@ pub struct Artefact {
     pub shows: &'static str,
     /// Where its random numbers come from.
     pub seed: Seed,
-    /// Whether it contains measured times, which differ from run to run.
-    pub timed: bool,
+    /// Whether it contains measured times.
+    pub times: Times,
     /// Computes and checks the data.
     pub data: fn(Sweep) -> Result<Data, Failure>,
     /// Makes the other files.
@@ -28,6 +28,17 @@ pub struct Artefact {
     /// Writes pages of Markdown from the data. Each entry is the name of a file in the parent
     /// folder, and its text.
     pub pages: Pages,
+}
+
+/// Whether there are measured times, which differ from run to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Times {
+    /// There are none.
+    None,
+    /// Their columns are free, and `--check` compares all others.
+    Free,
+    /// `--check` leaves the artefact out: there is little else, or it takes too long to compute again.
+    Unchecked,
 }
 
 /// A function that writes pages.
@@ -91,7 +102,7 @@ impl Artefact {
         form: Form,
     ) -> Artefact {
         let pages: Pages = |_| Vec::new();
-        Artefact { id, shows, seed: Seed::None, timed: false, data, form, pages }
+        Artefact { id, shows, seed: Seed::None, times: Times::None, data, form, pages }
     }
 
     /// Returns the same artefact with random numbers.
@@ -100,10 +111,10 @@ impl Artefact {
         Artefact { seed, ..self }
     }
 
-    /// Returns the same table with measured times.
+    /// Returns the same artefact with measured times.
     #[must_use]
-    pub const fn timed(self) -> Artefact {
-        Artefact { timed: true, ..self }
+    pub const fn timed(self, times: Times) -> Artefact {
+        Artefact { times, ..self }
     }
 
     /// Returns the same table with pages.

@@ -2,12 +2,17 @@
 
 #[cfg(feature = "tables")]
 use std::path::Path;
-use std::time::Instant;
+use std::{env::consts, fs, thread, time::Instant};
 
 #[cfg(feature = "tables")]
 use crate::certificates::second_checker;
 use crate::{
-    Failure, artefact::Artefact, figures::FIGURES, output::Output, parallel, sweep::Sweep,
+    Failure,
+    artefact::{Artefact, Times},
+    figures::FIGURES,
+    output::Output,
+    parallel,
+    sweep::Sweep,
 };
 
 const USAGE: &str = "\
@@ -88,18 +93,19 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
         chosen.for_each(|artefact| println!("{:24} {}", artefact.id, artefact.shows));
         return Ok(());
     }
+    let (unchecked, chosen): (Vec<&Artefact>, Vec<&Artefact>) =
+        chosen.partition(|artefact| mode == Mode::Check && artefact.times == Times::Unchecked);
+    for artefact in unchecked {
+        eprintln!("not checked: paper/{}, which contains times", artefact.data_file());
+    }
     // Artefacts with measured times come last, one at a time, so that nothing else runs on the
-    // machine.
-    let (timed, others): (Vec<_>, Vec<_>) = chosen.partition(|artefact| artefact.timed);
+    // machine. A check ignores the times.
+    let (timed, others): (Vec<_>, Vec<_>) = chosen
+        .into_iter()
+        .partition(|artefact| mode != Mode::Check && artefact.times != Times::None);
     let results = parallel::map(&others, |&artefact| make_and_tell(artefact, mode));
     results.into_iter().collect::<Result<(), Failure>>()?;
-    timed.into_iter().try_for_each(|artefact| {
-        if mode == Mode::Check {
-            eprintln!("not checked: paper/{}, which contains times", artefact.data_file());
-            return Ok(());
-        }
-        make_and_tell(artefact, mode)
-    })
+    timed.into_iter().try_for_each(|artefact| make_and_tell(artefact, mode))
 }
 
 fn make_and_tell(artefact: &Artefact, mode: Mode) -> Result<(), Failure> {
@@ -117,10 +123,21 @@ fn make_and_tell(artefact: &Artefact, mode: Mode) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Returns the processor, the number of its cores that can be used, and the system.
+fn machine() -> String {
+    let processor = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let processor = processor
+        .lines()
+        .find_map(|line| line.strip_prefix("model name")?.split_once(": "))
+        .map_or(consts::ARCH, |(_, name)| name);
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    format!("{processor}, {cores} cores, {}; no flags for the processor", consts::OS)
+}
+
 /// Writes or checks the files of an artefact, and returns their names.
 fn make(artefact: &Artefact, mode: Mode) -> Result<Vec<String>, Failure> {
     let quick = mode == Mode::Quick;
-    let data = (artefact.data)(Sweep { quick })?;
+    let data = (artefact.data)(Sweep { quick, repeats: mode == Mode::Write })?;
     let (data_file, comment) = (artefact.data_file(), artefact.comment());
     let output = if quick { Output::quick() } else { Output::committed() };
     let check = mode == Mode::Check;
@@ -135,6 +152,8 @@ fn make(artefact: &Artefact, mode: Mode) -> Result<Vec<String>, Failure> {
         data.compare(&committed).map_err(within)?;
         (committed, old)
     } else {
+        let machine = format!("{comment}\nmachine: {}", machine());
+        let comment = if artefact.times == Times::Free { machine } else { comment };
         let bytes = data.to_csv(&comment)?;
         (data.read(&bytes)?, bytes)
     };

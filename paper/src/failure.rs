@@ -15,6 +15,9 @@ pub enum Failure {
     /// The distance of a case is not known.
     #[error("{0}: the distance is not known")]
     NoReference(&'static str),
+    /// A method ended before it had an answer.
+    #[error("no answer: {0}")]
+    Unfinished(String),
     /// Observations violate an inequality or an order.
     #[error("{0}")]
     Violated(String),
@@ -53,6 +56,7 @@ from_libraries! {
     tautline::AsymptoticsError,
     tautline::CertificateError,
     tautline::CertifyError,
+    tautline::GraphPathError,
     tautline::LocalError,
     tautline::MetricError,
     tautline::RecordError,
@@ -60,7 +64,13 @@ from_libraries! {
     tautline::SetError,
     tautline::SolveError,
     tautline::bounds::BoundError,
+    tautline::composition::CompositionError,
     tautline::gallery::GalleryError,
+    tautline_baselines::EikonalError,
+    tautline_baselines::collocation::CollocationError,
+    tautline_baselines::descent::DescentError,
+    tautline_baselines::geodesic_calculus::CalculusError,
+    tautline_baselines::shooting::ShootingError,
     tautline_drawing::DrawingError,
     tautline_statements::VerifyError,
 }

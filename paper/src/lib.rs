@@ -23,6 +23,7 @@ pub mod failure;
 pub mod figures;
 pub mod grid;
 pub mod layout;
+mod methods;
 mod observation;
 pub mod output;
 pub mod parallel;

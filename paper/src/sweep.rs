@@ -1,10 +1,12 @@
-//! `Sweep`: the numbers of subintervals over which figures and tables run.
+//! `Sweep`: the numbers of subintervals over which figures and tables run, and how often.
 
-/// The range of `N`.
+/// The range of `N`, and whether times are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sweep {
     /// Whether the range is cut short, for a quick run.
     pub quick: bool,
+    /// Whether measured times are the least of several runs. For what is compared one run is enough.
+    pub repeats: bool,
 }
 
 impl Sweep {

@@ -7,6 +7,7 @@ mod dimension;
 mod excess_bounds;
 mod length_versus_energy;
 mod losses;
+mod methods;
 mod overestimation;
 mod quantities;
 mod sandwich;
@@ -30,6 +31,7 @@ pub const FIGURES: &[Artefact] = &[
     tightness::FIGURE,
     certified::FIGURE,
     sandwich::FIGURE,
+    methods::FIGURE,
 ];
 
 /// Returns a triangle half a decade below the last third of a decreasing series.

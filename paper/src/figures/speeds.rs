@@ -1,11 +1,16 @@
-//! The speeds on each chord of the minimisers of the energy and of the length.
+//! The speeds on each chord of the minimisers of the energy and of the length, and of the minimiser of
+//! the energy among sequences of equal speeds.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, ops::ControlFlow};
 
 use tautline::{
-    Bounded, Rule, Trapezoidal,
+    Bounded, Iterate, PointSequence, Prepared, Rule, Trapezoidal,
     bounds::{Setting, Spread, greatest_speed},
     gallery::Valleys,
+};
+use tautline_baselines::{
+    descent::{Ended, Limits},
+    equal_speeds::equal_speeds,
 };
 
 use crate::{
@@ -20,9 +25,9 @@ use crate::{
 
 pub(super) const FIGURE: Artefact = Artefact::figure(
     "speeds",
-    "the speeds of the chords of the minimisers of the trapezoidal energy and of the \
-     trapezoidal length between (0, 0) and (4 pi, 0) over the valleys, with the bound of \
-     Lemma S.3 and the spread of Lemma S.5",
+    "the speeds of the chords of the minimisers of the trapezoidal energy, of the same among \
+     sequences of equal speeds, and of the trapezoidal length between (0, 0) and (4 pi, 0) over the \
+     valleys, with the bound of Lemma S.3 and the spread of Lemma S.5",
     data,
     draw,
 );
@@ -35,7 +40,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let speed = Tolerance::Close { relative: 1e-7, absolute: 1e-6 };
     let mut data = Data::new(&[
         ("n index", Tolerance::Exact),
-        ("least_energy least_length mean greatest deviation", speed),
+        ("least_energy least_length mean greatest deviation equal", speed),
     ]);
     let problem = problem()?;
     let constants = Bounded::<2>::constants(&Valleys);
@@ -49,6 +54,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         if ahead < 0.0 {
             energy.reverse();
         }
+        let equal = equal_speed(line.sequence())?;
         let length = Trapezoidal.speeds(&Valleys, &along_the_axis(&middle_jump(number))?);
         let mean = energy.iter().sum::<f64>() / number as f64;
         let fastest = energy.iter().copied().fold(0.0, f64::max);
@@ -65,12 +71,31 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
             return Err(Failure::Violated(claim));
         }
         for (index, (energy, length)) in energy.into_iter().zip(length).enumerate() {
-            let cells = [energy, length, mean, greatest, deviation];
+            let cells = [energy, length, mean, greatest, deviation, equal];
             let cells = cells.map(|value| format!("{value:.9e}"));
             data.push([number.to_string(), index.to_string()].into_iter().chain(cells));
         }
     }
     Ok(data)
+}
+
+/// Returns the speed of all chords of the minimiser among sequences of equal speeds, as of Liu et al.
+/// (2017), near a minimiser without this constraint.
+fn equal_speed(free: &PointSequence<2>) -> Result<f64, Failure> {
+    let metric = Prepared::new(Valleys);
+    // The speeds are printed with ten digits, of which a tolerance of 10⁻⁸ leaves seven and more.
+    let limits = Limits { tolerance: 1e-8, ..Limits::default() };
+    let unseen = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
+    let found = equal_speeds(&metric, Trapezoidal, free.clone(), &limits, unseen)?;
+    let (ended, n) = (found.descended.ended, free.n());
+    let speeds = Trapezoidal.speeds(&Valleys, &found.descended.sequence);
+    let speed = found.descended.energy.sqrt();
+    // The residual of the speeds, and their rounding.
+    let are_equal = |q: &f64| (q / speed - 1.0).abs() <= limits.tolerance + 1e-12;
+    if ended != Ended::Stationary || !speeds.iter().all(are_equal) {
+        return Err(Failure::Violated(format!("N = {n}: {ended:?}, the speeds are {speeds:?}")));
+    }
+    Ok(speed)
 }
 
 fn draw(data: &Data) -> Result<Scene, Failure> {
@@ -81,8 +106,8 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     for (k, number) in NUMBERS.into_iter().enumerate() {
         let rows: Vec<Row<'_>> = data.rows_with("n", &number.to_string()).collect();
         let first = rows.first().ok_or_else(|| Failure::Data("no speeds".to_owned()))?;
-        let [mean, greatest, deviation] =
-            ["mean", "greatest", "deviation"].map(|column| first.number(column));
+        let [mean, greatest, deviation, equal] =
+            ["mean", "greatest", "deviation", "equal"].map(|column| first.number(column));
         let x = Axis::new(Scale::Linear, 0.0, 1.0)?.labelled("place $n/N$ of the chord");
         // Leave room for the name of the highest jump.
         let y =
@@ -109,6 +134,8 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         let (place, height) = (at(jump), jump.number("least_length"));
         let stem = Curve::new([(place, from), (place, height)], palette::PURPLE);
         let top = Curve::new([(place, height)], palette::PURPLE).marked(Marker::Diamond);
+        panel = panel
+            .curve(Curve::new(level(equal), palette::INK).labelled("least energy at equal speeds"));
         let energy = rows.iter().map(|row| (at(row), row.number("least_energy")));
         let energy = Curve::new(energy, palette::VERMILLION).labelled("least energy");
         panel = panel

@@ -10,6 +10,8 @@ mod convergence;
 mod corpus;
 mod counterexample;
 mod errata;
+mod failure_rates;
+mod methods;
 mod mutants;
 mod rates;
 mod statements;
@@ -29,6 +31,8 @@ pub const TABLES: &[Artefact] = &[
     corpus::TABLE,
     counterexample::TABLE,
     errata::TABLE,
+    failure_rates::TABLE,
+    methods::TABLE,
     mutants::TABLE,
     rates::TABLE,
     statements::TABLE,

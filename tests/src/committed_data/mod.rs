@@ -10,6 +10,7 @@ mod corpus;
 mod counterexample;
 mod dimension;
 mod losses;
+mod methods;
 mod mutants;
 mod overestimation;
 mod quantities;

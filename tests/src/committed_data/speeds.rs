@@ -41,3 +41,26 @@ fn speeds_of_least_energy_become_equal() {
     let [few, more, many] = [8, 32, 128].map(furthest);
     assert!(many < 0.1 * more && more < 0.1 * few, "{few}, {more}, {many}");
 }
+
+/// The minimum over fewer sequences is not below the minimum over all, `E_N = (1/N) Σ |βₙ|²`, and both
+/// tend to `d² = (8π)²`.
+#[test]
+fn equal_speeds_cost_energy_and_ever_less() {
+    let table = Table::read("data/speeds.csv");
+    let (mut costs, mut errors) = (Vec::new(), Vec::new());
+    for n in [8, 32, 128] {
+        let rows: Vec<Row<'_>> = table.rows().filter(|row| row.n() == n).collect();
+        let free =
+            rows.iter().map(|row| row.number("least_energy").powi(2)).sum::<f64>() / n as f64;
+        let equal = rows[0].number("equal");
+        assert!(rows.iter().all(|row| row.number("equal") == equal), "N = {n}: one speed");
+        costs.push(equal.powi(2) - free);
+        errors.push((equal / (8.0 * PI) - 1.0).abs());
+    }
+    // The speeds are printed with ten digits, and their squares are below 700.
+    let rounding = 1e-6;
+    assert!(costs.iter().all(|&cost| cost >= -rounding), "{costs:?}");
+    assert!(costs[0] > costs[1] && costs[1] > costs[2], "{costs:?}");
+    // At least of first order, with four times as many chords each.
+    assert!(errors.windows(2).all(|pair| pair[1] < 0.25 * pair[0]), "{errors:?}");
+}
