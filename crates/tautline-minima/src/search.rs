@@ -123,7 +123,7 @@ impl<const D: usize> GlobalSearch<D> {
         }
         minima.sort_by(|a, b| a.line.discrete_energy().total_cmp(&b.line.discrete_energy()));
         for minimum in &mut minima {
-            minimum.word = punctures.word(minimum.line.sequence().points());
+            minimum.word = punctures.word_between(problem.ends(), minimum.line.sequence().points());
         }
         Ok(Minima { minima, punctures, starts, refused })
     }
@@ -230,6 +230,55 @@ impl<M: Metric<D>, R: Rule, const D: usize> Collected<'_, M, R, D> {
                 origin: origin.clone(),
                 hits: 1,
             }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+    use tautline::{Ends, Metric, Options, PointSequence, Problem, Scalar, Starts, Trapezoidal};
+
+    use super::Collected;
+    use crate::Origin;
+
+    /// Two valleys, along `y = ±w` with `w = 10⁻²`, of which the lower one is a little deeper.
+    #[derive(Debug)]
+    struct Valleys;
+
+    impl Metric<2> for Valleys {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let ridge = ((x[1] * 100.0).sqr() - 1.0).sqr();
+            SMatrix::from_diagonal_element(ridge + x[1] + 1.0)
+        }
+    }
+
+    /// The valleys are 1 % of the length of a curve apart, so that they count as one: its minimum is the
+    /// deeper one, in either order.
+    #[test]
+    fn of_two_minima_along_one_curve_the_lower_is_kept() {
+        let ends = Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite");
+        let problem = Problem::new(Valleys, ends);
+        let along = |y: f64| {
+            let points = (0..=16).map(|k| {
+                let y = if k == 0 || k == 16 { 0.0 } else { y };
+                SVector::from([f64::from(k) / 8.0 - 1.0, y])
+            });
+            let start = PointSequence::new(points.collect()).expect("finite");
+            let options = Options { starts: Starts::OnTheGrid(vec![start]), ..Options::default() };
+            problem.solve_with(Trapezoidal, 16, &options).expect("solved")
+        };
+        let energies = [0.01, -0.01].map(|y| along(y).discrete_energy());
+        assert!(energies[1] < energies[0], "{energies:?}");
+        for order in [[0.01, -0.01], [-0.01, 0.01]] {
+            let problem = &problem;
+            let (rule, n) = (Trapezoidal, 16);
+            let mut collected = Collected { problem, rule, n, minima: Vec::new(), starts: 0 };
+            for y in order {
+                collected.keep(along(y), &Origin::Automatic);
+            }
+            let [only] = &collected.minima[..] else { panic!("{}", collected.minima.len()) };
+            assert_eq!((only.line.discrete_energy(), only.hits), (energies[1], 2));
         }
     }
 }

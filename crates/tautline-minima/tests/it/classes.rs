@@ -1,7 +1,8 @@
 //! Lattice paths of homotopy classes, beside shortest paths in a plane with a wall.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Ends, Lattice, LatticeGraph, Metric, Plain, Scalar};
+use tautline::{Ends, HalfSpace, Lattice, LatticeGraph, Metric, Plain, Point, Scalar};
+use tautline_chance::{Random, seed};
 use tautline_minima::{Punctures, class_paths};
 
 fn lattice() -> Lattice<2> {
@@ -109,4 +110,51 @@ fn slack_and_number_bound_the_classes() {
     assert!(all[4].length() < all[5].length());
     assert_eq!(paths(20, slack), all[..5]);
     assert!(paths(0, 9.0).is_empty());
+}
+
+/// A slalom passes each puncture, from left to right, on either side. All are among the classes, whatever the
+/// direction of the rays: also those that cross a ray, pass another puncture, and cross the ray back.
+#[test]
+fn every_slalom_has_a_class() {
+    let mut random = Random(seed(2));
+    let (a, b) = (SVector::from([-1.5, 0.013]), SVector::from([1.5, 0.017]));
+    let ends = Ends::points(a, b).expect("finite");
+    let plain = Plain::new(&Euclidean);
+    let graph = LatticeGraph::new(&plain, lattice(), 1).expect("a reach");
+    let mut back = 0;
+    for _ in 0..4 {
+        let across = [-0.45, -0.15, 0.15, 0.45];
+        let points = across.map(|x| [x + random.between(-0.1, 0.1), random.between(-0.7, 0.7)]);
+        let punctures = Punctures::new(points.to_vec()).expect("points");
+        let paths = class_paths(&graph, &ends, &punctures, 400, 4.0).expect("paths");
+        for sides in 0..16 {
+            let beside = |k: usize| {
+                let [x, y] = points[k];
+                SVector::from([x, y + if sides >> k & 1 == 1 { 1e-3 } else { -1e-3 }])
+            };
+            let word = punctures.word(&[a, beside(0), beside(1), beside(2), beside(3), b]);
+            let mut rays: Vec<i32> = word.letters().iter().map(|letter| letter.abs()).collect();
+            rays.sort_unstable();
+            back += usize::from(rays.windows(2).any(|pair| pair[0] == pair[1]));
+            assert!(paths.iter().any(|path| *path.word() == word), "{points:?} {word}");
+        }
+    }
+    assert!(back > 0);
+}
+
+/// The ray of the puncture runs through the half-plane. No path needs to cross it, whose sides are told
+/// apart by the part of the half-plane where it begins; there are no classes beside the two.
+#[test]
+fn from_a_half_plane_there_are_two_ways_past_a_puncture() {
+    let roof = HalfSpace::new([0.0, -1.0], -1.0).expect("a half-plane");
+    let ends = Ends::new(roof, Point::new([0.08, -1.2]).expect("finite")).expect("bounded");
+    let punctures = Punctures::new(vec![[0.03, 0.02]]).expect("a point");
+    let plain = Plain::new(&Euclidean);
+    let graph = LatticeGraph::new(&plain, lattice(), 2).expect("a reach");
+    let paths = class_paths(&graph, &ends, &punctures, 9, 1.5).expect("paths");
+    // The middle of a path is within 0.1 of the height of the puncture.
+    let middle = |k: usize| paths[k].sequence(2).expect("chords").points()[1][0] - 0.03;
+    assert_eq!(paths.len(), 2);
+    assert_ne!(paths[0].word(), paths[1].word());
+    assert!(middle(0) > 0.0 && middle(1) < 0.0, "{} {}", middle(0), middle(1));
 }

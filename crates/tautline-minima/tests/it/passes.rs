@@ -67,6 +67,10 @@ fn between_sets_there_are_three_ways_as_well() {
     let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 64).expect("found");
     assert!(found.refused().is_empty(), "{:?}", found.refused());
     assert_eq!(found.minima().len(), 3);
+    let mut words: Vec<_> = found.minima().iter().map(|minimum| &minimum.word).collect();
+    words.sort();
+    words.dedup();
+    assert_eq!(words.len(), 3);
     for minimum in found.minima() {
         assert!(minimum.line.minimum().is_local_minimum());
         let points = minimum.line.sequence().points();
