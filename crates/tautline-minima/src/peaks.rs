@@ -8,7 +8,7 @@ use crate::{MinimaError, Punctures};
 impl Punctures {
     /// Returns the peaks of a metric: the middles of its holes, where it has none, and the nodes where its
     /// scale `(det H)^{1/2D}` is highest, if that is at least `prominence` times the scale at the highest
-    /// pass to a higher peak or to the boundary of the lattice. The highest come first.
+    /// pass to a higher peak or to the boundary of the lattice. The most prominent come first.
     ///
     /// This is the persistent homology of the scale (H. Edelsbrunner and J. Harer, *Computational
     /// Topology*, 2010): the level falls, islands rise and grow, and where two merge, the lower peak ends.
@@ -47,19 +47,21 @@ impl Punctures {
         let mut order: Vec<usize> = (0..heights.len()).collect();
         order.sort_by(|&a, &b| heights[b].total_cmp(&heights[a]));
         let mut islands = Islands::new(heights.len());
+        // The prominence of each peak, and its node.
         let mut peaks: Vec<(f64, usize)> = Vec::new();
         for node in order {
             islands.rise(node);
             for other in beside(node, counts) {
                 let Some(peak) = islands.merge(node, other, &heights) else { continue };
                 if heights[peak] > heights[node] && heights[peak] >= prominence * heights[node] {
-                    peaks.push((heights[peak], peak));
+                    peaks.push((heights[peak] / heights[node], peak));
                 }
             }
         }
         peaks.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let middle = |&(height, peak): &(f64, usize)| {
-            let node = if height.is_finite() { peak } else { middle(&heights, peak, counts) };
+        let middle = |&(_, peak): &(f64, usize)| {
+            let is_hole = heights[peak] == f64::INFINITY;
+            let node = if is_hole { middle(&heights, peak, counts) } else { peak };
             [point(node)[0], point(node)[1]]
         };
         Self::new(peaks.iter().map(middle).collect())
@@ -176,7 +178,7 @@ mod tests {
         SoftObstacles::new(hills.iter().map(hill).collect()).expect("hills")
     }
 
-    /// The highest first; a hill beyond the boundary is none.
+    /// The most prominent first; a hill beyond the boundary is none.
     #[test]
     fn hills_are_peaks() {
         let metric = hills(&[([-1.0, 0.5], 3.0), ([0.5, -0.4], 8.0), ([1.2, 2.0], 5.0)]);
@@ -186,6 +188,18 @@ mod tests {
             // The other hill moves a peak by less than a step.
             assert!((0..2).all(|i| (found[i] - exact[i]).abs() < 0.1), "{found:?}");
         }
+    }
+
+    /// A hill of height 15 three widths from a higher one ends at a pass of the height 11, so that its
+    /// scale is 1.14 times that of the pass. The scale of a lone hill of height 6 is `√7` times that of the
+    /// boundary.
+    #[test]
+    fn a_lone_hill_comes_before_the_shoulder_of_a_higher_one() {
+        let metric = hills(&[([-1.0, 0.0], 20.0), ([-0.1, 0.0], 15.0), ([1.0, 0.0], 6.0)]);
+        let peaks = Punctures::peaks(&metric, &lattice(), 1.1).expect("a prominence");
+        let across = peaks.points().iter().map(|peak| peak[0]);
+        let off = across.zip([-1.0, 1.0, -0.1]).map(|(found, exact)| (found - exact).abs());
+        assert!(peaks.points().len() == 3 && off.fold(0.0, f64::max) < 0.15, "{peaks:?}");
     }
 
     /// The middle of two hills of height `a` that are three widths apart has the height

@@ -2,13 +2,13 @@
 
 use tautline::{
     GraphPathError, Lattice, LatticeGraph, Metric, Options, Plain, PointSequence, Problem, Rule,
-    SolveError, Starts, TautLine, are_apart, check_gram,
+    SolveError, Starts, TautLine, are_apart,
 };
 use tautline_baselines::EikonalError;
 
 use crate::{
     Flattened, LocalMinimum, Minima, MinimaError, Origin, Punctures, Refused, class_paths,
-    continuation::is_minimum, follow, pass_paths,
+    continuation::is_minimum, flattened::level, follow, pass_paths,
 };
 
 /// Where a search for all minima looks.
@@ -19,7 +19,7 @@ pub struct GlobalSearch<const D: usize> {
     /// there are neither classes nor passes.
     pub lattice: Option<Lattice<D>>,
     /// The points around which classes are told apart; without them the [peaks](Punctures::peaks) of the
-    /// metric with a prominence of 1.05.
+    /// metric with a prominence of 1.05, and the 64 most prominent ones if there are more.
     pub punctures: Option<Punctures>,
     /// The most homotopy classes, and the most passes, that are tried.
     pub most: usize,
@@ -31,6 +31,10 @@ pub struct GlobalSearch<const D: usize> {
 
 /// The prominence of peaks that are found by themselves.
 const PROMINENCE: f64 = 1.05;
+
+/// The most peaks that are found by themselves. Among more, the shortest paths of most classes differ only
+/// in the sides on which they pass small ones.
+const MOST_PEAKS: usize = 64;
 
 /// How many steps along each axis the edges of the lattice reach.
 const REACH: usize = 2;
@@ -131,7 +135,10 @@ impl<const D: usize> GlobalSearch<D> {
     fn punctures<M: Metric<D>>(&self, metric: &M) -> Result<Punctures, MinimaError> {
         match (&self.punctures, &self.lattice) {
             (Some(punctures), _) => Ok(punctures.clone()),
-            (None, Some(lattice)) => Punctures::peaks(metric, lattice, PROMINENCE),
+            (None, Some(lattice)) => {
+                let peaks = Punctures::peaks(metric, lattice, PROMINENCE)?;
+                Punctures::new(peaks.points().iter().copied().take(MOST_PEAKS).collect())
+            }
             (None, None) => Punctures::new(Vec::new()),
         }
     }
@@ -180,13 +187,6 @@ impl<const D: usize> GlobalSearch<D> {
         }
         Ok(())
     }
-}
-
-/// Returns a level `c` with `H ≥ c I` at the points of a line, `1/‖H⁻¹‖`.
-fn level<M: Metric<D>, R: Rule, const D: usize>(line: &TautLine<M, R, D>) -> Option<f64> {
-    let points = line.sequence().points().iter();
-    let inverse = |x| Some(check_gram(line.metric(), x).ok()?.cholesky()?.inverse().norm());
-    points.map(inverse).try_fold(0.0, |most, norm| Some(f64::max(most, norm?))).map(f64::recip)
 }
 
 /// The minima so far.
@@ -280,5 +280,19 @@ mod tests {
             let [only] = &collected.minima[..] else { panic!("{}", collected.minima.len()) };
             assert_eq!((only.line.discrete_energy(), only.hits), (energies[1], 2));
         }
+    }
+
+    /// A search that is stopped before it converges leads to no minimum.
+    #[test]
+    fn what_is_no_minimum_is_not_kept() {
+        let ends = Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite");
+        let problem = Problem::new(Valleys, ends);
+        let options = Options { iterations: 1, ..Options::default() };
+        let line = problem.solve_with(Trapezoidal, 16, &options).expect("solved");
+        assert!(!line.minimum().is_local_minimum());
+        let (problem, rule) = (&problem, Trapezoidal);
+        let mut collected = Collected { problem, rule, n: 16, minima: Vec::new(), starts: 0 };
+        collected.keep(line, &Origin::Automatic);
+        assert!(collected.minima.is_empty());
     }
 }

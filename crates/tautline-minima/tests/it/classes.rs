@@ -122,7 +122,7 @@ fn every_slalom_has_a_class() {
     let plain = Plain::new(&Euclidean);
     let graph = LatticeGraph::new(&plain, lattice(), 1).expect("a reach");
     let mut back = 0;
-    for _ in 0..4 {
+    for _ in 0..10 {
         let across = [-0.45, -0.15, 0.15, 0.45];
         let points = across.map(|x| [x + random.between(-0.1, 0.1), random.between(-0.7, 0.7)]);
         let punctures = Punctures::new(points.to_vec()).expect("points");
