@@ -13,7 +13,7 @@ use crate::{
     word::Words,
 };
 
-/// The most states that a search stores: about 100 bytes each.
+/// The most states, and the most words, that a search stores: about 100 bytes each.
 const MOST_STATES: usize = 1 << 22;
 
 /// A shortest lattice path among those with one word.
@@ -49,15 +49,15 @@ struct State {
 
 const NONE: u32 = u32::MAX;
 
-/// Returns the shortest paths between two sets along the edges of a lattice, one for each
-/// [word](Punctures::word), shortest first: at most `most`, and none that is more than `slack` times as
-/// long as the shortest. Paths that wind often, whose words have a letter twice, are left
+/// Returns the shortest paths between two sets along the edges of a lattice, one for each [word](Word),
+/// shortest first: at most `most`, and none that is more than `slack` times as long as the shortest. Paths
+/// that wind, by a whole turn or more around a puncture between their begin and one of their nodes, are left
 /// out.
 ///
 /// The search is A* on pairs of a node and a word, with the length of the rest of the way in any class as
 /// its bound (S. Bhattacharya, M. Likhachev and V. Kumar, *Topological constraints in search-based robot
 /// path planning*, Auton. Robots 33, 2012). It ends early, with the paths that it has, after four million
-/// pairs.
+/// pairs or words.
 ///
 /// # Errors
 ///
@@ -108,17 +108,18 @@ pub fn class_paths<const D: usize>(
         Some(Reverse((estimate.to_bits(), place)))
     };
     let along = |words: &mut Words, word: u32, from: &SVector<f64, D>, to: &SVector<f64, D>| {
-        let letters = punctures.letters(from, to);
-        letters.into_iter().try_fold(word, |word, letter| words.with(word, letter))
+        punctures.letters(from, to).fold(word, |word, letter| words.with(word, letter))
     };
-    let point = |node: usize| graph.lattice().point(node);
+    let [begin, end] = punctures.anchors(ends);
+    let point = |node: usize| if node == beyond { end } else { graph.lattice().point(node) };
     for (node, nearest, length) in &first {
-        if let Some(word) = along(&mut words, 0, nearest, &point(*node)) {
-            heap.extend(reach(&mut states, *node, word, *length, NONE));
-        }
+        let word = along(&mut words, 0, &begin, nearest);
+        let word = along(&mut words, word, nearest, &point(*node));
+        heap.extend(reach(&mut states, *node, word, *length, NONE));
     }
     let (mut found, mut opened) = (Vec::new(), 0);
     while found.len() < most
+        && states.len().max(words.count()) < MOST_STATES
         && let Some(Reverse((_, place))) = heap.pop()
     {
         let state = &mut states[place as usize];
@@ -126,21 +127,23 @@ pub fn class_paths<const D: usize>(
             continue;
         }
         let (node, word, length) = (state.node as usize, state.word, state.length);
+        let here = point(node);
+        if !punctures.is_less_than_a_turn(&words.word(word), &begin, &here) {
+            continue;
+        }
         if node == beyond {
             found.push(place);
             continue;
         }
         opened += 1;
-        let here = point(node);
-        if let Some((end, tail)) = exits.get(&node)
-            && let Some(word) = along(&mut words, word, &here, end)
-        {
+        if let Some((nearest, tail)) = exits.get(&node) {
+            let word = along(&mut words, word, &here, nearest);
+            let word = along(&mut words, word, nearest, &end);
             heap.extend(reach(&mut states, beyond, word, length + tail, place));
         }
         for (there, edge) in graph.edges(node) {
-            if let Some(word) = along(&mut words, word, &here, &point(there)) {
-                heap.extend(reach(&mut states, there, word, length + edge, place));
-            }
+            let word = along(&mut words, word, &here, &point(there));
+            heap.extend(reach(&mut states, there, word, length + edge, place));
         }
     }
     let path = |place: u32| {
@@ -164,7 +167,10 @@ pub fn class_paths<const D: usize>(
         let path = LatticePath { corners, opened };
         ClassPath { word: words.word(states[place as usize].word), path }
     };
-    Ok(found.into_iter().map(path).collect())
+    let mut paths: Vec<_> = found.into_iter().map(path).collect();
+    // Estimates are rounded: paths of nearly the same length may be found in another order.
+    paths.sort_by(|a: &ClassPath<D>, b| a.path.length().total_cmp(&b.path.length()));
+    Ok(paths)
 }
 
 /// Returns the length of the shortest way from each node to some gates, given with the lengths behind them,

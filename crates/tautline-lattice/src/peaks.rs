@@ -5,7 +5,25 @@ use tautline_formula::Batches;
 
 use crate::{GraphPathError, Lattice, Punctures, lattice_graph::gram_at};
 
+/// What counts as a prominent peak, and the most of them. Among more, the shortest paths of most classes
+/// differ only in the sides on which they pass small ones.
+const PROMINENCE: f64 = 1.05;
+const MOST_PEAKS: usize = 64;
+
 impl Punctures {
+    /// Returns the [peaks](Punctures::peaks) of a metric with a prominence of 1.05 or more: the 64 most
+    /// prominent ones, if there are more.
+    ///
+    /// # Errors
+    ///
+    /// [`GraphPathError::Puncture`] if a node overflows.
+    pub fn prominent<const D: usize>(
+        metric: &dyn Batches<D>,
+        lattice: &Lattice<D>,
+    ) -> Result<Self, GraphPathError> {
+        Ok(Self::peaks(metric, lattice, PROMINENCE)?.first(MOST_PEAKS))
+    }
+
     /// Returns the peaks of a metric: the middles of its holes, where it has none, and the nodes where its
     /// scale `(det H)^{1/2D}` is highest, if that is at least `prominence` times the scale at the highest
     /// pass to a higher peak or to the boundary of the lattice. The most prominent come first.
@@ -47,6 +65,7 @@ impl Punctures {
         let mut order: Vec<usize> = (0..heights.len()).collect();
         order.sort_by(|&a, &b| heights[b].total_cmp(&heights[a]));
         let mut islands = Islands::new(heights.len());
+        // The prominence of each peak, and its node.
         let mut peaks: Vec<(f64, usize)> = Vec::new();
         for node in order {
             islands.rise(node);
@@ -60,8 +79,9 @@ impl Punctures {
             }
         }
         peaks.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let middle = |&(quotient, peak): &(f64, usize)| {
-            let node = if quotient.is_finite() { peak } else { middle(&heights, peak, counts) };
+        let middle = |&(_, peak): &(f64, usize)| {
+            let is_hole = heights[peak] == f64::INFINITY;
+            let node = if is_hole { middle(&heights, peak, counts) } else { peak };
             [point(node)[0], point(node)[1]]
         };
         Self::new(peaks.iter().map(middle).collect())
@@ -191,6 +211,18 @@ mod tests {
             // The other hill moves a peak by less than a step.
             assert!((0..2).all(|i| (found[i] - exact[i]).abs() < 0.1), "{found:?}");
         }
+    }
+
+    /// A hill of height 15 three widths from a higher one ends at a pass of the height 11, so that its
+    /// scale is 1.14 times that of the pass. The scale of a lone hill of height 6 is `√7` times that of the
+    /// boundary.
+    #[test]
+    fn a_lone_hill_comes_before_the_shoulder_of_a_higher_one() {
+        let metric = hills(&[([-1.0, 0.0], 20.0), ([-0.1, 0.0], 15.0), ([1.0, 0.0], 6.0)]);
+        let peaks = Punctures::peaks(&Plain::new(&metric), &lattice(), 1.1).expect("a prominence");
+        let across = peaks.points().iter().map(|peak| peak[0]);
+        let off = across.zip([-1.0, 1.0, -0.1]).map(|(found, exact)| (found - exact).abs());
+        assert!(peaks.points().len() == 3 && off.fold(0.0, f64::max) < 0.15, "{peaks:?}");
     }
 
     /// The middle of two hills of height `a` that are three widths apart has the height

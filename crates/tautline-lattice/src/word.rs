@@ -8,6 +8,11 @@ use std::{collections::HashMap, fmt};
 /// crosses, in its order: the ray of puncture `k`, counted from 1, as `k` or as `−k` by the direction of
 /// the crossing. A letter and its inverse that follow each other cancel. What is left after that is the
 /// same for two curves exactly if one can be moved into the other without passing over a puncture.
+///
+/// Curves between sets are prolonged for it, by chords to one member of each set. Then it is also the same
+/// for curves between convex sets that can be moved into each other while their ends move in the sets. Of a
+/// set that is not convex the chords may pass over punctures: two curves with different words may be such,
+/// and two with the same word may not.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Word(Vec<i32>);
 
@@ -54,27 +59,23 @@ impl Words {
         Self { known: vec![(0, 0)], longer: HashMap::new() }
     }
 
-    /// Returns the place of a word with another letter, or `None` if a curve would cross one ray twice in
-    /// the end: it would wind around a puncture.
-    pub(crate) fn with(&mut self, word: u32, letter: i32) -> Option<u32> {
+    /// Returns how many words there are.
+    pub(crate) fn count(&self) -> usize {
+        self.known.len()
+    }
+
+    /// Returns the place of a word with another letter.
+    pub(crate) fn with(&mut self, word: u32, letter: i32) -> u32 {
         let (shorter, last) = self.known[word as usize];
         if last == -letter {
-            return Some(shorter);
-        }
-        let mut at = word;
-        while at != 0 {
-            let (shorter, last) = self.known[at as usize];
-            if last.abs() == letter.abs() {
-                return None;
-            }
-            at = shorter;
+            return shorter;
         }
         let next = self.known.len() as u32;
         let place = *self.longer.entry((word, letter)).or_insert(next);
         if place == next {
             self.known.push((word, letter));
         }
-        Some(place)
+        place
     }
 
     /// Returns the word at a place.
@@ -106,17 +107,14 @@ mod tests {
     }
 
     #[test]
-    fn words_are_found_again_and_do_not_wind() {
+    fn words_are_found_again() {
         let mut words = Words::new();
-        let one = words.with(0, 1).expect("new");
-        let both = words.with(one, -2).expect("new");
-        assert_eq!(words.with(0, 1), Some(one));
-        assert_eq!(words.with(both, 2), Some(one));
-        assert_eq!(words.with(one, -1), Some(0));
-        assert_eq!(
-            (words.with(one, 1), words.with(both, 1), words.with(both, -1)),
-            (None, None, None)
-        );
+        let one = words.with(0, 1);
+        let both = words.with(one, -2);
+        assert_eq!(words.with(0, 1), one);
+        assert_eq!(words.with(both, 2), one);
+        assert_eq!(words.with(one, -1), 0);
+        assert_eq!(words.count(), 3);
         assert_eq!(words.word(both).letters(), [1, -2]);
     }
 }

@@ -24,7 +24,7 @@ pub struct Branch<M, R, const D: usize> {
 /// A bump that rises under a curve makes it unstable: where it was there is a saddle, with a minimum on
 /// either side. Therefore each minimum is followed from where it was, and also from its last step
 /// continued and turned round, which leads to the other side. Of minima along the same curve one is
-/// followed.
+/// followed. At least one is followed, also if `most` is 0.
 ///
 /// # Errors
 ///
@@ -45,33 +45,33 @@ pub fn follow<M: Metric<D>, R: Rule, const D: usize>(
     for line in std::iter::once(line).chain(others) {
         keep(&mut branches, Branch { line, since: first });
     }
+    branches.truncate(most.max(1));
     for &parameter in later {
         let problem = Problem::new(family(parameter), ends.clone());
         let mut failure = SolveError::NoStart;
         let mut next = Vec::new();
-        for branch in &branches {
-            let before = branch.line.sequence();
-            let mut from = |start: PointSequence<D>, since: f64| {
-                let starts = Starts::OnTheGrid(vec![start]);
-                match problem.solve_with(rule, n, &Options { starts, ..Options::default() }) {
-                    Ok(line) => {
-                        let sequence = line.sequence().clone();
-                        keep(&mut next, Branch { line, since });
-                        Some(sequence)
-                    }
-                    Err(error) => {
-                        failure = error;
-                        None
-                    }
+        let mut from = |start: PointSequence<D>, since: f64| {
+            let starts = Starts::OnTheGrid(vec![start]);
+            match problem.solve_with(rule, n, &Options { starts, ..Options::default() }) {
+                Ok(line) => {
+                    let sequence = line.sequence().clone();
+                    keep(&mut next, Branch { line, since });
+                    Some(sequence)
                 }
-            };
-            if let Some(after) = from(before.clone(), branch.since)
-                && let Some(sides) = sides(before, &after)
-            {
-                for side in sides {
-                    from(side, parameter);
+                Err(error) => {
+                    failure = error;
+                    None
                 }
             }
+        };
+        // A side of one branch may be another branch, which has its age if it is followed first.
+        let step = |branch: &Branch<M, R, D>| {
+            let before = branch.line.sequence();
+            sides(before, &from(before.clone(), branch.since)?)
+        };
+        let sides: Vec<_> = branches.iter().filter_map(step).flatten().collect();
+        for side in sides {
+            from(side, parameter);
         }
         if next.is_empty() {
             return Err(failure);
@@ -90,7 +90,7 @@ pub(crate) fn is_minimum<const D: usize>(minimum: &Minimum<D>) -> bool {
     minimum.is_local_minimum() || minimum.stop == Stop::Converged && is_flat_at_most
 }
 
-/// Inserts a branch by its length, unless it runs along one that is as old or shorter.
+/// Inserts a branch by its length, unless it runs along one that is there.
 fn keep<M: Metric<D>, R: Rule, const D: usize>(
     branches: &mut Vec<Branch<M, R, D>>,
     branch: Branch<M, R, D>,
@@ -119,4 +119,36 @@ fn sides<const D: usize>(
         PointSequence::new(points.map(|(x, step)| x + step * (sign * scale)).collect()).ok()
     };
     Some([side(1.0)?, side(-1.0)?])
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SVector, vector};
+    use tautline::PointSequence;
+
+    use super::{LEAST_STEP, sides};
+
+    /// A line of length 2 whose middle is at a height.
+    fn tent(height: f64) -> PointSequence<2> {
+        PointSequence::new(vec![vector![-1.0, 0.0], vector![0.0, height], vector![1.0, 0.0]])
+            .expect("finite")
+    }
+
+    /// A small step is enlarged, a large one is not, and none has no direction.
+    #[test]
+    fn sides_are_beside_where_a_minimum_was() {
+        let heights = |before: f64, after: f64| {
+            let sides = sides(&tent(before), &tent(after))?;
+            let ends = [tent(0.0).points()[0], tent(0.0).points()[2]];
+            assert!(sides.iter().all(|side| [side.points()[0], side.points()[2]] == ends));
+            let middle = |side: &PointSequence<2>| -> SVector<f64, 2> { side.points()[1] };
+            Some([middle(&sides[0])[1], middle(&sides[1])[1]])
+        };
+        assert_eq!(heights(0.0, 0.5), Some([0.5, -0.5]));
+        assert_eq!(heights(0.25, 0.75), Some([0.75, -0.25]));
+        let [there, back] = heights(0.0, 1e-6).expect("a step");
+        // The extent is 2, with two roundings.
+        assert!((there - 2.0 * LEAST_STEP).abs() < 1e-15 && back == -there, "{there} {back}");
+        assert_eq!(heights(0.25, 0.25), None);
+    }
 }

@@ -1,7 +1,7 @@
 //! `Flattened`: a metric whose heights are lowered.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Metric, Scalar};
+use tautline::{Metric, Rule, Scalar, TautLine, check_gram};
 
 /// `H_s(x) = (1 − s) c I + s H(x)`: the Euclidean metric at `s = 0`, and `H` at `s = 1`. Where `H ≥ c I`,
 /// it grows with `s`: bumps rise, and minimal geodesics split into those on either side of them.
@@ -19,5 +19,33 @@ impl<M: Metric<D>, const D: usize> Metric<D> for Flattened<'_, M> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let flat = S::constant((1.0 - self.share) * self.level);
         self.metric.gram(x).map(|h| h * self.share) + SMatrix::from_diagonal_element(flat)
+    }
+}
+
+/// Returns a level `c` with `H ≥ c I` at the points of a line, `1/‖H⁻¹‖`.
+pub(crate) fn level<M: Metric<D>, R: Rule, const D: usize>(
+    line: &TautLine<M, R, D>,
+) -> Option<f64> {
+    let points = line.sequence().points().iter();
+    let inverse = |x| Some(check_gram(line.metric(), x).ok()?.cholesky()?.inverse().norm());
+    points.map(inverse).try_fold(0.0, |most, norm| Some(f64::max(most, norm?))).map(f64::recip)
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::matrix;
+    use tautline::{Ends, Problem, Trapezoidal, gallery::Constant};
+
+    use super::level;
+
+    /// The Frobenius norm of `H⁻¹` is between its largest eigenvalue and `√2` times that.
+    #[test]
+    fn a_level_is_below_all_eigenvalues() {
+        let metric = Constant::new(matrix![9.0, 2.0; 2.0, 6.0]).expect("positive definite");
+        let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
+        let line = Problem::new(metric, ends).solve(Trapezoidal, 4).expect("solved");
+        // The eigenvalues are 5 and 10.
+        let level = level(&line).expect("a metric");
+        assert!((5.0 / 2.0_f64.sqrt()..=5.0).contains(&level), "{level}");
     }
 }

@@ -2,13 +2,13 @@
 
 use tautline::{
     GraphPathError, Lattice, LatticeGraph, Metric, Options, Plain, PointSequence, Problem,
-    Punctures, Rule, SolveError, Starts, TautLine, are_apart, check_gram, class_paths,
+    Punctures, Rule, SolveError, Starts, TautLine, are_apart, class_paths,
 };
 use tautline_baselines::EikonalError;
 
 use crate::{
     Flattened, LocalMinimum, Minima, MinimaError, Origin, Refused, continuation::is_minimum,
-    follow, pass_paths,
+    flattened::level, follow, pass_paths,
 };
 
 /// Where a search for all minima looks.
@@ -18,8 +18,8 @@ pub struct GlobalSearch<const D: usize> {
     /// The box in which paths are sought, with nodes closer than the details of the metric. Without it
     /// there are neither classes nor passes.
     pub lattice: Option<Lattice<D>>,
-    /// The points around which classes are told apart; without them the [peaks](Punctures::peaks) of the
-    /// metric with a prominence of 1.05.
+    /// The points around which classes are told apart; without them the
+    /// [prominent](Punctures::prominent) peaks of the metric.
     pub punctures: Option<Punctures>,
     /// The most homotopy classes, and the most passes, that are tried.
     pub most: usize,
@@ -28,9 +28,6 @@ pub struct GlobalSearch<const D: usize> {
     /// The number of steps in which the metric is raised from a flat one; 0 for no continuation.
     pub steps: usize,
 }
-
-/// The prominence of peaks that are found by themselves.
-const PROMINENCE: f64 = 1.05;
 
 impl<const D: usize> Default for GlobalSearch<D> {
     /// Returns a search without a lattice, of up to 32 classes and passes with paths up to twice as long
@@ -120,7 +117,7 @@ impl<const D: usize> GlobalSearch<D> {
         }
         minima.sort_by(|a, b| a.line.discrete_energy().total_cmp(&b.line.discrete_energy()));
         for minimum in &mut minima {
-            minimum.word = punctures.word(minimum.line.sequence().points());
+            minimum.word = punctures.word_between(problem.ends(), minimum.line.sequence().points());
         }
         Ok(Minima { minima, punctures, starts, refused })
     }
@@ -128,7 +125,7 @@ impl<const D: usize> GlobalSearch<D> {
     fn punctures<M: Metric<D>>(&self, metric: &M) -> Result<Punctures, GraphPathError> {
         match (&self.punctures, &self.lattice) {
             (Some(punctures), _) => Ok(punctures.clone()),
-            (None, Some(lattice)) => Punctures::peaks(&Plain::new(metric), lattice, PROMINENCE),
+            (None, Some(lattice)) => Punctures::prominent(&Plain::new(metric), lattice),
             (None, None) => Punctures::new(Vec::new()),
         }
     }
@@ -180,13 +177,6 @@ impl<const D: usize> GlobalSearch<D> {
     }
 }
 
-/// Returns a level `c` with `H ≥ c I` at the points of a line, `1/‖H⁻¹‖`.
-fn level<M: Metric<D>, R: Rule, const D: usize>(line: &TautLine<M, R, D>) -> Option<f64> {
-    let points = line.sequence().points().iter();
-    let inverse = |x| Some(check_gram(line.metric(), x).ok()?.cholesky()?.inverse().norm());
-    points.map(inverse).try_fold(0.0, |most, norm| Some(f64::max(most, norm?))).map(f64::recip)
-}
-
 /// The minima so far.
 struct Collected<'p, M, R, const D: usize> {
     problem: &'p Problem<M, D>,
@@ -229,5 +219,68 @@ impl<M: Metric<D>, R: Rule, const D: usize> Collected<'_, M, R, D> {
                 hits: 1,
             }),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+    use tautline::{Ends, Metric, Options, PointSequence, Problem, Scalar, Starts, Trapezoidal};
+
+    use super::Collected;
+    use crate::Origin;
+
+    /// Two valleys, along `y = ±w` with `w = 10⁻²`, of which the lower one is a little deeper.
+    #[derive(Debug)]
+    struct Valleys;
+
+    impl Metric<2> for Valleys {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let ridge = ((x[1] * 100.0).sqr() - 1.0).sqr();
+            SMatrix::from_diagonal_element(ridge + x[1] + 1.0)
+        }
+    }
+
+    /// The valleys are 1 % of the length of a curve apart, so that they count as one: its minimum is the
+    /// deeper one, in either order.
+    #[test]
+    fn of_two_minima_along_one_curve_the_lower_is_kept() {
+        let ends = Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite");
+        let problem = Problem::new(Valleys, ends);
+        let along = |y: f64| {
+            let points = (0..=16).map(|k| {
+                let y = if k == 0 || k == 16 { 0.0 } else { y };
+                SVector::from([f64::from(k) / 8.0 - 1.0, y])
+            });
+            let start = PointSequence::new(points.collect()).expect("finite");
+            let options = Options { starts: Starts::OnTheGrid(vec![start]), ..Options::default() };
+            problem.solve_with(Trapezoidal, 16, &options).expect("solved")
+        };
+        let energies = [0.01, -0.01].map(|y| along(y).discrete_energy());
+        assert!(energies[1] < energies[0], "{energies:?}");
+        for order in [[0.01, -0.01], [-0.01, 0.01]] {
+            let problem = &problem;
+            let (rule, n) = (Trapezoidal, 16);
+            let mut collected = Collected { problem, rule, n, minima: Vec::new(), starts: 0 };
+            for y in order {
+                collected.keep(along(y), &Origin::Automatic);
+            }
+            let [only] = &collected.minima[..] else { panic!("{}", collected.minima.len()) };
+            assert_eq!((only.line.discrete_energy(), only.hits), (energies[1], 2));
+        }
+    }
+
+    /// A search that is stopped before it converges leads to no minimum.
+    #[test]
+    fn what_is_no_minimum_is_not_kept() {
+        let ends = Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite");
+        let problem = Problem::new(Valleys, ends);
+        let options = Options { iterations: 1, ..Options::default() };
+        let line = problem.solve_with(Trapezoidal, 16, &options).expect("solved");
+        assert!(!line.minimum().is_local_minimum());
+        let (problem, rule) = (&problem, Trapezoidal);
+        let mut collected = Collected { problem, rule, n: 16, minima: Vec::new(), starts: 0 };
+        collected.keep(line, &Origin::Automatic);
+        assert!(collected.minima.is_empty());
     }
 }

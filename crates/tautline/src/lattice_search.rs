@@ -11,9 +11,7 @@ use tautline_optimizers::{
 
 use crate::{Problem, TautLine};
 
-/// What counts as a peak, how many of them have sides, and how long the way around them may be.
-const PROMINENCE: f64 = 1.05;
-const MOST_PEAKS: usize = 24;
+/// How many times as long as the shortest path the way around a peak may be.
 const SLACK: f64 = 2.0;
 
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
@@ -50,9 +48,8 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// to a local minimum; the shortest is the line, and up to eight others are its
     /// [other minima](TautLine::other_minima).
     ///
-    /// Use it where there are obstacles. The [peaks](Punctures::peaks) are the 24 most prominent ones that
-    /// are at least 5 % above their passes, and the [paths](class_paths) at most twice as long as the
-    /// shortest.
+    /// Use it where there are obstacles. The peaks are the [prominent](Punctures::prominent) ones, and the
+    /// [paths](class_paths) at most twice as long as the shortest.
     ///
     /// ```
     /// use tautline::{Ends, Lattice, Options, Problem, Trapezoidal, gallery::{Obstacle, SoftObstacles}};
@@ -81,7 +78,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ) -> Result<TautLine<M, R, D>, SolveError> {
         let metric = &**self.prepared();
         self.solve_from(rule, n, options, || {
-            let peaks = Punctures::peaks(metric, lattice, PROMINENCE)?.first(MOST_PEAKS);
+            let peaks = Punctures::prominent(metric, lattice)?;
             let graph = LatticeGraph::usual(metric, lattice.clone());
             let paths = class_paths(&graph, self.ends(), &peaks, classes.max(1), SLACK)?;
             paths.iter().map(|path| path.path().sequence(n)).collect()

@@ -18,7 +18,7 @@ const BELOW: [(&str, &str); 28] = [
     ("certify", "chance discretizations formula metrics scalar sets"),
     ("check", "chance formula metrics scalar sets spline"),
     ("distance", "chance check formula metrics scalar sets"),
-    ("lattice", "discretizations formula metrics sets"),
+    ("lattice", "chance discretizations formula metrics sets"),
     ("optimizers", "chance discretizations formula lattice metrics sets"),
     (
         "tautline",

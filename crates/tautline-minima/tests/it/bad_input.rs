@@ -2,8 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Ends, GraphPathError, Lattice, Metric, Problem, Punctures, Scalar, SolveError, Trapezoidal,
-    gallery::Valleys,
+    Ends, GraphPathError, Lattice, Metric, Plain, Problem, Punctures, Scalar, SolveError,
+    Trapezoidal, gallery::Valleys,
 };
 use tautline_baselines::EikonalError;
 use tautline_minima::{GlobalSearch, MinimaError, Refused, follow};
@@ -64,6 +64,28 @@ fn numbers_out_of_range_are_errors() {
     let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
     let nothing = follow(|_| Valleys, &[], &ends, Trapezoidal, 16, 8);
     assert_eq!(nothing.map(|_| ()), Err(SolveError::NoStart));
+}
+
+/// More than two hundred hills.
+#[derive(Debug)]
+struct EggBox;
+
+impl Metric<2> for EggBox {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::identity() * ((x[0] * 16.0).sin() * (x[1] * 16.0).sin() + 2.0)
+    }
+}
+
+#[test]
+fn of_many_peaks_the_most_prominent_are_told_apart() {
+    let lattice = Lattice::new([-4.0, -4.0], [4.0, 4.0], 0.05).expect("a box");
+    let peaks = Punctures::peaks(&Plain::new(&EggBox), &lattice, 1.05).expect("a prominence");
+    assert!(peaks.points().len() > 200, "{}", peaks.points().len());
+    let mut search = GlobalSearch::within(lattice);
+    (search.most, search.steps) = (0, 0);
+    let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
+    let found = search.search(&Problem::new(EggBox, ends), Trapezoidal, 16).expect("found");
+    assert_eq!(found.punctures().points(), &peaks.points()[..64]);
 }
 
 /// Neither classes nor passes nor continuation: the automatic search is left.

@@ -1,7 +1,11 @@
 //! Lattice paths of homotopy classes, beside shortest paths in a plane with a wall.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Ends, Lattice, LatticeGraph, Metric, Plain, Punctures, Scalar, class_paths};
+use tautline::{
+    ClassPath, Ends, HalfSpace, Lattice, LatticeGraph, Metric, Plain, Point, Punctures, Scalar,
+    class_paths,
+};
+use tautline_chance::{Random, seed};
 
 fn lattice() -> Lattice<2> {
     Lattice::new([-2.0, -1.5], [2.0, 1.5], 0.1).expect("a box")
@@ -94,6 +98,10 @@ fn slack_and_number_bound_the_classes() {
     let punctures = Punctures::new(points).expect("points");
     let plain = Plain::new(&Tilted);
     let graph = LatticeGraph::new(&plain, lattice(), 2).expect("a reach");
+    // Without the work of the search, which is the same for all paths.
+    let lengths = |paths: &[ClassPath<2>]| -> Vec<_> {
+        paths.iter().map(|path| (path.word().clone(), path.path().length())).collect()
+    };
     let paths = |most, slack| class_paths(&graph, &ends, &punctures, most, slack).expect("paths");
     let all = paths(20, 9.0);
     assert_eq!(all.len(), 20);
@@ -102,10 +110,57 @@ fn slack_and_number_bound_the_classes() {
     words.dedup();
     assert_eq!(words.len(), 20);
     assert!(all.is_sorted_by(|a, b| a.path().length() <= b.path().length()));
-    assert_eq!(paths(3, 9.0), all[..3]);
-    assert_eq!(paths(20, 1.0), all[..1]);
+    assert_eq!(lengths(&paths(3, 9.0)), lengths(&all[..3]));
+    assert_eq!(lengths(&paths(20, 1.0)), lengths(&all[..1]));
     let slack = 0.5 * (all[4].path().length() + all[5].path().length()) / all[0].path().length();
     assert!(all[4].path().length() < all[5].path().length());
-    assert_eq!(paths(20, slack), all[..5]);
+    assert_eq!(lengths(&paths(20, slack)), lengths(&all[..5]));
     assert!(paths(0, 9.0).is_empty());
+}
+
+/// A slalom passes each puncture, from left to right, on either side. All are among the classes, whatever the
+/// direction of the rays: also those that cross a ray, pass another puncture, and cross the ray back.
+#[test]
+fn every_slalom_has_a_class() {
+    let mut random = Random(seed(2));
+    let (a, b) = (SVector::from([-1.5, 0.013]), SVector::from([1.5, 0.017]));
+    let ends = Ends::points(a, b).expect("finite");
+    let plain = Plain::new(&Euclidean);
+    let graph = LatticeGraph::new(&plain, lattice(), 1).expect("a reach");
+    let mut back = 0;
+    for _ in 0..10 {
+        let across = [-0.45, -0.15, 0.15, 0.45];
+        let points = across.map(|x| [x + random.between(-0.1, 0.1), random.between(-0.7, 0.7)]);
+        let punctures = Punctures::new(points.to_vec()).expect("points");
+        let paths = class_paths(&graph, &ends, &punctures, 400, 4.0).expect("paths");
+        for sides in 0..16 {
+            let beside = |k: usize| {
+                let [x, y] = points[k];
+                SVector::from([x, y + if sides >> k & 1 == 1 { 1e-3 } else { -1e-3 }])
+            };
+            let word = punctures.word(&[a, beside(0), beside(1), beside(2), beside(3), b]);
+            let mut rays: Vec<i32> = word.letters().iter().map(|letter| letter.abs()).collect();
+            rays.sort_unstable();
+            back += usize::from(rays.windows(2).any(|pair| pair[0] == pair[1]));
+            assert!(paths.iter().any(|path| *path.word() == word), "{points:?} {word}");
+        }
+    }
+    assert!(back > 0);
+}
+
+/// The ray of the puncture runs through the half-plane. No path needs to cross it, whose sides are told
+/// apart by the part of the half-plane where it begins; there are no classes beside the two.
+#[test]
+fn from_a_half_plane_there_are_two_ways_past_a_puncture() {
+    let roof = HalfSpace::new([0.0, -1.0], -1.0).expect("a half-plane");
+    let ends = Ends::new(roof, Point::new([0.08, -1.2]).expect("finite")).expect("bounded");
+    let punctures = Punctures::new(vec![[0.03, 0.02]]).expect("a point");
+    let plain = Plain::new(&Euclidean);
+    let graph = LatticeGraph::new(&plain, lattice(), 2).expect("a reach");
+    let paths = class_paths(&graph, &ends, &punctures, 9, 1.5).expect("paths");
+    // The middle of a path is within 0.1 of the height of the puncture.
+    let middle = |k: usize| paths[k].path().sequence(2).expect("chords").points()[1][0] - 0.03;
+    assert_eq!(paths.len(), 2);
+    assert_ne!(paths[0].word(), paths[1].word());
+    assert!(middle(0) > 0.0 && middle(1) < 0.0, "{} {}", middle(0), middle(1));
 }

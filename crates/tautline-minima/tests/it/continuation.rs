@@ -1,6 +1,9 @@
 //! Minima of a bump that rises.
 
-use tautline::{Ends, Problem, Trapezoidal, are_apart, gallery::Bump};
+use tautline::{
+    Ends, Problem, Trapezoidal, are_apart,
+    gallery::{Bump, TwoChannels},
+};
 use tautline_minima::{Flattened, GlobalSearch, follow};
 
 /// The bump `φ² I` with `φ = 1 + a e^{−r²/2s²}` lies on the line from `(−L, 0)` to `(L, 0)`. The second
@@ -51,6 +54,33 @@ fn a_rising_bump_splits_the_line_where_the_second_variation_vanishes() {
             assert!(bend < 1e-6, "{bend}");
         }
     }
+}
+
+/// The other side is as old as the split, however long it is followed afterwards: up to twice the height, in
+/// steps to either side of the critical one. Parameters may fall as well as rise.
+#[test]
+fn a_branch_keeps_its_age() {
+    let ends = Ends::points([-1.5, 0.0], [1.5, 0.0]).expect("finite");
+    let parameters: Vec<f64> = (0..=6).map(|k| -f64::from(k)).collect();
+    let family = |a: f64| Bump::new(-a, 0.5).expect("a bump");
+    let up_to = |last: usize, most| {
+        let parameters = &parameters[..=last];
+        follow(family, parameters, &ends, Trapezoidal, 64, most).expect("followed")
+    };
+    let split = (1..=6).find(|&k| up_to(k, 8).len() == 2).expect("a split");
+    assert!(split < 4, "{split}");
+    let [first, other] = &up_to(6, 8)[..] else { panic!("two sides") };
+    assert_eq!([first.since, other.since], [0.0, parameters[split]]);
+    assert_eq!(up_to(6, 1).len(), 1);
+}
+
+/// Already under the first metric there are two minima, of which one is asked for.
+#[test]
+fn the_first_metric_has_no_more_branches_either() {
+    let ends = Ends::points([-3.0, 0.0], [3.0, 0.0]).expect("finite");
+    let family = |width: f64| TwoChannels::new(2.0, 1.0, width).expect("channels");
+    let of = |most| follow(family, &[0.5], &ends, Trapezoidal, 64, most).expect("solved").len();
+    assert_eq!([of(8), of(1)], [2, 1]);
 }
 
 /// A flattened metric is Euclidean at first and the metric at last.

@@ -48,7 +48,18 @@ fn a_certificate_ranks_the_ways() {
     };
     // The polygon of 64 chords is longer than the proved one by less than a hundredth as well.
     assert!((0.0..2e-2).contains(gap), "{gap}");
+    // What the standings say follows from what is proved, up to three roundings.
+    let (proved, rounding) = (&ranked.found.proved, 1.0 + 3.0 * f64::EPSILON);
+    let least = found.lowest().length().value * (1.0 - gap);
+    assert!(least <= proved.lower * rounding, "{least} {}", proved.lower);
     assert_eq!(rest.len(), 2);
+    let upper = proved.upper.expect("a proved length");
+    for (standing, minimum) in rest.iter().zip(&found.minima()[1..]) {
+        let (Standing::Longer { by }, length) = (standing, minimum.line.length()) else {
+            panic!("{standing:?}")
+        };
+        assert!(upper * (1.0 + by) <= (length.value - length.error) * rounding, "{by}");
+    }
     let lengths: Vec<f64> =
         found.minima().iter().map(|minimum| minimum.line.length().value).collect();
     for (standing, length) in rest.iter().zip(&lengths[1..]) {

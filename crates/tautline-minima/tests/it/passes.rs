@@ -40,6 +40,9 @@ fn slack_and_number_bound_the_passes() {
     assert!(all.len() >= 3);
     assert_eq!(paths(2, 2.0), all[..2]);
     assert!(paths(0, 2.0).is_empty());
+    // The lowest pass comes first, with the curve that is the shortest but for the error of its descents.
+    let best = all.iter().map(|path| path.length()).fold(f64::INFINITY, f64::min);
+    assert!(all[0].length() / best - 1.0 < 0.02, "{} {best}", all[0].length());
     let [only] = &paths(9, 1.0)[..] else { panic!("one pass") };
     let shortest = all.iter().map(|path| path.length()).fold(f64::INFINITY, f64::min);
     assert!((only.length() / shortest - 1.0).abs() < 0.02);
@@ -67,6 +70,10 @@ fn between_sets_there_are_three_ways_as_well() {
     let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 64).expect("found");
     assert!(found.refused().is_empty(), "{:?}", found.refused());
     assert_eq!(found.minima().len(), 3);
+    let mut words: Vec<_> = found.minima().iter().map(|minimum| &minimum.word).collect();
+    words.sort();
+    words.dedup();
+    assert_eq!(words.len(), 3);
     for minimum in found.minima() {
         assert!(minimum.line.minimum().is_local_minimum());
         let points = minimum.line.sequence().points();
