@@ -11,6 +11,8 @@ pub(crate) enum Method {
     LeftEndpoint,
     /// The solver with the straight line as its only start, like the methods that follow.
     FromTheLine,
+    /// The solver with a start for each of several homotopy classes around the peaks of the metric.
+    Classes,
     /// L-BFGS in the coordinates of the points.
     LbfgsPoints,
     /// L-BFGS in Sobolev coordinates.
@@ -58,7 +60,8 @@ pub(crate) enum Setting {
 use Method::*;
 
 impl Method {
-    /// All methods, in the order of figures and tables.
+    /// The methods of the figure and the table of accuracy and time, in their order. [`Classes`] is left out:
+    /// without peaks it is the same as [`Trapezoidal`].
     pub(crate) const ALL: [Method; 16] = [
         Trapezoidal,
         Extrapolated,
@@ -85,6 +88,7 @@ impl Method {
             Extrapolated => "Tautline, extrapolated",
             LeftEndpoint => "Tautline, left endpoint",
             FromTheLine => "Tautline, one start",
+            Classes => "Tautline, classes",
             LbfgsPoints => "L-BFGS, points",
             LbfgsSobolev => "L-BFGS, Sobolev",
             SobolevGradient => "Sobolev gradient",
@@ -107,7 +111,7 @@ impl Method {
             |powers: &[i32]| powers.iter().map(|&k| Setting::Tolerance(10_f64.powi(k))).collect();
         let flat = dimension <= 2;
         match self {
-            Trapezoidal | LeftEndpoint | FromTheLine | DiscreteLogarithm => {
+            Trapezoidal | LeftEndpoint | FromTheLine | Classes | DiscreteLogarithm => {
                 chords(&[16, 64, 256, 1024, 4096])
             }
             // Below there is one grid only.

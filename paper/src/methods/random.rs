@@ -65,9 +65,10 @@ const FINE: usize = 512;
 /// method has no answer.
 type Errors = Vec<Option<f64>>;
 
-/// The methods that are counted. The other two are those of the same sequences.
-pub(crate) const METHODS: [Method; 14] = [
+/// The methods that are counted. Two that are left out are those of the same sequences.
+pub(crate) const METHODS: [Method; 15] = [
     Method::Trapezoidal,
+    Method::Classes,
     Method::LeftEndpoint,
     Method::FromTheLine,
     Method::LbfgsPoints,

@@ -49,6 +49,11 @@ pub(crate) struct Answer<const D: usize> {
 /// the distance need a few hundred.
 const STEPS: usize = 500;
 
+/// The number of cells along each axis of the lattices for classes, and how many classes are tried.
+const PLANE: usize = 64;
+const SPACE: usize = 16;
+const CLASSES: usize = 16;
+
 /// The number of chords into which a path along a lattice is divided.
 const DIVIDED: usize = 64;
 
@@ -79,6 +84,13 @@ impl<M: Bounded<D> + Clone, const D: usize> Task<M, D> {
             (Method::FromTheLine, Setting::Chords(n)) => {
                 let starts = Starts::Only(vec![straight(n)?]);
                 Answer::of_minimum(self.solve(Trapezoidal, n, starts)?.minimum())
+            }
+            (Method::Classes, Setting::Chords(n)) => {
+                let lattice = self.lattice(if D <= 2 { PLANE } else { SPACE })?;
+                let problem = Problem::new(self.metric.clone(), ends);
+                let options = Options { threads: 1, ..Options::default() };
+                let line = problem.solve_by_classes(Trapezoidal, n, &lattice, CLASSES, &options)?;
+                Answer::of_minimum(line.minimum())
             }
             (Method::DiscreteLogarithm, Setting::Chords(n)) => {
                 let v = discrete_logarithm(&self.metric, &x, &y, n)?;

@@ -31,6 +31,7 @@ impl Method {
         };
         match self {
             Trapezoidal | Extrapolated | LeftEndpoint | FromTheLine => of("2", false, true, true),
+            Classes => of("2", true, true, true),
             LbfgsPoints | LbfgsSobolev | SobolevGradient | GaussNewton => {
                 of("1", false, false, false)
             }
