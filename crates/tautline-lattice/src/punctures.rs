@@ -152,7 +152,11 @@ impl Punctures {
             } else if (from[0] >= 0.0) != (to[0] >= 0.0) {
                 if to[0] > from[0] { 1 } else { -1 }
             } else {
+                // With both ends on its line, and the puncture between them, the chord passes on the
+                // right, as the ends count to it.
+                let is_between = from[0] == 0.0 && to[0] == 0.0 && from[1] * to[1] < 0.0;
                 let sine = from[0] * to[1] - from[1] * to[0];
+                let sine = if is_between { to[1] - from[1] } else { sine };
                 i32::from(sine > 0.0) - i32::from(sine < 0.0)
             };
             turns == straight || turns == other

@@ -148,19 +148,29 @@ fn every_slalom_has_a_class() {
     assert!(back > 0);
 }
 
-/// The ray of the puncture runs through the half-plane. No path needs to cross it, whose sides are told
-/// apart by the part of the half-plane where it begins; there are no classes beside the two.
+/// The ray of the puncture runs through the half-plane, so that the paths on the two sides of the puncture do
+/// not differ by the rays that they cross, but by the part of the half-plane at which they end. The puncture
+/// and the point are in the middle between two columns of nodes: the paths are mirror images, as long as each
+/// other, and neither runs through the half-plane.
 #[test]
-fn from_a_half_plane_there_are_two_ways_past_a_puncture() {
-    let roof = HalfSpace::new([0.0, -1.0], -1.0).expect("a half-plane");
-    let ends = Ends::new(roof, Point::new([0.08, -1.2]).expect("finite")).expect("bounded");
-    let punctures = Punctures::new(vec![[0.03, 0.02]]).expect("a point");
+fn between_a_half_plane_and_a_point_there_are_two_ways_past_a_puncture() {
+    let roof = || HalfSpace::new([0.0, -1.0], -1.0).expect("a half-plane");
+    let point = || Point::new([0.05, -1.2]).expect("finite");
+    let punctures = Punctures::new(vec![[0.05, 0.02]]).expect("a point");
     let plain = Plain::new(&Euclidean);
     let graph = LatticeGraph::new(&plain, lattice(), 2).expect("a reach");
-    let paths = class_paths(&graph, &ends, &punctures, 9, 1.5).expect("paths");
-    // The middle of a path is within 0.1 of the height of the puncture.
-    let middle = |k: usize| paths[k].path().sequence(2).expect("chords").points()[1][0] - 0.03;
-    assert_eq!(paths.len(), 2);
-    assert_ne!(paths[0].word(), paths[1].word());
-    assert!(middle(0) > 0.0 && middle(1) < 0.0, "{} {}", middle(0), middle(1));
+    for ends in [Ends::new(roof(), point()), Ends::new(point(), roof())] {
+        let ends = ends.expect("bounded");
+        let [one, other] = &class_paths(&graph, &ends, &punctures, 9, 1.5).expect("paths")[..]
+        else {
+            panic!("two paths")
+        };
+        assert_ne!(one.word(), other.word());
+        // Sums of some thirty edges of the same length but for rounding.
+        assert!((one.path().length() / other.path().length() - 1.0).abs() < 1e-13);
+        // The middle of a path is within 0.1 of the height of the puncture.
+        let beside =
+            [one, other].map(|path| path.path().sequence(2).expect("chords").points()[1][0] - 0.05);
+        assert!(beside[0] * beside[1] < 0.0, "{beside:?}");
+    }
 }

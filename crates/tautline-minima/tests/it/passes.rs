@@ -1,6 +1,9 @@
 //! Curves through passes between two distance fields.
 
-use tautline::{Ball, Ends, HalfSpace, Lattice, Options, Problem, Starts, Trapezoidal, are_apart};
+use tautline::{
+    Ball, Ends, HalfSpace, Lattice, Options, Point, Problem, Starts, Trapezoidal, are_apart,
+    gallery::{Obstacle, SoftObstacles},
+};
 use tautline_minima::{GlobalSearch, pass_paths};
 
 use crate::setup::{PAST, Planar, around, two_hills};
@@ -81,4 +84,20 @@ fn between_sets_there_are_three_ways_as_well() {
         // The metric is nearly flat there; the normality of a chord is off by its length.
         assert!(last[1].abs() < 0.05 * last[0], "{last}");
     }
+}
+
+/// The ray of the hill runs to the half-plane, and neither minimum crosses it: their words differ by where
+/// they end.
+#[test]
+fn minima_that_end_on_either_side_of_a_ray_have_different_words() {
+    let hill = Obstacle { centre: [0.0, 0.0].into(), height: 20.0, width: 0.3 };
+    let hill = SoftObstacles::new(vec![hill]).expect("a hill");
+    let roof = HalfSpace::new([0.0, -1.0], -1.5).expect("a half-plane");
+    let point = Point::new([0.05, -1.5]).expect("finite");
+    let problem = Problem::new(hill, Ends::new(point, roof).expect("bounded"));
+    let lattice = Lattice::new([-1.8, -1.8], [1.8, 1.8], 0.1).expect("a box");
+    let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 32).expect("found");
+    let [right, left] = found.minima() else { panic!("{}", found.minima().len()) };
+    assert!(right.line.curve().at(0.5)[0] > 0.5 && left.line.curve().at(0.5)[0] < -0.5);
+    assert_ne!(right.word, left.word);
 }
