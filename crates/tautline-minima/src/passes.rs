@@ -54,7 +54,7 @@ impl<const D: usize> PassPath<D> {
 ///
 /// # Errors
 ///
-/// Those of [`Eikonal::new`] and [`Eikonal::distances_from`], and [`EikonalError::NotConnected`]. A pass to
+/// [`GraphPathError::Slack`] unless `slack` is at least 1, those of [`Eikonal::new`] and [`Eikonal::distances_from`], and [`EikonalError::NotConnected`]. A pass to
 /// which no path descends is left out.
 pub fn pass_paths<M: Metric<D>, const D: usize>(
     metric: &M,
@@ -63,6 +63,9 @@ pub fn pass_paths<M: Metric<D>, const D: usize>(
     most: usize,
     slack: f64,
 ) -> Result<Vec<PassPath<D>>, EikonalError> {
+    if !(slack >= 1.0) {
+        return Err(GraphPathError::Slack { slack }.into());
+    }
     let equation = Eikonal::new(metric, lattice)?;
     let first = equation.distances_from(&**ends.first(), Order::Second)?;
     let second =

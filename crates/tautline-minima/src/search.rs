@@ -86,6 +86,10 @@ impl<const D: usize> GlobalSearch<D> {
         let mut refused = Vec::new();
         let automatic = problem.solve(rule, n);
         let source = automatic.as_ref().err().cloned();
+        // What is no number of chords here is none for any start.
+        if let Some(SolveError::NoSubinterval | SolveError::TooManySubintervals { .. }) = source {
+            return Err(MinimaError::NoMinimum { starts: 1, source });
+        }
         let level = automatic.as_ref().ok().and_then(level);
         collected.starts += 1;
         if let Ok(line) = automatic {

@@ -2,8 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    ClassPath, Ends, HalfSpace, Lattice, LatticeGraph, Metric, Plain, Point, Punctures, Scalar,
-    class_paths,
+    ClassPath, Ends, GraphPathError, HalfSpace, Lattice, LatticeGraph, Metric, Plain, Point,
+    Punctures, Scalar, class_paths,
 };
 use tautline_chance::{Random, seed};
 
@@ -116,6 +116,10 @@ fn slack_and_number_bound_the_classes() {
     assert!(all[4].path().length() < all[5].path().length());
     assert_eq!(lengths(&paths(20, slack)), lengths(&all[..5]));
     assert!(paths(0, 9.0).is_empty());
+    for slack in [0.9, f64::NAN] {
+        let error = class_paths(&graph, &ends, &punctures, 9, slack).map(|_| ());
+        assert!(matches!(error, Err(GraphPathError::Slack { .. })), "{error:?}");
+    }
 }
 
 /// A slalom passes each puncture, from left to right, on either side. All are among the classes, whatever the

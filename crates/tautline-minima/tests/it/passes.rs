@@ -1,9 +1,11 @@
 //! Curves through passes between two distance fields.
 
 use tautline::{
-    Ball, Ends, HalfSpace, Lattice, Options, Point, Problem, Starts, Trapezoidal, are_apart,
+    Ball, Ends, GraphPathError, HalfSpace, Lattice, Options, Point, Problem, Starts, Trapezoidal,
+    are_apart,
     gallery::{Obstacle, SoftObstacles},
 };
+use tautline_baselines::EikonalError;
 use tautline_minima::{GlobalSearch, pass_paths};
 
 use crate::setup::{PAST, Planar, around, two_hills};
@@ -46,6 +48,12 @@ fn slack_and_number_bound_the_passes() {
     // The lowest pass comes first, with the curve that is the shortest but for the error of its descents.
     let best = all.iter().map(|path| path.length()).fold(f64::INFINITY, f64::min);
     assert!(all[0].length() / best - 1.0 < 0.02, "{} {best}", all[0].length());
+    for slack in [0.9, f64::NAN] {
+        let error = pass_paths(&two_hills(), &ends, &around(), 9, slack).map(|_| ());
+        let Err(EikonalError::Lattice(GraphPathError::Slack { .. })) = error else {
+            panic!("{error:?}")
+        };
+    }
     let [only] = &paths(9, 1.0)[..] else { panic!("one pass") };
     let shortest = all.iter().map(|path| path.length()).fold(f64::INFINITY, f64::min);
     assert!((only.length() / shortest - 1.0).abs() < 0.02);
