@@ -29,7 +29,8 @@ pub struct Branch<M, R, const D: usize> {
 /// # Errors
 ///
 /// Those of [`Problem::solve`] for the first metric, and [`SolveError::NoStart`] without parameters. A
-/// branch without a minimum under a later metric ends; if all do, the error of the last is returned.
+/// branch along which a later metric cannot be solved ends; if all do, the error of the last is returned.
+/// Without a minimum under the last metric the list is empty.
 pub fn follow<M: Metric<D>, R: Rule, const D: usize>(
     family: impl Fn(f64) -> M,
     parameters: &[f64],

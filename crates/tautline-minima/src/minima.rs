@@ -65,9 +65,10 @@ pub enum Refused {
 /// How a local minimum stands to a proved enclosure of the distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Standing {
-    /// No curve is shorter than it by more than this part of its length.
+    /// No curve is shorter than it by more than this part of its length, up to the error of its length, which
+    /// is estimated. Several minima may stand so.
     Shortest {
-        /// `(length − lower)/length`, a pure number.
+        /// `(length + error − lower)/(length + error)`, a pure number.
         gap: f64,
     },
     /// It is longer than a curve whose length is proved, by at least this part of the length of that, up
@@ -135,7 +136,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> Minima<M, R, D> {
             if by > 0.0 {
                 Standing::Longer { by }
             } else {
-                let gap = (length.value - found.proved.lower) / length.value;
+                let longest = length.value + length.error;
+                let gap = (longest - found.proved.lower) / longest;
                 Standing::Shortest { gap: gap.max(0.0) }
             }
         };

@@ -21,7 +21,7 @@ pub struct GlobalSearch<const D: usize> {
     /// The points around which classes are told apart; without them the
     /// [prominent](Punctures::prominent) peaks of the metric.
     pub punctures: Option<Punctures>,
-    /// The most homotopy classes, and the most passes, that are tried.
+    /// The most homotopy classes, the most passes and the most branches of continuation that are tried.
     pub most: usize,
     /// How many times as long as the shortest path a path may be.
     pub slack: f64,
@@ -72,7 +72,8 @@ impl<const D: usize> GlobalSearch<D> {
     ///
     /// # Errors
     ///
-    /// [`GraphPathError::Slack`] unless `slack` is at least 1, and [`MinimaError::NoMinimum`].
+    /// [`GraphPathError::Slack`] unless `slack` is at least 1, [`GraphPathError::Puncture`] if a node of the
+    /// lattice overflows, and [`MinimaError::NoMinimum`].
     pub fn search<M: Metric<D>, R: Rule>(
         &self,
         problem: &Problem<M, D>,
@@ -87,7 +88,12 @@ impl<const D: usize> GlobalSearch<D> {
         let automatic = problem.solve(rule, n);
         let source = automatic.as_ref().err().cloned();
         // What is no number of chords here is none for any start.
-        if let Some(SolveError::NoSubinterval | SolveError::TooManySubintervals { .. }) = source {
+        if let Some(
+            SolveError::NoSubinterval
+            | SolveError::TooManySubintervals { .. }
+            | SolveError::OutOfMemory { .. },
+        ) = source
+        {
             return Err(MinimaError::NoMinimum { starts: 1, source });
         }
         let level = automatic.as_ref().ok().and_then(level);

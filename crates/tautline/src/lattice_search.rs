@@ -49,7 +49,9 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// [other minima](TautLine::other_minima).
     ///
     /// Use it where there are obstacles. The peaks are the [prominent](Punctures::prominent) ones, and the
-    /// [paths](class_paths) at most twice as long as the shortest.
+    /// [paths](class_paths) at most twice as long as the shortest. In space the sides are those in the first
+    /// two coordinates, of peaks in the middle of the others. No class is one class. The search for paths
+    /// stores up to four million pairs of a node and a class, of about 100 bytes.
     ///
     /// ```
     /// use tautline::{Ends, Lattice, Options, Problem, Trapezoidal, gallery::{Obstacle, SoftObstacles}};
@@ -67,7 +69,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ///
     /// # Errors
     ///
-    /// As for [`solve_on_lattice`](Problem::solve_on_lattice).
+    /// As for [`solve_on_lattice`](Problem::solve_on_lattice); also if a node of the lattice overflows.
     pub fn solve_by_classes<R: Rule>(
         &self,
         rule: R,

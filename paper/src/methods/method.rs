@@ -61,7 +61,7 @@ use Method::*;
 
 impl Method {
     /// The methods of the figure and the table of accuracy and time, in their order. [`Classes`] is left out:
-    /// without peaks it is the same as [`Trapezoidal`].
+    /// there are no obstacles in their problems.
     pub(crate) const ALL: [Method; 16] = [
         Trapezoidal,
         Extrapolated,

@@ -162,7 +162,11 @@ fn shortest<const D: usize>(
 ) -> Result<f64, Failure> {
     let found = || answers.iter().flatten();
     let starts = found().filter_map(|answer| answer.sequence.clone()).collect();
-    let fine = task.solve(Trapezoidal, FINE, Starts::Only(starts))?;
+    // Coarser grids lose narrow ways.
+    let fine = task.solve(Trapezoidal, FINE, Starts::OnTheGrid(starts))?;
+    if !fine.minimum().is_local_minimum() {
+        return Err(Failure::Unfinished(format!("the reference: {:?}", fine.minimum().stop)));
+    }
     let geodesics = METHODS.iter().zip(answers).filter_map(|(method, answer)| {
         let is_exact = matches!(method, Method::Shooting | Method::Collocation);
         answer.as_ref().filter(|_| is_exact).map(|answer| answer.distance)

@@ -34,7 +34,7 @@ impl<const D: usize> At<D> {
     pub(crate) fn violation(&self) -> f64 {
         let sizes = self.contacts.iter().map(|contact| contact.value.abs());
         // A NaN is no small violation.
-        sizes.fold(0.0, |most, size| if size <= most { most } else { size })
+        sizes.fold(0.0, |most, size| if size <= most || f64::is_nan(most) { most } else { size })
     }
 }
 
@@ -150,8 +150,12 @@ impl Augmented {
         let all = at.contacts.iter().zip(self.centre.iter().zip(&at.multipliers));
         let of_terms = all.map(|(contact, (centre, multiplier))| {
             let size = contact.value.abs();
-            let weight = centre.abs() + multiplier.abs() + 2.0 * size / self.parameter;
+            let push = size / self.parameter;
+            let weight = 2.0 * (centre.abs() + push) + multiplier.abs();
+            // What the gap rounds to, where the constraint holds and multipliers do not.
+            let gap = push + (centre - multiplier).abs();
             weight * (size * ROUNDING + contact.rounding)
+                + ROUNDING * 0.5 * self.parameter * gap * gap
         });
         at.here.energy() * ROUNDING + of_terms.sum::<f64>()
     }

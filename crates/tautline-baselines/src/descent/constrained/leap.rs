@@ -9,7 +9,7 @@ use crate::descent::constrained::equality::{Contact, Equality};
 ///
 /// A half of an arc of the angle `θ` has `1/(2 cos(θ/4))` of the length of its chord, which is at
 /// most 0.71 up to a half turn. Across a gap as wide as the chord it has all of it.
-const BISECTIONS: usize = 4;
+const BISECTIONS: usize = 5;
 const HALF: f64 = 0.75;
 
 /// The largest number of Newton steps to the surface, and the step, relative to the chord, after
@@ -19,13 +19,14 @@ const NEAR: f64 = 1e-3;
 
 /// A chord is judged if it is longer than this number of distances of its ends from the surface, so
 /// that its last parts are longer than four of them.
-const JUDGED: f64 = 64.0;
+const JUDGED: f64 = 128.0;
 
 /// Returns the first chord whose ends are not joined by points of the surface.
 ///
 /// Every chord is bisected by a point of the surface near its middle, and so are its halves. A leap
-/// across a gap that is longer than a sixteenth of a chord is found: no point near the middle
-/// makes both parts shorter.
+/// between parallel parts is found if the gap is longer than a sixteenth of the chord: the last part
+/// that is bisected has the extent `1/16` along them, and the gap `g` makes one of its halves too
+/// long, `1/32² + g² > 0.75² (1/16² + g²)`, if `g > 0.053`.
 pub(crate) fn leaps<const D: usize>(
     constraint: &impl Equality<D>,
     sequence: &PointSequence<D>,
@@ -117,6 +118,24 @@ mod tests {
         fn value<S: Scalar>(&self, x: &SVector<S, 2>) -> S {
             x[1] * (x[1] - 0.1 - x[0] * 0.01)
         }
+    }
+
+    /// The lines `x₂ = 0` and `x₂ = 0.07`, with values that lead Newton's method to the nearer one.
+    struct Parallel;
+
+    impl Equality<2> for Parallel {
+        fn value<S: Scalar>(&self, x: &SVector<S, 2>) -> S {
+            x[1] * (x[1] - 0.07) * (x[1] * (2.0 / 0.07)).exp()
+        }
+    }
+
+    #[test]
+    fn a_gap_of_more_than_a_sixteenth_is_found() {
+        let (a, b) = (vector![0.0, 0.0], vector![1.0, 0.07]);
+        assert!(!is_joined(&Parallel, &a, &b, BISECTIONS));
+        assert!(!is_joined(&Parallel, &b, &a, BISECTIONS));
+        assert!(is_joined(&Parallel, &a, &b, BISECTIONS - 1));
+        assert!(is_joined(&Parallel, &a, &vector![1.0, 0.0], BISECTIONS));
     }
 
     /// The gap is a tenth of the chord, and only one quarter or less of the chord is across it.

@@ -76,8 +76,9 @@ const FAR: f64 = 1e4;
 ///
 /// W. Jallet, A. Bambade, N. Mansard, J. Carpentier, Constrained differential dynamic programming: a
 /// primal-dual augmented Lagrangian approach, IROS 2022; the function is that of P. E. Gill,
-/// D. P. Robinson, Comput. Optim. Appl. 51 (2012), and the rule for `μ` and the multipliers that of
-/// A. R. Conn, N. I. M. Gould, P. L. Toint, SIAM J. Numer. Anal. 28 (1991).
+/// D. P. Robinson, Comput. Optim. Appl. 51 (2012), and the rule for `μ` and the multipliers is
+/// after that of A. R. Conn, N. I. M. Gould, P. L. Toint, SIAM J. Numer. Anal. 28 (1991), with a tenth
+/// of the last violation in place of a power of `μ`.
 pub fn constrained_dynamic_programming<'a, const D: usize, R: Rule>(
     metric: &'a dyn Batches<D>,
     rule: R,
