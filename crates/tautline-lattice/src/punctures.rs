@@ -10,7 +10,8 @@ use crate::{GraphPathError, Word};
 /// The directions among which the rays are chosen: as many as degrees in a half turn.
 const DIRECTIONS: usize = 180;
 
-/// The points of the plane around which curves are told apart, such as the middles of obstacles.
+/// Points of the plane, such as the middles of obstacles. A curve passes each of them on one side, and its
+/// class says on which.
 ///
 /// In more than two dimensions they are pillars: all points whose first two coordinates are these.
 #[derive(Clone, Debug, PartialEq)]

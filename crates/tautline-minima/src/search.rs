@@ -18,7 +18,7 @@ pub struct GlobalSearch<const D: usize> {
     /// The box in which paths are sought, with nodes closer than the details of the metric. Without it
     /// there are neither classes nor passes.
     pub lattice: Option<Lattice<D>>,
-    /// The points around which classes are told apart; without them the
+    /// The points that the classes pass on one side or the other. Without them the search takes the
     /// [prominent](Punctures::prominent) peaks of the metric.
     pub punctures: Option<Punctures>,
     /// The most homotopy classes, the most passes and the most branches of continuation that are tried.

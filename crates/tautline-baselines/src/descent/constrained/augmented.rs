@@ -204,19 +204,15 @@ impl Augmented {
 mod tests {
     use std::ops::ControlFlow;
 
-    use nalgebra::{SVector, vector};
-    use tautline::{Iterate, PointSequence, Prepared, Scalar, Trapezoidal, gallery::Valleys};
+    use nalgebra::vector;
+    use tautline::{Iterate, PointSequence, Prepared, Trapezoidal, gallery::Valleys};
 
     use super::{At, Augmented};
-    use crate::descent::{Limits, constrained::Equality, search::Search};
-
-    struct Circle;
-
-    impl Equality<2> for Circle {
-        fn value<S: Scalar>(&self, x: &SVector<S, 2>) -> S {
-            x[0].sqr() + x[1].sqr() - 1.0
-        }
-    }
+    use crate::descent::{
+        Limits,
+        constrained::equality::{Equality, tests::Circle},
+        search::Search,
+    };
 
     /// Along a step `p` of Newton's method with the matrix `B` the function `M` has the slope
     /// `−pᵀBp`, twice the decrease of its model, whatever the shift. A central difference of step `h

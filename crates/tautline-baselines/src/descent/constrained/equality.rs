@@ -60,3 +60,20 @@ pub(crate) fn contacts<const D: usize>(
     let inner = &sequence.points()[1..sequence.n().get()];
     inner.iter().map(|x| Contact::at(constraint, x)).collect()
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use nalgebra::SVector;
+    use tautline::Scalar;
+
+    use super::Equality;
+
+    /// The unit circle, for the tests of this folder.
+    pub(crate) struct Circle;
+
+    impl Equality<2> for Circle {
+        fn value<S: Scalar>(&self, x: &SVector<S, 2>) -> S {
+            x[0].sqr() + x[1].sqr() - 1.0
+        }
+    }
+}

@@ -77,15 +77,7 @@ mod tests {
     use tautline::{PointSequence, Scalar};
 
     use super::{BISECTIONS, is_joined, leaps};
-    use crate::descent::constrained::Equality;
-
-    struct Circle;
-
-    impl Equality<2> for Circle {
-        fn value<S: Scalar>(&self, x: &SVector<S, 2>) -> S {
-            x[0].sqr() + x[1].sqr() - 1.0
-        }
-    }
+    use crate::descent::constrained::equality::{Equality, tests::Circle};
 
     #[test]
     fn arcs_up_to_a_half_turn_are_joined() {
