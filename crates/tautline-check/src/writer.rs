@@ -70,7 +70,8 @@ impl<const D: usize> Certificate<D> {
     }
 
     /// Returns the first lines of the certificate, with decimals: the metric, the sets, `hi` and the
-    /// region. Of a table it has the shape and a SHA-256 of the numbers. Two certificates with the same lines make statements about the same distance.
+    /// region. Of a table it has the shape and a SHA-256 of the numbers. Two certificates with the same
+    /// lines make statements about the same distance.
     #[must_use]
     pub fn statement(&self) -> String {
         let mut text = String::new();

@@ -108,8 +108,8 @@ pub enum GraphPathError {
 /// Returns a shortest path along a lattice between two sets, as a sequence of `n` chords of equal
 /// length under the metric.
 ///
-/// It is the [shortest path](LatticeGraph::shortest) of the [usual](LatticeGraph::usual) graph. Nodes without a
-/// metric are left out.
+/// It is the [shortest path](LatticeGraph::shortest) of the [usual](LatticeGraph::usual) graph. Nodes
+/// without a metric are left out.
 ///
 /// # Errors
 ///

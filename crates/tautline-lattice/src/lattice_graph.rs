@@ -3,15 +3,11 @@
 use std::{cmp::Reverse, collections::BinaryHeap};
 
 use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::PointSequence;
 use tautline_formula::Batches;
 use tautline_metrics::{Constants, check_matrix};
 use tautline_sets::{ClosedSet, Ends};
 
-use crate::{
-    graph_path::{GraphPathError, equal_chords},
-    lattice::Lattice,
-};
+use crate::{GraphPathError, Lattice, LatticePath};
 
 /// The largest reach: in four dimensions it has some 80 000 offsets.
 const LARGEST_REACH: usize = 8;
@@ -33,43 +29,6 @@ pub struct LatticeGraph<'m, const D: usize> {
     gram: Vec<Option<SMatrix<f64, D, D>>>,
     /// The offsets, with their chords in `ℓ`.
     steps: Vec<([isize; D], SVector<f64, D>)>,
-}
-
-/// A shortest path along a lattice.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LatticePath<const D: usize> {
-    pub(crate) corners: Vec<(f64, SVector<f64, D>)>,
-    pub(crate) opened: usize,
-}
-
-impl<const D: usize> LatticePath<D> {
-    /// Returns the length of the path, in `m`: the sum of its edges and of the chords to the sets.
-    #[must_use]
-    pub fn length(&self) -> f64 {
-        self.corners.last().map_or(0.0, |last| last.0)
-    }
-
-    /// Returns the corners, in `ℓ`, each with the length up to it, in `m`. The first and the last one are
-    /// points of the sets.
-    #[must_use]
-    pub fn corners(&self) -> &[(f64, SVector<f64, D>)] {
-        &self.corners
-    }
-
-    /// Returns how often the edges of a node were looked at: a pure number, the work of the search.
-    #[must_use]
-    pub fn opened(&self) -> usize {
-        self.opened
-    }
-
-    /// Returns `n` chords of equal length along the path.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`equal_chords`].
-    pub fn sequence(&self, n: usize) -> Result<PointSequence<D>, GraphPathError> {
-        equal_chords(&self.corners, n)
-    }
 }
 
 /// A node near a set, the point of the set that is nearest to it, and the length of the chord between.
@@ -294,4 +253,25 @@ fn offsets<const D: usize>(reach: isize) -> Vec<[isize; D]> {
     let is_primitive =
         |offset: &[isize; D]| offset.iter().fold(0, |a, &along| divisor(a, along)) == 1;
     (0..side.pow(D as u32)).map(of_number).filter(is_primitive).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_formula::Plain;
+    use tautline_metrics::gallery::Constant;
+
+    use super::*;
+
+    /// Of an inner node: 8 neighbours and 8 knight's moves in the plane, and 26 neighbours in space.
+    #[test]
+    fn usual_edges_reach_two_steps_in_the_plane_and_one_in_space() {
+        fn edges<const D: usize>() -> usize {
+            let flat = Constant::new(SMatrix::<f64, D, D>::identity()).expect("definite");
+            let flat = Plain::new(&flat);
+            let lattice = Lattice::new([0.0; D], [4.0; D], 1.0).expect("a box");
+            let graph = LatticeGraph::usual(&flat, lattice);
+            graph.edges(graph.lattice().nodes() / 2).count()
+        }
+        assert_eq!([edges::<2>(), edges::<3>()], [16, 26]);
+    }
 }

@@ -97,8 +97,8 @@ impl Punctures {
         [ends.first(), ends.second()].map(|set| set.project(&mean))
     }
 
-    /// Returns the word of a polygon between two sets, given by its corners in `ℓ`. It is prolonged by chords to
-    /// a member of each set, the one nearest to the mean of the punctures.
+    /// Returns the word of a polygon between two sets, given by its corners in `ℓ`. It is prolonged by
+    /// chords to a member of each set, the one nearest to the mean of the punctures.
     #[must_use]
     pub fn word_between<const D: usize>(
         &self,

@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 use tautline::{
-    CertificateError, GraphPathError, Metric, Punctures, Rule, SolveError, TautLine, Word,
+    CertificateError, GraphPathError, Integral, Metric, Punctures, Rule, SolveError, TautLine,
+    Word,
     distance::{Found, Wanted},
 };
 use tautline_baselines::EikonalError;
@@ -79,6 +80,18 @@ pub enum Standing {
     },
 }
 
+impl Standing {
+    /// Returns how a length stands to a proved enclosure of the distance.
+    fn new(length: Integral, [lower, upper]: [f64; 2]) -> Self {
+        let by = (length.value - length.error - upper) / upper;
+        if by > 0.0 {
+            return Standing::Longer { by };
+        }
+        let longest = length.value + length.error;
+        Standing::Shortest { gap: ((longest - lower) / longest).max(0.0) }
+    }
+}
+
 /// Local minima beside a certificate of the distance.
 #[derive(Clone, Debug)]
 pub struct Ranked<const D: usize> {
@@ -129,19 +142,31 @@ impl<M: Metric<D>, R: Rule, const D: usize> Minima<M, R, D> {
     pub fn ranked(&self, wanted: Wanted) -> Result<Ranked<D>, CertificateError> {
         let go_on = &mut |_| std::ops::ControlFlow::Continue(());
         let found = self.lowest().certificate_with(wanted, go_on)?;
-        let standing = |minimum: &LocalMinimum<M, R, D>| {
-            let length = minimum.line.length();
-            let upper = found.proved.upper.unwrap_or(f64::INFINITY);
-            let by = (length.value - length.error - upper) / upper;
-            if by > 0.0 {
-                Standing::Longer { by }
-            } else {
-                let longest = length.value + length.error;
-                let gap = (longest - found.proved.lower) / longest;
-                Standing::Shortest { gap: gap.max(0.0) }
-            }
-        };
+        let (lower, upper) = (found.proved.lower, found.proved.upper.unwrap_or(f64::INFINITY));
+        let standing =
+            |minimum: &LocalMinimum<M, R, D>| Standing::new(minimum.line.length(), [lower, upper]);
         let standings = self.minima.iter().map(standing).collect();
         Ok(Ranked { found, standings })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline::Integral;
+
+    use super::Standing::{self, Longer, Shortest};
+
+    /// Its error counts against a length on both sides. All numbers are exact in binary.
+    #[test]
+    fn a_length_stands_where_its_error_allows() {
+        let of = |value, error| Standing::new(Integral { value, error }, [3.0, 4.0]);
+        assert_eq!(of(6.0, 0.0), Longer { by: 0.5 });
+        assert_eq!(of(6.0, 1.0), Longer { by: 0.25 });
+        assert_eq!(of(6.0, 2.0), Shortest { gap: 0.625 });
+        assert_eq!(of(4.0, 0.0), Shortest { gap: 0.25 });
+        // Below what is proved there is no curve: the length is too short by more than its error.
+        assert_eq!(of(2.0, 0.5), Shortest { gap: 0.0 });
+        let unproved = Standing::new(Integral { value: 4.0, error: 0.0 }, [3.0, f64::INFINITY]);
+        assert_eq!(unproved, Shortest { gap: 0.25 });
     }
 }

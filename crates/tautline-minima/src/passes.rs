@@ -54,8 +54,9 @@ impl<const D: usize> PassPath<D> {
 ///
 /// # Errors
 ///
-/// [`GraphPathError::Slack`] unless `slack` is at least 1, those of [`Eikonal::new`] and [`Eikonal::distances_from`], and [`EikonalError::NotConnected`]. A pass to
-/// which no path descends is left out.
+/// [`GraphPathError::Slack`] unless `slack` is at least 1, those of [`Eikonal::new`] and
+/// [`Eikonal::distances_from`], and [`EikonalError::NotConnected`]. A pass to which no path descends is left
+/// out.
 pub fn pass_paths<M: Metric<D>, const D: usize>(
     metric: &M,
     ends: &Ends<D>,

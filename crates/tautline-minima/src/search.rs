@@ -87,13 +87,7 @@ impl<const D: usize> GlobalSearch<D> {
         let mut refused = Vec::new();
         let automatic = problem.solve(rule, n);
         let source = automatic.as_ref().err().cloned();
-        // What is no number of chords here is none for any start.
-        if let Some(
-            SolveError::NoSubinterval
-            | SolveError::TooManySubintervals { .. }
-            | SolveError::OutOfMemory { .. },
-        ) = source
-        {
+        if source.as_ref().is_some_and(SolveError::is_due_to_n) {
             return Err(MinimaError::NoMinimum { starts: 1, source });
         }
         let level = automatic.as_ref().ok().and_then(level);
@@ -115,7 +109,7 @@ impl<const D: usize> GlobalSearch<D> {
             }
         }
         if self.steps > 0 {
-            let level = level.ok_or(SolveError::NoStart);
+            let level = level.ok_or_else(|| source.clone().unwrap_or(SolveError::NoStart));
             let followed = level.and_then(|level| self.by_continuation(&mut collected, level));
             if let Err(error) = followed {
                 refused.push(Refused::Continuation(error));

@@ -68,7 +68,7 @@ fn check_size<const D: usize>(n: usize) -> Result<(), SolveError> {
     match n {
         0 => Err(SolveError::NoSubinterval),
         _ if n > LARGEST_N => Err(SolveError::TooManySubintervals { n }),
-        _ => Workspace::<D>::check_points(n),
+        _ => Workspace::<D>::check_points(n, 1),
     }
 }
 

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use tautline_discretizations::{PointSequence, Rule};
-use tautline_lattice::{GraphPathError, Lattice, LatticeGraph, Punctures, class_paths, graph_path};
+use tautline_lattice::{Lattice, LatticeGraph, Punctures, class_paths, graph_path};
 use tautline_metrics::Metric;
 use tautline_optimizers::{
-    Level, Minimum, Options, Other, SolveError, Starts, are_apart, lowest_different,
+    Level, Minimum, Options, Other, SolveError, Starts, Workspace, are_apart, lowest_different,
 };
 
 use crate::{Problem, TautLine};
@@ -69,7 +69,8 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ///
     /// # Errors
     ///
-    /// As for [`solve_on_lattice`](Problem::solve_on_lattice); also if a node of the lattice overflows.
+    /// As for [`solve_on_lattice`](Problem::solve_on_lattice); also if a node of the lattice overflows, and
+    /// [`SolveError::OutOfMemory`] if there is no memory for the points of all starts.
     pub fn solve_by_classes<R: Rule>(
         &self,
         rule: R,
@@ -83,7 +84,8 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
             let peaks = Punctures::prominent(metric, lattice)?;
             let graph = LatticeGraph::usual(metric, lattice.clone());
             let paths = class_paths(&graph, self.ends(), &peaks, classes.max(1), SLACK)?;
-            paths.iter().map(|path| path.path().sequence(n)).collect()
+            Workspace::<D>::check_points(n, paths.len())?;
+            Ok(paths.iter().map(|path| path.path().sequence(n)).collect::<Result<_, _>>()?)
         })
     }
 
@@ -93,16 +95,10 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         rule: R,
         n: usize,
         options: &Options<D>,
-        starts: impl FnOnce() -> Result<Vec<PointSequence<D>>, GraphPathError>,
+        starts: impl FnOnce() -> Result<Vec<PointSequence<D>>, SolveError>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
         let first = self.solve_with(rule, n, options);
-        // A number of chords that is no grid, or for which there is no memory, is none for the path.
-        if let Err(
-            SolveError::NoSubinterval
-            | SolveError::TooManySubintervals { .. }
-            | SolveError::OutOfMemory { .. },
-        ) = first
-        {
+        if first.as_ref().is_err_and(SolveError::is_due_to_n) {
             return first;
         }
         match [first, self.solve_on_the_grid(rule, n, starts()?, options)] {

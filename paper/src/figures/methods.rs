@@ -48,10 +48,11 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
 fn style(method: Method) -> (Colour, Marker, &'static [f64]) {
     let (dashed, dotted): (&[f64], &[f64]) = (&[6.0, 3.0], &[2.0, 2.0]);
     match method {
-        Method::Trapezoidal | Method::Classes => (palette::VERMILLION, Marker::Disc, &[]),
+        Method::Trapezoidal => (palette::VERMILLION, Marker::Disc, &[]),
         Method::Extrapolated => (palette::VERMILLION, Marker::Star, &[]),
         Method::LeftEndpoint => (palette::VERMILLION, Marker::Square, dashed),
         Method::FromTheLine => (palette::VERMILLION, Marker::Ring, dotted),
+        Method::Classes => (palette::VERMILLION, Marker::Diamond, dotted),
         Method::LbfgsPoints => (palette::BLUE, Marker::Disc, dashed),
         Method::LbfgsSobolev => (palette::BLUE, Marker::Square, &[]),
         Method::SobolevGradient => (palette::BLUE, Marker::Triangle, &[]),

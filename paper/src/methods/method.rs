@@ -60,13 +60,13 @@ pub(crate) enum Setting {
 use Method::*;
 
 impl Method {
-    /// The methods of the figure and the table of accuracy and time, in their order. [`Classes`] is left out:
-    /// there are no obstacles in their problems.
-    pub(crate) const ALL: [Method; 16] = [
+    /// All methods, in the order of the figure and the table of accuracy and time.
+    pub(crate) const ALL: [Method; 17] = [
         Trapezoidal,
         Extrapolated,
         LeftEndpoint,
         FromTheLine,
+        Classes,
         LbfgsPoints,
         LbfgsSobolev,
         SobolevGradient,

@@ -78,9 +78,9 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
         .collect();
     let numbers = numbers.join(", ");
     let caption = format!(
-        "What each method needs and can do, and on how many of {numbers} random fields of obstacles its distance \
-         is within $10^{{-3}}$ of the shortest that is known, within $10^{{-2}}$, farther, or \
-         missing. Sequences have {N} chords, which alone leave an error up to $10^{{-3}}$ by the \
+        "What each method needs and can do, and on how many of {numbers} random fields of obstacles \
+         its distance is within $10^{{-3}}$ of the shortest that is known, within $10^{{-2}}$, \
+         farther, or missing. Sequences have {N} chords, which alone leave an error up to $10^{{-3}}$ by the \
          trapezoidal and up to $10^{{-2}}$ by the left-endpoint rule. Derivatives are those of $H$, \
          or the Christoffel symbols $Γ$ with their derivatives. Certificates exist in up to four \
          dimensions. Shots have the tolerance $10^{{-6}}$."

@@ -33,9 +33,10 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "Relative error of the distance, steps and time in ms on one thread, of every method: with \
          128 chords, the tolerance $10^{-9}$ for shooting and $10^{-4}$ for collocation, 128 cells \
-         along each axis in the plane, and in space 24 for paths and 32 for marches. An error of more than 0.3 is that \
-         of another geodesic; where there is none, the method has no answer. Steps are those of all \
-         searches, or the nodes of a lattice that were opened.",
+         along each axis in the plane, 64 for classes, and in space 24 for paths, 32 for marches and \
+         16 for classes. An error of more than 0.3 is that of another geodesic; where there is none, \
+         the method has no answer. Steps are those of all searches, or the nodes of a lattice that \
+         were opened.",
         "method & sphere, $D = 2$: error & steps & ms & stirred, $D = 3$: error & steps & ms & \
          waves, $D = 6$: error & steps & ms",
     );

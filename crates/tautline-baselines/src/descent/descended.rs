@@ -52,7 +52,8 @@ pub struct Descended<const D: usize> {
 pub enum Ended {
     /// The residual is small enough.
     Stationary,
-    /// No step lowered the energy.
+    /// No step lowered the energy, or rounding hid for several steps whether one did: see
+    /// [`residual`](Descended::residual) for what is left.
     Stalled,
     /// The allowed number of steps was taken.
     IterationLimit,

@@ -6,7 +6,7 @@ use tautline::{
 };
 use tautline_baselines::descent::{Ended, Equality};
 
-use crate::constrained::{UnitSphere, solve};
+use crate::constrained::{UnitSphere, energy_tolerance, solve};
 
 /// The plane `x₃ = 0.3 x₁ − 0.2 x₂`, with the normal `(0.3, −0.2, −1)` times ten.
 struct Plane;
@@ -59,8 +59,9 @@ fn on_a_plane_it_is_the_minimum_in_coordinates() {
             found.descended.residual, found.descended.residual_floor, found.violation
         );
         assert_eq!(found.descended.ended, Ended::Stationary, "{what}");
-        let error = found.descended.energy / expected - 1.0;
-        assert!(error.abs() <= 1e-10, "{rule:?}: {error:e}");
+        let (error, tolerance) =
+            (found.descended.energy / expected - 1.0, energy_tolerance(&found));
+        assert!(error.abs() <= tolerance, "{rule:?}: {error:e} {tolerance:e}");
         assert!(free < expected * (1.0 - 1e-6), "{rule:?}: {free} {expected}");
         // The multipliers are the forces that hold the curve in its plane.
         assert!(found.multipliers.iter().any(|multiplier| multiplier.abs() > 1e-4));
@@ -105,12 +106,14 @@ impl Metric<2> for OnTheSphere {
 
 /// Under a metric that varies, the chords in space and those in a chart have different energies, and
 /// one limit. The errors of the trapezoidal rule are a series in `1/N²`, of which Richardson's
-/// extrapolation takes off three terms: what is left is of the order `512⁻²·256⁻²·128⁻²·64⁻²`.
+/// extrapolation takes off three terms: what is left is of the order `512⁻²·256⁻²·128⁻²·64⁻²`. It
+/// doubles the errors of the energies, as `(5/3)(17/15)(65/63) < 2`.
 #[test]
 fn on_a_sphere_in_another_metric_the_limit_is_that_in_a_chart() {
     let (a, b) = ([0.9, 0.2], [-0.5, 0.8]);
     let along = |k: usize, n: usize| SVector::from(a).lerp(&b.into(), k as f64 / n as f64);
     let grids = [64, 128, 256, 512];
+    let mut tolerance: f64 = 0.0;
     let energies = grids.map(|n| {
         let chart = PointSequence::new((0..=n).map(|k| along(k, n)).collect()).expect("finite");
         let lifted = chart.points().iter().map(OnTheSphere::lift).collect();
@@ -120,6 +123,7 @@ fn on_a_sphere_in_another_metric_the_limit_is_that_in_a_chart() {
         let lifted = PointSequence::new(lifted).expect("finite");
         let on_sphere = solve(CoupledCosines, Trapezoidal, lifted, &UnitSphere).expect("a metric");
         assert_eq!(on_sphere.descended.ended, Ended::Stationary);
+        tolerance = tolerance.max(2.0 * energy_tolerance(&on_sphere));
         [found.energy, on_sphere.descended.energy]
     });
     // The energies on the finest grid differ by far more than the limits.
@@ -136,5 +140,5 @@ fn on_a_sphere_in_another_metric_the_limit_is_that_in_a_chart() {
         table[0]
     };
     let error = limit(1) / limit(0) - 1.0;
-    assert!(error.abs() <= 1e-10, "{error:e}");
+    assert!(error.abs() <= tolerance, "{error:e} {tolerance:e}");
 }

@@ -12,7 +12,7 @@ use tautline_baselines::descent::{
     constrained_dynamic_programming,
 };
 
-pub(crate) const LIMITS: Limits = Limits { tolerance: 1e-7, iterations: 500 };
+const LIMITS: Limits = Limits { tolerance: 1e-7, iterations: 500 };
 const FEASIBILITY: f64 = 1e-11;
 
 pub(crate) struct UnitSphere;
@@ -23,15 +23,33 @@ impl Equality<3> for UnitSphere {
     }
 }
 
-pub(crate) fn solve<M: Metric<3>>(
-    metric: M,
+pub(crate) fn solve(
+    metric: impl Metric<3>,
     rule: impl Rule,
     start: PointSequence<3>,
     constraint: &impl Equality<3>,
 ) -> Result<Constrained<3>, ConstrainedError> {
+    descend(metric, rule, start, constraint, FEASIBILITY)
+}
+
+pub(crate) fn descend<const D: usize>(
+    metric: impl Metric<D>,
+    rule: impl Rule,
+    start: PointSequence<D>,
+    constraint: &impl Equality<D>,
+    feasibility: f64,
+) -> Result<Constrained<D>, ConstrainedError> {
     let metric = Prepared::new(metric);
-    let watch = &mut |_: &Iterate<'_, 3>| ControlFlow::Continue(());
-    constrained_dynamic_programming(&metric, rule, start, constraint, FEASIBILITY, &LIMITS, watch)
+    let watch = &mut |_: &Iterate<'_, D>| ControlFlow::Continue(());
+    constrained_dynamic_programming(&metric, rule, start, constraint, feasibility, &LIMITS, watch)
+}
+
+/// The relative error of the energy of a constrained minimiser. A residual `r` leaves an excess of `r²`
+/// times what the second variation is softer than that of a flat metric, here less than a hundred.
+/// Off the surface by `v`, the energy changes by `Σ |λₙ| v` to first order.
+pub(crate) fn energy_tolerance(found: &Constrained<3>) -> f64 {
+    let forces: f64 = found.multipliers.iter().map(|multiplier| multiplier.abs()).sum();
+    100.0 * LIMITS.tolerance.powi(2) + 1.1 * forces * FEASIBILITY / found.descended.energy
 }
 
 fn flat() -> Constant<3> {
@@ -72,13 +90,23 @@ fn on_a_sphere_it_is_the_great_circle() {
             assert!(found.violation <= FEASIBILITY, "{what}: {:e}", found.violation);
             let expected = (2.0 * n as f64 * (alpha / (2.0 * n as f64)).sin()).powi(2);
             let error = found.descended.energy / expected - 1.0;
-            // The residual is 1e-7, of which the energy is off by the square; a violation of 1e-11
-            // shortens each of the n chords by as much, relative to the radius.
-            assert!(error.abs() <= 1e-10, "{what}: {error:e}");
-            // All points are in the plane of the great circle.
+            let tolerance = energy_tolerance(&found);
+            assert!(error.abs() <= tolerance, "{what}: {error:e} {tolerance:e}");
+            // All points are in the plane of the great circle. Off it, a force ρ causes the
+            // displacement η with −η'' − α²η = ρ, which is at most √2 |ρ|/(π² − α²) but for higher
+            // modes; with |ρ| = αr that is r for α = 5/2, and a fifth more with three chords.
             let normal = SVector::from([0.0, 0.8, -0.6]);
             let off = found.descended.sequence.points().iter().map(|x| normal.dot(x).abs());
-            assert!(off.fold(0.0, f64::max) <= 1e-7, "{what}");
+            assert!(off.fold(0.0, f64::max) <= 1.2 * LIMITS.tolerance, "{what}");
+            // The derivative of the energy is 4N(1 − cos(α/N)) xₙ, and that of the constraint 2xₙ. A
+            // residual r allows a force of √N αr at one point, which is N times the error of λ; and
+            // three points that are off by v/2 change it by 2Nv.
+            let chords = n as f64;
+            let lambda = -2.0 * chords * (1.0 - (alpha / chords).cos());
+            let tolerance = alpha * LIMITS.tolerance / chords.sqrt() + 2.0 * chords * FEASIBILITY;
+            for multiplier in &found.multipliers {
+                assert!((multiplier - lambda).abs() <= tolerance, "{what}: {multiplier} {lambda}");
+            }
         }
     }
 }
@@ -220,7 +248,10 @@ fn a_loop_shrinks_to_a_point() {
     let start = PointSequence::new(points).expect("finite");
     let found = solve(CoupledCosines, Trapezoidal, start, &UnitSphere).expect("a metric");
     assert_eq!(found.descended.ended, Ended::Stationary, "{found:?}");
-    assert!(found.descended.energy < 1e-12, "{}", found.descended.energy);
+    // The residual of a loop is about 1, however small the loop is, until rounding causes as much: where
+    // √E is Nε times the root of 3/2 and of tr H/3, which is below 10.
+    let rounding = (30.0 * f64::EPSILON).powi(2) * 15.0;
+    assert!(found.descended.energy < rounding, "{:e}", found.descended.energy);
 }
 
 /// The metric waves over a thousandth of the radius: a rounding of a point changes its slope by

@@ -1,15 +1,10 @@
 //! Constraints that no curve between two points satisfies, and others that are no constraints.
 
-use std::ops::ControlFlow;
+use tautline::{PointSequence, SMatrix, SVector, Scalar, Trapezoidal, gallery::Constant};
+use tautline_baselines::descent::{Constrained, ConstrainedError, Ended, Equality};
 
-use tautline::{
-    Iterate, PointSequence, Prepared, SMatrix, SVector, Scalar, Trapezoidal, gallery::Constant,
-};
-use tautline_baselines::descent::{
-    Constrained, ConstrainedError, Ended, Equality, Limits, constrained_dynamic_programming,
-};
+use crate::constrained::descend;
 
-const LIMITS: Limits = Limits { tolerance: 1e-7, iterations: 500 };
 const FEASIBILITY: f64 = 1e-9;
 
 fn solve<const D: usize>(
@@ -17,17 +12,8 @@ fn solve<const D: usize>(
     constraint: &impl Equality<D>,
     feasibility: f64,
 ) -> Result<Constrained<D>, ConstrainedError> {
-    let metric = Prepared::new(Constant::new(SMatrix::<f64, D, D>::identity()).expect("definite"));
-    let watch = &mut |_: &Iterate<'_, D>| ControlFlow::Continue(());
-    constrained_dynamic_programming(
-        &metric,
-        Trapezoidal,
-        start,
-        constraint,
-        feasibility,
-        &LIMITS,
-        watch,
-    )
+    let metric = Constant::new(SMatrix::<f64, D, D>::identity()).expect("definite");
+    descend(metric, Trapezoidal, start, constraint, feasibility)
 }
 
 pub(crate) struct TwoSpheres;

@@ -1,7 +1,7 @@
 //! Minima of a bump that rises.
 
 use tautline::{
-    Ends, Problem, Trapezoidal, are_apart,
+    Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, are_apart,
     gallery::{Bump, TwoChannels},
 };
 use tautline_minima::{Flattened, GlobalSearch, follow};
@@ -74,6 +74,25 @@ fn a_branch_keeps_its_age() {
     assert_eq!(up_to(6, 1).len(), 1);
 }
 
+/// The valley moves under the ends, where its bottom has no derivative: no search converges there, and what it
+/// leaves is no minimum.
+#[test]
+fn what_does_not_converge_is_no_branch() {
+    #[derive(Debug)]
+    struct Valley(f64);
+    impl Metric<2> for Valley {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            SMatrix::from_diagonal_element((x[1] - self.0).sqr().sqrt() + 1.0)
+        }
+    }
+    let ends = Ends::points([-1.5, 0.0], [1.5, 0.0]).expect("finite");
+    let up_to = |parameters: &[f64]| {
+        follow(Valley, parameters, &ends, Trapezoidal, 16, 8).expect("followed")
+    };
+    let [far, there] = [&[9.0][..], &[9.0, 0.0]].map(|parameters| up_to(parameters).len());
+    assert_eq!([far, there], [1, 0]);
+}
+
 /// Already under the first metric there are two minima, of which one is asked for.
 #[test]
 fn the_first_metric_has_no_more_branches_either() {
@@ -86,7 +105,6 @@ fn the_first_metric_has_no_more_branches_either() {
 /// A flattened metric is Euclidean at first and the metric at last.
 #[test]
 fn a_flattened_metric_goes_from_flat_to_whole() {
-    use tautline::{Metric, SMatrix, SVector};
     let metric = &Bump::new(3.0, 0.5).expect("a bump");
     let x = SVector::from([0.2, -0.1]);
     let at =

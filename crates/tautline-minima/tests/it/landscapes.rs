@@ -1,9 +1,9 @@
 //! Landscapes whose minima are known.
 
 use tautline::{
-    Ends, Lattice, Metric, Problem, Trapezoidal,
+    AxisBox, Curvature, Ends, HalfSpace, Lattice, Metric, Problem, SMatrix, Trapezoidal,
     distance::Wanted,
-    gallery::{Bump, TwoChannels},
+    gallery::{Bump, Constant, TwoChannels},
 };
 use tautline_minima::{GlobalSearch, Minima, Origin, Standing};
 
@@ -113,6 +113,23 @@ fn further_dimensions_have_the_ways_of_the_plane() {
     let found = GlobalSearch::default().search(&wide, Trapezoidal, N).expect("found");
     for way in energies(&found) {
         assert!(plane.iter().any(|exact| (way / exact - 1.0).abs() < 1e-11), "{way} {plane:?}");
+    }
+}
+
+/// From a square to a half-plane beside it all shortest ways have the length 1. Some of them are found, and
+/// none is called strict.
+#[test]
+fn degenerate_minima_are_minima() {
+    let square = AxisBox::new([0.0, 0.0], [1.0, 1.0]).expect("a box");
+    let side = HalfSpace::new([-1.0, 0.0], -2.0).expect("a half-plane");
+    let flat = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
+    let problem = Problem::new(flat, Ends::new(square, side).expect("bounded"));
+    let lattice = Lattice::new([-1.5, -1.5], [2.5, 1.5], 0.1).expect("a box");
+    let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, N).expect("found");
+    for minimum in found.minima() {
+        assert_eq!(minimum.line.minimum().curvature, Curvature::Degenerate);
+        let energy = minimum.line.discrete_energy();
+        assert!((energy - 1.0).abs() < 1e-11, "{energy}");
     }
 }
 

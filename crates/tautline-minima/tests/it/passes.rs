@@ -59,6 +59,24 @@ fn slack_and_number_bound_the_passes() {
     assert!((only.length() / shortest - 1.0).abs() < 0.02);
 }
 
+/// Whichever node of the lattice comes first: the hills beside each other, or one above the other.
+#[test]
+fn the_lowest_pass_comes_first() {
+    for is_turned in [false, true] {
+        let turned = |[x, y]: [f64; 2]| if is_turned { [y, x] } else { [x, y] };
+        let hill = |y| Obstacle { centre: turned([0.0, y]).into(), height: 20.0, width: 0.3 };
+        let hills = SoftObstacles::new(vec![hill(0.85), hill(-0.7)]).expect("hills");
+        let ends = Ends::points(turned(PAST[0]), turned(PAST[1])).expect("finite");
+        let lattice = Lattice::new(turned([-2.2, -2.0]), turned([2.2, 2.0]), 0.1).expect("a box");
+        let paths = pass_paths(&hills, &ends, &lattice, 9, 2.0).expect("passes");
+        let lengths: Vec<f64> = paths.iter().map(|path| path.length()).collect();
+        // Sorted by the sum of two distances, which differs from the length of the two descents by their
+        // errors, of the order of the spacing over a length.
+        assert!(lengths.is_sorted_by(|a, b| *a <= 1.02 * b), "{lengths:?}");
+        assert!(lengths[0] * 1.2 < lengths[1], "{lengths:?}");
+    }
+}
+
 /// In space the ways past two pillars are those of the plane.
 #[test]
 fn pillars_in_space_have_three_passes() {

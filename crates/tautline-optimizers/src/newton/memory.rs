@@ -25,9 +25,13 @@ fn check(n: usize, numbers: usize, kept: usize) -> Result<(), SolveError> {
 }
 
 impl<const D: usize> Workspace<D> {
-    /// Checks that there is memory for the points of `n` chords.
-    pub(crate) fn check_points(n: usize) -> Result<(), SolveError> {
-        check(n, D, 0)
+    /// Checks that there is memory for the points of this number of sequences of `n` chords.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::OutOfMemory`].
+    pub fn check_points(n: usize, sequences: usize) -> Result<(), SolveError> {
+        check(n, D.saturating_mul(sequences), 0)
     }
 
     /// Checks that there is memory for an undamped step on `n` chords, which overwrites the
@@ -76,9 +80,8 @@ mod tests {
             (Ok(()), Ok(()))
         );
         let bytes = (n + 1) * 64 * 8 * (1 << 10);
-        let points = Workspace::<64>::check_points((n + 1) * (1 << 10) - 1);
-        let n = (n + 1) * (1 << 10) - 1;
+        let points = Workspace::<64>::check_points(n, 1 << 10);
         assert_eq!(points, Err(SolveError::OutOfMemory { n, bytes }));
-        assert_eq!(Workspace::<64>::check_points(100), Ok(()));
+        assert_eq!(Workspace::<64>::check_points(100, 100), Ok(()));
     }
 }

@@ -53,3 +53,13 @@ pub enum SolveError {
     #[error("no sequence of finite points to start from")]
     NoStart,
 }
+
+impl SolveError {
+    /// Returns whether it is due to the number of chords: there is no such grid, or no memory for
+    /// it. No other start helps then.
+    #[must_use]
+    pub fn is_due_to_n(&self) -> bool {
+        use SolveError::{NoSubinterval, OutOfMemory, TooManySubintervals};
+        matches!(self, NoSubinterval | TooManySubintervals { .. } | OutOfMemory { .. })
+    }
+}

@@ -14,7 +14,6 @@ use tautline_metrics::{
 use tautline_optimizers::{
     Minimum, Options, SolveError, Workspace, minimise, minimise_by_batches, newton_step,
 };
-use tautline_sets::FiniteSet;
 
 use crate::setup::{between, bump, from_to, half_space, lowest, only, point, straight};
 
@@ -275,30 +274,4 @@ fn a_last_point_without_a_metric_is_an_error_although_no_rule_reads_it() {
         }
         other => panic!("{other:?}"),
     }
-}
-
-/// Every grid up to 512 chords, in steps of powers of two, sees only the floor of the ripples along
-/// the first axis, where `H = 1`. A grid of 4096 chords sees all of them. The way along the second
-/// axis, of energy 2.1², is left behind at 512 chords, and is the lower one.
-#[test]
-fn a_minimiser_left_behind_is_followed_if_it_is_lower_on_the_finest_grid() {
-    struct Ripples;
-    impl Metric<2> for Ripples {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-            let ripples = 2.0 - (x[0] * (1024.0 * PI)).cos();
-            SMatrix::from_diagonal(&vector![ripples, S::one()])
-        }
-    }
-    let to = FiniteSet::new([[2.0, 0.0], [0.0, 2.1]]).expect("points");
-    let ends = between(point([0.0, 0.0]), to);
-    let solve = |n| minimise(&Ripples, &ends, Trapezoidal, n, &Options::default());
-    let [coarse, fine] = [512, 4096].map(|n| solve(n).expect("a metric"));
-    assert_eq!(coarse.sequence.last(), &vector![2.0, 0.0]);
-    assert!((coarse.energy - 4.0).abs() < 1e-9, "{}", coarse.energy);
-    assert_eq!(fine.sequence.last(), &vector![0.0, 2.1]);
-    assert!((fine.energy - 4.41).abs() < 1e-9 && fine.is_local_minimum(), "{}", fine.energy);
-    // The way that was followed at first is still known, on the finest grid.
-    let first = fine.others.iter().find(|other| other.sequence.n().get() == 4096).expect("known");
-    assert_eq!(first.sequence.last(), &vector![2.0, 0.0]);
-    assert!(first.energy > 6.0, "{}", first.energy);
 }

@@ -8,6 +8,7 @@ mod damped_steps;
 mod degenerate;
 mod graph_paths;
 mod large_grids;
+mod left_behind;
 mod little_memory;
 mod nasty_metrics;
 mod pieces;

@@ -20,9 +20,10 @@ pub struct Constrained<const D: usize> {
     /// The sequence, its energy, and how the descent ended. The residual is that of the Lagrangian
     /// `E_N + Σ λₙ c(xₙ)`.
     pub descended: Descended<D>,
-    /// The largest `|c(xₙ)|`.
+    /// The largest `|c(xₙ)|`, in the unit of the constraint.
     pub violation: f64,
-    /// The multipliers `λₙ` of the inner points.
+    /// The multipliers `λₙ` of the inner points, in `m²` per unit of the constraint: if the constraint
+    /// at the point `n` were `c(x) = δ`, the least energy would be `E_N − λₙ δ` to first order.
     pub multipliers: Vec<f64>,
 }
 
@@ -59,14 +60,39 @@ const FAR: f64 = 1e4;
 /// [`dynamic_programming`](crate::descent::dynamic_programming), minimise it over points and
 /// multipliers `λ` for given estimates `λᵉ`. Where that is done and the violation has fallen enough,
 /// the estimates become `λ`; otherwise `μ` falls. The descent ends when the residual of the
-/// Lagrangian is at most the tolerance of `limits`, and no violation exceeds `feasibility` or what
-/// the rounding of its point causes.
+/// Lagrangian is at most the tolerance of `limits`, and no violation exceeds `feasibility`, in the
+/// unit of the constraint, or what the rounding of its point causes.
 ///
 /// Between two points of a surface there is always a sequence whose points are on it, even if no
 /// curve is: [`Ended::Leaping`] tells that a chord crosses a gap, and [`Ended::Infeasible`] that
 /// points are caught where the violation has a minimum.
 ///
 /// `watcher` sees each iterate, with the residual of the Lagrangian, and can end the descent.
+///
+/// ```
+/// # use std::ops::ControlFlow;
+/// # use nalgebra::{SMatrix, SVector};
+/// # use tautline::{Iterate, PointSequence, Prepared, Scalar, Trapezoidal, gallery::Constant};
+/// # use tautline_baselines::descent::{Equality, Limits, constrained_dynamic_programming};
+/// struct UnitSphere;
+/// impl Equality<3> for UnitSphere {
+///     fn value<S: Scalar>(&self, x: &SVector<S, 3>) -> S {
+///         x[0].sqr() + x[1].sqr() + x[2].sqr() - 1.0
+///     }
+/// }
+/// // A quarter of a great circle, from the chord below it.
+/// let flat = Prepared::new(Constant::new(SMatrix::<f64, 3, 3>::identity())?);
+/// let start = PointSequence::straight([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], 100)?;
+/// let watch = &mut |_: &Iterate<'_, 3>| ControlFlow::Continue(());
+/// let limits = Limits::default();
+/// let found = constrained_dynamic_programming(
+///     &flat, Trapezoidal, start, &UnitSphere, 1e-10, &limits, watch,
+/// )?;
+/// let length = found.descended.energy.sqrt();
+/// assert!((length - std::f64::consts::FRAC_PI_2).abs() < 1e-4);
+/// assert!(found.violation <= 1e-10);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 ///
