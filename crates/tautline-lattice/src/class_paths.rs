@@ -51,8 +51,8 @@ const NONE: u32 = u32::MAX;
 
 /// Returns the shortest paths between two sets along the edges of a lattice, one for each [word](Word),
 /// shortest first: at most `most`, and none that is more than `slack` times as long as the shortest. Paths
-/// that wind, by a whole turn or more around a puncture between their begin and one of their nodes, are left
-/// out.
+/// that wind, by a whole turn or more around a puncture between their beginning, prolonged as for the word,
+/// and one of their nodes, are left out.
 ///
 /// The search is A* on pairs of a node and a word, with the length of the rest of the way in any class as
 /// its bound (S. Bhattacharya, M. Likhachev and V. Kumar, *Topological constraints in search-based robot

@@ -50,7 +50,8 @@ impl<const D: usize> Lattice<D> {
             // Both ends, their difference and the quotient are rounded. This must not lose the last node.
             let rounding = 4.0 * f64::EPSILON * (lower.abs() + upper.abs()) / spacing;
             let steps = ((upper - lower) / spacing + rounding).floor();
-            if !(spacing > 0.0 && lower <= upper && steps.is_finite()) {
+            let is_spacing = spacing > 0.0 && spacing.is_finite();
+            if !(is_spacing && lower <= upper && steps.is_finite()) {
                 return Err(GraphPathError::Box { axis: i + 1, lower, upper, spacing });
             }
             nodes *= steps + 1.0;

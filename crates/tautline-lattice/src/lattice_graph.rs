@@ -12,9 +12,9 @@ use crate::{GraphPathError, Lattice, LatticePath};
 /// The largest reach: in four dimensions it has some 80 000 offsets.
 const LARGEST_REACH: usize = 8;
 
-/// By how much two sums of the same edges can differ, relative to them: an estimate is lowered by it before
-/// a node is left unopened. A length is a sum of at most
-/// 2²³ edges, each rounded by 2⁻⁵³ of the sum, so that it is off by less than 10⁻⁹ of itself.
+/// By how much two sums of the same edges can differ, relative to them: an estimate is lowered by it
+/// before a node is left unopened. A length is a sum of at most 2²³ edges, each rounded by 2⁻⁵³ of the
+/// sum, so that it is off by less than 10⁻⁹ of itself.
 pub(crate) const ROUNDING: f64 = 1e-9;
 
 /// A lattice whose nodes are joined by edges under a metric.

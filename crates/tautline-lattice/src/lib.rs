@@ -1,6 +1,6 @@
 //! Shortest paths along the nodes of a lattice.
 //!
-//! A lattice sees the whole of a box, so that its paths are no local minima. They run in a few
+//! A lattice sees the whole of a box, so that its paths are more than local minima. They run in a few
 //! directions only, so that they are too long by some per cent: they are starts of searches
 //! ([`graph_path`]), and a method to compare with ([`LatticeGraph`]). With the peaks and holes of a metric
 //! as [`Punctures`] there is a shortest path for each way around them ([`class_paths`]).

@@ -24,9 +24,10 @@ impl Punctures {
         Ok(Self::peaks(metric, lattice, PROMINENCE)?.first(MOST_PEAKS))
     }
 
-    /// Returns the peaks of a metric: the middles of its holes, where it has none, and the nodes where its
-    /// scale `(det H)^{1/2D}` is highest, if that is at least `prominence` times the scale at the highest
-    /// pass to a higher peak or to the boundary of the lattice. The most prominent come first.
+    /// Returns the peaks of a metric: the middles of its holes, where there is no metric, and the nodes
+    /// where its scale `(det H)^{1/2D}` is highest, if that is more than the scale at the highest pass to a
+    /// higher peak or to the boundary of the lattice, and at least `prominence` times as much. The most
+    /// prominent come first.
     ///
     /// This is the persistent homology of the scale (H. Edelsbrunner and J. Harer, *Computational
     /// Topology*, 2010): the level falls, islands rise and grow, and where two merge, the lower peak ends.
@@ -35,7 +36,8 @@ impl Punctures {
     ///
     /// # Errors
     ///
-    /// [`GraphPathError::Prominence`] unless `prominence` is at least 1.
+    /// [`GraphPathError::Prominence`] unless `prominence` is at least 1, and [`GraphPathError::Puncture`] if
+    /// a node overflows.
     pub fn peaks<const D: usize>(
         metric: &dyn Batches<D>,
         lattice: &Lattice<D>,
@@ -192,19 +194,17 @@ mod tests {
         Lattice::new([-2.0, -1.5], [2.0, 1.5], 0.1).expect("a box")
     }
 
-    fn hills(hills: &[([f64; 2], f64)]) -> SoftObstacles<2> {
-        let hill = |&(centre, height): &([f64; 2], f64)| Obstacle {
-            centre: centre.into(),
-            height,
-            width: 0.3,
-        };
+    fn hills<const D: usize>(hills: &[([f64; 2], f64)]) -> SoftObstacles<D> {
+        let centre = |x: [f64; 2]| SVector::from_fn(|i, _| x.get(i).copied().unwrap_or(0.0));
+        let hill =
+            |&(x, height): &([f64; 2], f64)| Obstacle { centre: centre(x), height, width: 0.3 };
         SoftObstacles::new(hills.iter().map(hill).collect()).expect("hills")
     }
 
     /// The most prominent first; a hill beyond the boundary is none.
     #[test]
     fn hills_are_peaks() {
-        let metric = hills(&[([-1.0, 0.5], 3.0), ([0.5, -0.4], 8.0), ([1.2, 2.0], 5.0)]);
+        let metric = hills::<2>(&[([-1.0, 0.5], 3.0), ([0.5, -0.4], 8.0), ([1.2, 2.0], 5.0)]);
         let peaks = Punctures::peaks(&Plain::new(&metric), &lattice(), 1.1).expect("a prominence");
         let [first, second] = peaks.points() else { panic!("{peaks:?}") };
         for (found, exact) in [(first, [0.5, -0.4]), (second, [-1.0, 0.5])] {
@@ -218,7 +218,7 @@ mod tests {
     /// boundary.
     #[test]
     fn a_lone_hill_comes_before_the_shoulder_of_a_higher_one() {
-        let metric = hills(&[([-1.0, 0.0], 20.0), ([-0.1, 0.0], 15.0), ([1.0, 0.0], 6.0)]);
+        let metric = hills::<2>(&[([-1.0, 0.0], 20.0), ([-0.1, 0.0], 15.0), ([1.0, 0.0], 6.0)]);
         let peaks = Punctures::peaks(&Plain::new(&metric), &lattice(), 1.1).expect("a prominence");
         let across = peaks.points().iter().map(|peak| peak[0]);
         let off = across.zip([-1.0, 1.0, -0.1]).map(|(found, exact)| (found - exact).abs());
@@ -227,17 +227,22 @@ mod tests {
 
     /// The middle of two hills of height `a` that are three widths apart has the height
     /// `1 + 2a e^{−9/8}`, and each hill `1 + a (1 + e^{−9/2})`. With `a = 1` the scales, the roots of
-    /// these, have the quotient 1.10.
+    /// these, have the quotient 1.10. In space it is that half way up, where the hills are.
     #[test]
     fn a_hill_ends_at_its_pass() {
-        let metric = hills(&[([-0.45, 0.0], 1.0), ([0.45, 0.0], 1.0)]);
+        let two = [([-0.45, 0.0], 1.0), ([0.45, 0.0], 1.0)];
+        let (plane, space) = (hills::<2>(&two), hills::<3>(&two));
+        let box_of_hills = Lattice::new([-2.0, -1.5, -1.0], [2.0, 1.5, 1.0], 0.1).expect("a box");
         let pass = 1.0 + 2.0 * (-1.125_f64).exp();
         let quotient = ((2.0 + (-4.5_f64).exp()) / pass).sqrt();
         // No node is the very peak; one is within 0.07 of it, where the hill falls by 3 % or less.
         for (prominence, expected) in [(quotient - 0.03, 2), (quotient + 0.01, 1)] {
-            let peaks = Punctures::peaks(&Plain::new(&metric), &lattice(), prominence)
-                .expect("a prominence");
-            assert_eq!(peaks.points().len(), expected, "{prominence}");
+            let in_the_plane = Punctures::peaks(&Plain::new(&plane), &lattice(), prominence);
+            let in_space = Punctures::peaks(&Plain::new(&space), &box_of_hills, prominence);
+            for peaks in [in_the_plane, in_space] {
+                let peaks = peaks.expect("a prominence");
+                assert_eq!(peaks.points().len(), expected, "{prominence}");
+            }
         }
     }
 
@@ -258,6 +263,13 @@ mod tests {
         let [middle] = peaks.points() else { panic!("{peaks:?}") };
         // The mean of the nodes in the disc is its centre, which is a node.
         assert!((vector![middle[0], middle[1]] - vector![0.3, 0.2]).norm() < 1e-9, "{middle:?}");
+    }
+
+    /// Each node is as high as its pass to the boundary, and no higher.
+    #[test]
+    fn flat_land_has_no_peaks() {
+        let peaks = Punctures::peaks(&Plain::new(&hills::<2>(&[])), &lattice(), 1.0);
+        assert!(peaks.expect("a prominence").points().is_empty());
     }
 
     #[test]

@@ -10,9 +10,9 @@ use std::{collections::HashMap, fmt};
 /// same for two curves exactly if one can be moved into the other without passing over a puncture.
 ///
 /// Curves between sets are prolonged for it, by chords to one member of each set. Then it is also the same
-/// for curves between convex sets that can be moved into each other while their ends move in the sets. Of a
-/// set that is not convex the chords may pass over punctures: two curves with different words may be such,
-/// and two with the same word may not.
+/// for curves between convex sets without punctures in them that can be moved into each other while their
+/// ends move in the sets. In any other set the chords may pass over punctures: two curves with different
+/// words may be such, and two with the same word may not.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Word(Vec<i32>);
 

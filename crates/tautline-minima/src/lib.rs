@@ -11,8 +11,8 @@
 //! | [`pass_paths`]: curves through passes between two distance fields | a lattice, two or three dimensions | curves of two shortest parts |
 //! | [`follow`]: minima while the metric rises from a flat one | any dimension | minima that split off |
 //!
-//! Nothing proves that all minima are among them. Which one is the shortest of all curves, a certificate
-//! proves where there is one: [`Minima::ranked`].
+//! Nothing proves that all minima are among them. Which one is the shortest of all curves, up to a gap, a
+//! certificate proves where there is one: [`Minima::ranked`].
 
 mod continuation;
 mod error;

@@ -43,7 +43,8 @@ impl<const D: usize> PassPath<D> {
 }
 
 /// Returns curves through the passes between two sets, in the plane or in space: at most `most`, those
-/// through the lowest passes, and none that is more than `slack` times as long as the shortest.
+/// through the lowest passes, and none through a pass where `u + v` is more than `slack` times its least
+/// value.
 ///
 /// With the distances `u` from the first set and `v` from the second, `u(x) + v(x)` is the length of the
 /// shortest curve through `x`. Along a minimal geodesic it is least. Along a local one it is stationary

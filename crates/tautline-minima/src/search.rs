@@ -49,7 +49,7 @@ impl<const D: usize> GlobalSearch<D> {
     /// The starts are those of [`Problem::solve`] and its [other minima](TautLine::other_minima); the
     /// shortest lattice path of each homotopy class ([`class_paths`]); curves through the passes between
     /// two distance fields ([`pass_paths`]); and the minima that continuation finds while the metric
-    /// rises from a flat one ([`Flattened`], [`follow`]). Each start leads to one local minimum. Of minima
+    /// rises from a flat one ([`Flattened`], [`follow`]). Each start leads to at most one local minimum. Of minima
     /// along the same curve, up to 2 % of its extent, the lowest is kept.
     ///
     /// What cannot be done is no error: it is listed among the [refused](Minima::refused). Nothing proves
@@ -72,8 +72,8 @@ impl<const D: usize> GlobalSearch<D> {
     ///
     /// # Errors
     ///
-    /// [`GraphPathError::Slack`] unless `slack` is at least 1, [`GraphPathError::Puncture`] if a node of the
-    /// lattice overflows, and [`MinimaError::NoMinimum`].
+    /// [`MinimaError::Lattice`] unless `slack` is at least 1, or if a node of the lattice overflows, and
+    /// [`MinimaError::NoMinimum`].
     pub fn search<M: Metric<D>, R: Rule>(
         &self,
         problem: &Problem<M, D>,

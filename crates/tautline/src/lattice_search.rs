@@ -44,13 +44,13 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     }
 
     /// Solves like [`solve_on_lattice`](Problem::solve_on_lattice), from the shortest lattice paths of
-    /// `classes` homotopy classes: ways around the peaks and holes of the metric, shortest first. Each leads
-    /// to a local minimum; the shortest is the line, and up to eight others are its
+    /// `classes` homotopy classes: ways around the peaks and holes of the metric, shortest first. Each may
+    /// lead to a local minimum; the shortest is the line, and up to eight others are its
     /// [other minima](TautLine::other_minima).
     ///
     /// Use it where there are obstacles. The peaks are the [prominent](Punctures::prominent) ones, and the
     /// [paths](class_paths) at most twice as long as the shortest. In space the sides are those in the first
-    /// two coordinates, of peaks in the middle of the others. No class is one class. The search for paths
+    /// two coordinates, of peaks in the middle of the others. For 0 classes it takes one. The search for paths
     /// stores up to four million pairs of a node and a class, of about 100 bytes.
     ///
     /// ```

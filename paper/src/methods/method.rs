@@ -60,7 +60,8 @@ pub(crate) enum Setting {
 use Method::*;
 
 impl Method {
-    /// All methods, in the order of the figure and the table of accuracy and time.
+    /// All methods, in the order of the table of accuracy and time, and of the figure, which leaves out the
+    /// discrete logarithm.
     pub(crate) const ALL: [Method; 17] = [
         Trapezoidal,
         Extrapolated,

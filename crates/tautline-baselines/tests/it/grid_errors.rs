@@ -81,7 +81,7 @@ fn a_reach_or_a_bound_that_is_none_is_refused() {
 #[test]
 fn a_box_or_a_spacing_that_is_none_is_refused() {
     let of_spacing = |spacing| Lattice::<2>::new([0.0, 0.0], [1.0, 1.0], spacing);
-    for spacing in [0.0, -1.0, f64::NAN] {
+    for spacing in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = of_spacing(spacing).expect_err("no spacing");
         assert!(matches!(error, GraphPathError::Box { axis: 1, .. }), "{error}");
     }

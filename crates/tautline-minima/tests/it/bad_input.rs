@@ -8,6 +8,8 @@ use tautline::{
 use tautline_baselines::EikonalError;
 use tautline_minima::{GlobalSearch, MinimaError, Refused, follow};
 
+use crate::setup::Torn;
+
 fn problem() -> Problem<Valleys, 2> {
     Problem::new(Valleys, Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite"))
 }
@@ -24,17 +26,6 @@ fn a_lattice_far_from_an_end_refuses_paths_and_nothing_is_lost() {
     assert_eq!(*passes, EikonalError::FarFromEnd { end: "second" });
 }
 
-/// Between the ends there is a gap without a metric.
-#[derive(Debug)]
-struct Torn;
-
-impl Metric<2> for Torn {
-    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-        let beside = ((x[0] - 0.5).sqr() - 0.04).sqrt();
-        SMatrix::identity() * (beside * 0.0 + 1.0)
-    }
-}
-
 #[test]
 fn ends_that_nothing_joins_have_no_minimum() {
     let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
@@ -46,6 +37,36 @@ fn ends_that_nothing_joins_have_no_minimum() {
     };
 }
 
+/// A wall without a metric, with a gap far from the straight line. The metric grows towards the wall.
+#[derive(Debug)]
+struct Wall;
+
+impl Metric<2> for Wall {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let gap = (-(x[1] - 2.2).sqr() * 10.0).exp() * 0.3;
+        let outside = x[0].sqr() + gap - 0.04;
+        SMatrix::identity() * (S::constant(0.1) / outside.sqrt() + 1.0)
+    }
+}
+
+/// The automatic starts run into the wall, and so does all that continuation could start from, which says why.
+/// A path along a lattice finds the gap.
+#[test]
+fn a_gap_that_no_automatic_start_sees_is_found_by_the_lattice() {
+    let ends = Ends::points([-1.0, 0.0], [1.0, 0.1]).expect("finite");
+    let lattice = Lattice::new([-1.2, -1.0], [1.2, 3.0], 0.1).expect("a box");
+    let problem = Problem::new(Wall, ends);
+    let automatic = problem.solve(Trapezoidal, 64).expect_err("a wall");
+    let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 64).expect("a gap");
+    let [only] = found.minima() else { panic!("{}", found.minima().len()) };
+    // In the middle of the wall the gap is where 0.3 e^(−10 (y − 2.2)²) > 0.04.
+    let across = only.line.sequence().points().iter().filter(|x| x[0].abs() < 0.05);
+    assert!(across.map(|x| x[1]).all(|y| (y - 2.2).abs() < 0.46));
+    let [Refused::Continuation(error)] = found.refused() else { panic!("{:?}", found.refused()) };
+    // The entry is NaN, which is not equal to itself.
+    assert_eq!(error.to_string(), automatic.to_string());
+}
+
 #[test]
 fn numbers_out_of_range_are_errors() {
     let lattice = Lattice::new([-1.0, -1.0], [2.0, 2.0], 0.1).expect("a box");
@@ -55,10 +76,10 @@ fn numbers_out_of_range_are_errors() {
         let error = search.search(&problem(), Trapezoidal, 16);
         assert!(matches!(error, Err(MinimaError::Lattice(GraphPathError::Slack { .. }))));
     }
-    let error = GlobalSearch::default().search(&problem(), Trapezoidal, 0);
-    let Err(MinimaError::NoMinimum { source: Some(SolveError::NoSubinterval), .. }) = error else {
-        panic!("{error:?}")
-    };
+    // No further start is tried.
+    let error = GlobalSearch::within(lattice).search(&problem(), Trapezoidal, 0);
+    let source = Some(SolveError::NoSubinterval);
+    assert_eq!(error.err(), Some(MinimaError::NoMinimum { starts: 1, source }));
     let twice = Punctures::new(vec![[0.0, 0.0]; 2]);
     assert!(matches!(twice, Err(GraphPathError::Puncture { number: 2, .. })));
     let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");

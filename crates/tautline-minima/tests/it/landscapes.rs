@@ -15,8 +15,7 @@ fn energies<M: Metric<D>, const D: usize>(found: &Minima<M, Trapezoidal, D>) -> 
     found.minima().iter().map(|minimum| minimum.line.discrete_energy()).collect()
 }
 
-/// Above, between and below the hills: three words, each of one minimum, that lead around no puncture
-/// twice.
+/// Above, between and below the hills: three words, each of one minimum.
 #[test]
 fn two_hills_have_three_ways() {
     let problem = Problem::new(two_hills(), Ends::points(PAST[0], PAST[1]).expect("finite"));

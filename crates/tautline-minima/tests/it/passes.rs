@@ -8,7 +8,7 @@ use tautline::{
 use tautline_baselines::EikonalError;
 use tautline_minima::{GlobalSearch, pass_paths};
 
-use crate::setup::{PAST, Planar, around, two_hills};
+use crate::setup::{PAST, Planar, Torn, around, two_hills};
 
 /// Each of the three ways past two hills has a pass. The curve through it is longer than the minimum to
 /// which it leads by the errors of two descents, of the order of the spacing over its length. Some
@@ -59,7 +59,7 @@ fn slack_and_number_bound_the_passes() {
     assert!((only.length() / shortest - 1.0).abs() < 0.02);
 }
 
-/// Whichever node of the lattice comes first: the hills beside each other, or one above the other.
+/// Whichever node of the lattice comes first: the hills one above the other, or beside each other.
 #[test]
 fn the_lowest_pass_comes_first() {
     for is_turned in [false, true] {
@@ -71,10 +71,22 @@ fn the_lowest_pass_comes_first() {
         let paths = pass_paths(&hills, &ends, &lattice, 9, 2.0).expect("passes");
         let lengths: Vec<f64> = paths.iter().map(|path| path.length()).collect();
         // Sorted by the sum of two distances, which differs from the length of the two descents by their
-        // errors, of the order of the spacing over a length.
-        assert!(lengths.is_sorted_by(|a, b| *a <= 1.02 * b), "{lengths:?}");
+        // errors, of the order of the spacing over the length, 0.1/4.
+        assert!(lengths.is_sorted_by(|a, b| *a <= 1.025 * b), "{lengths:?}");
         assert!(lengths[0] * 1.2 < lengths[1], "{lengths:?}");
     }
+}
+
+/// Two half-planes are all that has a metric: nothing leads from one to the other.
+#[test]
+fn sets_that_nothing_joins_have_no_passes() {
+    let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
+    let lattice = Lattice::new([-1.0, -1.0], [2.0, 1.0], 0.1).expect("a box");
+    let error = pass_paths(&Torn, &ends, &lattice, 9, 2.0).map(|_| ());
+    // The nodes up to 0.3, which is one of them or not.
+    let Err(EikonalError::NotConnected { reached: 273..=294, nodes: 651 }) = error else {
+        panic!("{error:?}")
+    };
 }
 
 /// In space the ways past two pillars are those of the plane.

@@ -34,3 +34,14 @@ pub(crate) const PAST: [[f64; 2]; 2] = [[-2.0, 0.0], [2.0, 0.1]];
 pub(crate) fn around() -> Lattice<2> {
     Lattice::new([-2.2, -2.0], [2.2, 2.0], 0.1).expect("a box")
 }
+
+/// The flat plane without the strip `0.3 < x < 0.7`.
+#[derive(Debug)]
+pub(crate) struct Torn;
+
+impl Metric<2> for Torn {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let beside = ((x[0] - 0.5).sqr() - 0.04).sqrt();
+        SMatrix::identity() * (beside * 0.0 + 1.0)
+    }
+}

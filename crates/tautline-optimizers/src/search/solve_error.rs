@@ -63,3 +63,18 @@ impl SolveError {
         matches!(self, NoSubinterval | TooManySubintervals { .. } | OutOfMemory { .. })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::SolveError::{
+        self, Energy, Interrupted, NoStart, NoSubinterval, OutOfMemory, TooManySubintervals,
+    };
+
+    #[test]
+    fn three_errors_are_due_to_n() {
+        let due = [NoSubinterval, TooManySubintervals { n: 9 }, OutOfMemory { n: 9, bytes: 9 }];
+        assert!(due.iter().all(SolveError::is_due_to_n));
+        let others = [NoStart, Interrupted { n: 9 }, Energy { energy: f64::INFINITY }];
+        assert!(!others.iter().any(SolveError::is_due_to_n));
+    }
+}

@@ -6,7 +6,7 @@ use crate::descent::DescentError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConstrainedError {
-    /// The start has no metric or no energy, or the tolerance is no number.
+    /// The start has no metric or no energy, or the tolerance is negative or not a number.
     #[error(transparent)]
     Descent(#[from] DescentError),
     /// The feasibility is negative or not a number.

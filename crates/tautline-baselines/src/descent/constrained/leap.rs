@@ -17,8 +17,8 @@ const HALF: f64 = 0.75;
 const NEWTON: usize = 20;
 const NEAR: f64 = 1e-3;
 
-/// A chord is judged if it is longer than this number of distances of its ends from the surface, so
-/// that its last parts are longer than four of them.
+/// A chord is judged if it is longer than this number of times the sum of the distances of its ends
+/// from the surface, so that its last parts are longer than four of them.
 const JUDGED: f64 = 128.0;
 
 /// Returns the first chord whose ends are not joined by points of the surface.

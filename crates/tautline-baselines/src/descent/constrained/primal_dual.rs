@@ -13,7 +13,7 @@ use crate::descent::{
     search::Search,
 };
 
-/// Where a constrained descent ended: a sequence that is called stationary or not, and not more.
+/// Where a constrained descent ended: a sequence that may be stationary, as it says, and nothing else.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Constrained<const D: usize> {
@@ -32,8 +32,8 @@ pub struct Constrained<const D: usize> {
 const SHIFTS: [f64; 3] = [1.0, 8.0, 1e18];
 
 /// The factor by which the penalty parameter `μ` falls where the violation does not, and the least
-/// of them relative to that which is as stiff as the energy between neighbours. There multipliers
-/// converge by themselves, in all directions.
+/// `μ`, relative to the one whose penalty is as stiff as the energy between neighbours. With so small
+/// a `μ` multipliers converge by themselves, in all directions.
 const LESS: f64 = 0.1;
 const LEAST: f64 = 1e-9;
 

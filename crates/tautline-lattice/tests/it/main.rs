@@ -1,0 +1,4 @@
+//! Lattices, and shortest paths along them.
+
+mod graph_paths;
+mod lattices;
