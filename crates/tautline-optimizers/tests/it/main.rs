@@ -7,7 +7,6 @@ mod between_nodes;
 mod damped_steps;
 mod degenerate;
 mod large_grids;
-mod lattice_starts;
 mod left_behind;
 mod little_memory;
 mod nasty_metrics;
