@@ -1,5 +1,7 @@
 //! A closed ball.
 
+use std::cmp::Ordering;
+
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
@@ -80,7 +82,7 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
     }
 
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        if proof::distance(x, &self.centre).at_most(self.r) {
+        if proof::compare_distance(x, &self.centre, self.r).is_some_and(Ordering::is_le) {
             return Some(proof::point(x));
         }
         proof::on_sphere(x, &self.centre, self.r)

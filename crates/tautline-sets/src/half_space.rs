@@ -1,5 +1,7 @@
 //! A closed half-space.
 
+use std::cmp::Ordering;
+
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
@@ -135,14 +137,14 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
     }
 
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        let (n, b) = self.given();
+        if proof::compare_height(n, x, b).is_some_and(Ordering::is_le) {
+            return Some(proof::point(x));
+        }
         let unit = proof::power_of_two(self.given_normal.amax());
         let n = proof::point(&self.given_normal).map(|n| n / unit);
         let b = Interval::point(self.given_offset) / unit;
         let height = |y: &SVector<Interval, D>| proof::dot(&n, y) - b;
-        let here = proof::point(x);
-        if height(&here).hi() <= 0.0 {
-            return Some(here);
-        }
         // Start near the plane, where x − (n·x − b) n/|n|² does not cancel. The starting point is
         // free, since the foot of any point is a member.
         let near = proof::point(&self.project(x));

@@ -1,10 +1,12 @@
-//! Proofs by interval arithmetic about points and boxes: comparisons of distances, and points of a
-//! sphere.
+//! Proofs about points and boxes: exact comparisons of distances, and points of a sphere by interval
+//! arithmetic.
+
+use std::cmp::Ordering;
 
 use nalgebra::SVector;
 use tautline_scalar::{Interval, Scalar};
 
-use crate::norm::on_axis;
+use crate::{norm::on_axis, sum_of_products};
 
 /// Returns the box that consists of one point.
 pub(crate) fn point<const D: usize>(x: &SVector<f64, D>) -> SVector<Interval, D> {
@@ -33,36 +35,26 @@ pub(crate) fn power_of_two(size: f64) -> f64 {
     f64::from_bits(size.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
 }
 
-/// The squared distance between two points. In its unit the largest coordinate of the difference of
-/// the points is between 1 and 2, so that no square overflows or underflows.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Distance<const D: usize> {
-    offset: SVector<Interval, D>,
-    square: Interval,
-    unit: f64,
+/// Returns how `|x − c|` compares with `r ≥ 0`, exactly; `None` if a number is not finite.
+///
+/// `|x − c|² − r²` is a sum of products of doubles: `Σ (xᵢ² − 2 xᵢ cᵢ + cᵢ²) − r²`.
+pub(crate) fn compare_distance<const D: usize>(
+    x: &SVector<f64, D>,
+    c: &SVector<f64, D>,
+    r: f64,
+) -> Option<Ordering> {
+    let squares = x.iter().zip(c).flat_map(|(&x, &c)| [(x, x), (-x, c), (-x, c), (c, c)]);
+    sum_of_products::sign(squares.chain([(-r, r)]))
 }
 
-/// Returns the distance between `c` and `x`.
-pub(crate) fn distance<const D: usize>(x: &SVector<f64, D>, c: &SVector<f64, D>) -> Distance<D> {
-    let unit = power_of_two((x - c).amax());
-    let offset = (point(x) - point(c)).map(|u| u / unit);
-    Distance { offset, square: square(&offset), unit }
-}
-
-impl<const D: usize> Distance<D> {
-    /// Returns whether the distance is proved to be at most `r ≥ 0`.
-    pub(crate) fn at_most(&self, r: f64) -> bool {
-        self.square.hi() <= self.square_of(r).lo()
-    }
-
-    /// Returns whether the distance is proved to be `r ≥ 0`, which requires that nothing rounds.
-    pub(crate) fn is(&self, r: f64) -> bool {
-        self.at_most(r) && self.square_of(r).hi() <= self.square.lo()
-    }
-
-    fn square_of(&self, r: f64) -> Interval {
-        (Interval::point(r) / self.unit).sqr()
-    }
+/// Returns how `n·x` compares with `b`, exactly; `None` if a number is not finite.
+pub(crate) fn compare_height<const D: usize>(
+    n: &SVector<f64, D>,
+    x: &SVector<f64, D>,
+    b: f64,
+) -> Option<Ordering> {
+    let products = n.iter().zip(x).map(|(&n, &x)| (n, x));
+    sum_of_products::sign(products.chain([(-1.0, b)]))
 }
 
 /// Returns a box that contains the point `c + r (x − c)/|x − c|` of a sphere, or `c + r e₁` if
@@ -72,16 +64,20 @@ pub(crate) fn on_sphere<const D: usize>(
     c: &SVector<f64, D>,
     r: f64,
 ) -> Option<SVector<Interval, D>> {
-    let away = distance(x, c);
+    let offset = x - c;
+    // In this unit the largest coordinate of the offset is between 1 and 2, so that no square
+    // overflows or underflows.
+    let unit = power_of_two(offset.amax());
+    let away = (point(x) - point(c)).map(|u| u / unit);
     let direction = if r == 0.0 {
         point(&SVector::zeros())
     } else if x == c {
         point(&on_axis(0, 1.0))
     } else {
-        let length = away.square.sqrt();
+        let length = square(&away).sqrt();
         let unit = Interval::new(-1.0, 1.0).expect("ordered");
         // No coordinate of a unit vector exceeds 1.
-        away.offset.map(|u| (u / length).intersection(unit).unwrap_or(Interval::UNDEFINED))
+        away.map(|u| (u / length).intersection(unit).unwrap_or(Interval::UNDEFINED))
     };
     finite(SVector::from_fn(|i, _| direction[i] * r + c[i]))
 }
@@ -91,7 +87,9 @@ mod tests {
     use nalgebra::vector;
     use tautline_scalar::Interval;
 
-    use super::{distance, finite, on_sphere, point, power_of_two};
+    use std::cmp::Ordering::{Equal, Greater, Less};
+
+    use super::{compare_distance, compare_height, finite, on_sphere, point, power_of_two};
 
     #[test]
     fn powers_of_two_are_below_their_numbers() {
@@ -105,33 +103,35 @@ mod tests {
     #[test]
     fn distances_are_compared_exactly() {
         for unit in [1.0, 2.0_f64.powi(-900), 2.0_f64.powi(900)] {
-            let away = distance(&(vector![4.0, 6.0] * unit), &(vector![1.0, 2.0] * unit));
-            let r = 5.0 * unit;
-            assert!(away.at_most(r) && away.is(r));
-            assert!(away.at_most(r.next_up()) && !away.is(r.next_up()));
-            assert!(!away.at_most(r.next_down()) && !away.is(r.next_down()));
+            let (x, c, r) = (vector![4.0, 6.0] * unit, vector![1.0, 2.0] * unit, 5.0 * unit);
+            assert_eq!(compare_distance(&x, &c, r), Some(Equal));
+            assert_eq!(compare_distance(&x, &c, r.next_up()), Some(Less));
+            assert_eq!(compare_distance(&x, &c, r.next_down()), Some(Greater));
         }
     }
 
-    /// The squares lie between the same two neighbouring doubles, so the ends of intervals cannot
-    /// compare them. Neither order is proved.
+    /// The squares lie between the same two neighbouring doubles, so that neither doubles nor the ends
+    /// of intervals could compare them.
     #[test]
-    fn distances_that_differ_by_less_than_a_rounding_prove_nothing() {
+    fn distances_that_differ_by_less_than_a_rounding_are_compared() {
         let little = |n: i32| 2.0_f64.powi(-n);
         let origin = vector![0.0, 0.0, 0.0];
-        // 1 + 2⁻⁸⁰ > 1 exceeds r², which is a double.
-        assert!(!distance(&vector![1.0, little(40), 0.0], &origin).at_most(1.0));
-        // Compares r² = 1 + 2⁻³⁹ + 2⁻⁸⁰ with 1 + 2⁻³⁹ + 2⁻⁸⁰ + 2⁻⁷⁰.
+        // 1 + 2⁻⁸⁰ > 1.
+        assert_eq!(compare_distance(&vector![1.0, little(40), 0.0], &origin, 1.0), Some(Greater));
+        // r² = 1 + 2⁻³⁹ + 2⁻⁸⁰ is less than 1 + 2⁻³⁹ + 2⁻⁸⁰ + 2⁻⁷⁰ and more than 1 + 2⁻³⁹.
         let r = 1.0 + little(40);
-        assert!(!distance(&vector![r, little(35), 0.0], &origin).at_most(r));
-        // Conversely, 1 + 2⁻³⁹ is exact and less than r², so r is not the distance.
-        let away = distance(&vector![1.0, little(20), little(20)], &origin);
-        assert!(away.at_most(r) && !away.is(r));
-        // 1 − 0.48 · 2⁻⁵² is not 1, although its upper bound is 1.
+        assert_eq!(compare_distance(&vector![r, little(35), 0.0], &origin, r), Some(Greater));
+        let below = vector![1.0, little(20), little(20)];
+        assert_eq!(compare_distance(&below, &origin, r), Some(Less));
+        assert_eq!(compare_distance(&vector![r, 0.0, 0.0], &origin, r), Some(Equal));
+        // 1 − 0.48 · 2⁻⁵² is not 1.
         let (u, v) = (1.0 - 431.0 * little(26), 61_571_941.0 * little(34));
-        assert!(!distance(&vector![u, v, 0.0], &origin).is(1.0));
-        // The distance r of (r, 0, 0) from the origin is not proved, since r² rounds.
-        assert!(!distance(&vector![r, 0.0, 0.0], &origin).is(r));
+        assert_eq!(compare_distance(&vector![u, v, 0.0], &origin, 1.0), Some(Less));
+        // (1 + 2⁻⁴⁰)² − 2⁻³⁹ = 1 + 2⁻⁸⁰.
+        let (n, x) = (vector![r, -1.0], vector![r, little(39)]);
+        assert_eq!(compare_height(&n, &x, 1.0), Some(Greater));
+        assert_eq!(compare_height(&n, &x, 1.0_f64.next_up()), Some(Less));
+        assert_eq!(compare_height(&vector![0.5, 0.25], &vector![4.0, -2.0], 1.5), Some(Equal));
     }
 
     /// In one dimension the sphere is `c ± r`. On the outer side the box ends where the interval of
@@ -153,8 +153,8 @@ mod tests {
     #[test]
     fn nothing_is_proved_beyond_f64() {
         let (x, c) = (vector![f64::MAX], vector![-f64::MAX]);
-        let away = distance(&x, &c);
-        assert!(!away.at_most(f64::MAX) && !away.is(f64::MAX));
+        assert_eq!(compare_distance(&x, &c, f64::MAX), Some(Greater));
+        assert_eq!(compare_distance(&vector![f64::NAN], &c, 1.0), None);
         assert!(on_sphere(&x, &c, 1.0).is_none());
         // A sphere of radius 0 is its centre, however far away the other point is.
         let near = vector![-4e307];

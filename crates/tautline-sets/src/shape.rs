@@ -1,8 +1,10 @@
 //! `Shape`: a set as data, which can be written to a file and read by another program.
 
-use std::sync::Arc;
+use std::{cmp::Ordering, sync::Arc};
 
-use crate::{AxisBox, Ball, ClosedSet, HalfSpace, Point};
+use nalgebra::SVector;
+
+use crate::{AxisBox, Ball, ClosedSet, HalfSpace, Point, proof};
 
 /// A set that is described by finitely many numbers: one piece, or the union of several.
 ///
@@ -29,6 +31,37 @@ impl<const D: usize> Shape<D> {
         match self {
             Shape::Union(shapes) => shapes.iter().flat_map(Shape::pieces).collect(),
             piece => vec![piece],
+        }
+    }
+
+    /// Returns whether `x` is a member, decided in exact arithmetic; false if a coordinate is not
+    /// finite.
+    ///
+    /// ```
+    /// use nalgebra::vector;
+    /// use tautline_sets::{Ball, Shape};
+    ///
+    /// let ball = Shape::Ball(Ball::new([0.0, 0.0], 1.0)?);
+    /// assert!(ball.contains(&vector![0.0, -1.0]));
+    /// // x₁² + x₂² = 1 + 2⁻⁸⁰, which no double of this size is.
+    /// assert!(!ball.contains(&vector![1.0, 0.5_f64.powi(40)]));
+    /// # Ok::<(), tautline_sets::SetError>(())
+    /// ```
+    #[must_use]
+    pub fn contains(&self, x: &SVector<f64, D>) -> bool {
+        match self {
+            Shape::Point(point) => point.position() == x,
+            Shape::Ball(ball) => {
+                proof::compare_distance(x, ball.centre(), ball.r()).is_some_and(Ordering::is_le)
+            }
+            Shape::AxisBox(side) => {
+                (0..D).all(|i| side.lower()[i] <= x[i] && x[i] <= side.upper()[i])
+            }
+            Shape::HalfSpace(wall) => {
+                let (n, b) = wall.given();
+                proof::compare_height(n, x, b).is_some_and(Ordering::is_le)
+            }
+            Shape::Union(shapes) => shapes.iter().any(|shape| shape.contains(x)),
         }
     }
 

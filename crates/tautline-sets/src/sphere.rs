@@ -1,5 +1,7 @@
 //! A sphere, without its interior.
 
+use std::cmp::Ordering;
+
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
@@ -78,7 +80,7 @@ impl<const D: usize> ClosedSet<D> for Sphere<D> {
     }
 
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        if proof::distance(x, &self.centre).is(self.r) {
+        if proof::compare_distance(x, &self.centre, self.r).is_some_and(Ordering::is_eq) {
             return Some(proof::point(x));
         }
         proof::on_sphere(x, &self.centre, self.r)
