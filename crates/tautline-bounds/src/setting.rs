@@ -2,7 +2,7 @@
 
 use tautline_metrics::Constants;
 
-use crate::{BoundError, product::product};
+use crate::{BoundError, number::Number, product::product};
 
 /// The setting of Theorem 1.1: the constants of the metric, the distance `d = d^g(X⁽⁰⁾, X⁽¹⁾)`
 /// between the ends, in `m`, and the dimension `D`.
@@ -71,16 +71,30 @@ impl Setting {
     /// minimal geodesic.
     #[must_use]
     pub fn delta(&self) -> f64 {
-        let root = 1.0 / self.constants.c1().sqrt();
-        product([self.constants.l_h(), self.distance, root, root, root])
+        self.delta_in()
+    }
+
+    pub(crate) fn delta_in<T: Number>(&self) -> T {
+        let root = self.root();
+        let [l_h, d] = [self.constants.l_h(), self.distance].map(T::constant);
+        T::product([l_h, d, root, root, root])
     }
 
     /// Returns `μ = M_H d² / c₁²`, a pure number, or `None` if `M_H` is unknown.
     #[must_use]
     pub fn mu(&self) -> Option<f64> {
-        let root = 1.0 / self.constants.c1().sqrt();
-        let d = self.distance;
-        self.constants.m_h().map(|m_h| product([m_h, d, d, root, root, root, root]))
+        self.mu_in()
+    }
+
+    pub(crate) fn mu_in<T: Number>(&self) -> Option<T> {
+        let (root, d) = (self.root(), T::constant(self.distance));
+        let m_h = T::constant(self.constants.m_h()?);
+        Some(T::product([m_h, d, d, root, root, root, root]))
+    }
+
+    /// Returns `1/√c₁`.
+    fn root<T: Number>(&self) -> T {
+        T::constant(self.constants.c1()).sqrt().recip()
     }
 
     /// Returns `G`, a pure number, for which `γ̈ᵀ H(γ) γ̈ ≤ G² d²` for every minimal geodesic
@@ -96,19 +110,26 @@ impl Setting {
     /// region](Constants::on_a_region).
     #[must_use]
     pub fn bend(&self) -> f64 {
-        let (delta, constants) = (self.delta(), self.constants);
-        let coarse = product([self.omega(), delta]);
+        self.bend_in()
+    }
+
+    pub(crate) fn bend_in<T: Number>(&self) -> T {
+        let (delta, constants): (T, _) = (self.delta_in(), self.constants);
+        let coarse = T::product([T::constant(self.omega()), delta]);
         let isotropic = self.dimension == 1 || constants.is_isotropic();
-        match (constants.m_h(), self.mu()) {
-            (Some(m_h), Some(mu)) if isotropic && !constants.is_local() && delta > 0.0 => {
+        match (constants.m_h(), self.mu_in::<T>()) {
+            (Some(m_h), Some(mu)) if isotropic && !constants.is_local() && delta.is_positive() => {
+                let l_h = T::constant(constants.l_h());
                 // δ²/μ; the distance cancels.
-                let ratio = constants.l_h() / m_h * (constants.l_h() / constants.c1());
-                let fine = if ratio <= 1.0 {
-                    product([0.5, delta]) * (1.0 + 0.5 * ratio).powf(-1.5)
+                let ratio = l_h / m_h * (l_h / constants.c1());
+                let fine = if ratio.is_at_most(1.0) {
+                    T::product([T::constant(0.5), delta])
+                        * (ratio * 0.5 + 1.0).to_minus_three_halves()
                 } else {
-                    (mu * (2.0 / 27.0)).sqrt()
+                    // This holds for every ratio: it is the bound where |∇φ| ≤ L_H is not used.
+                    (mu * (T::constant(2.0) / 27.0)).sqrt()
                 };
-                fine.min(coarse)
+                fine.least(coarse)
             }
             _ => coarse,
         }
@@ -121,8 +142,9 @@ impl Setting {
     }
 
     /// Returns `κ − 1` for `κ = c₂/c₁`, a pure number.
-    pub(crate) fn kappa_above_one(&self) -> f64 {
-        (self.constants.c2() - self.constants.c1()) / self.constants.c1()
+    pub(crate) fn kappa_above_one<T: Number>(&self) -> T {
+        let [c1, c2] = [self.constants.c1(), self.constants.c2()].map(T::constant);
+        (c2 - c1) / c1
     }
 
     /// Returns the setting with the distance replaced by `distance`, in `m`.
@@ -173,7 +195,7 @@ mod tests {
         assert_eq!(setting(known, 2).delta(), 3.0);
         assert_eq!(setting(known, 2).mu(), Some(3.375));
         assert_eq!(setting(constants, 2).mu(), None);
-        assert_eq!(setting(constants, 2).kappa_above_one(), 1.5);
+        assert_eq!(setting(constants, 2).kappa_above_one::<f64>(), 1.5);
         assert_eq!(setting(constants, 2).omega(), 1.5);
         assert_eq!(setting(constants, 1).omega(), 0.5);
         assert_eq!(setting(constants.isotropic(), 2).omega(), 0.5);
@@ -200,7 +222,7 @@ mod tests {
         let constants = constants(3.0, 3.0_f64.next_up(), 1.0);
         let setting = Setting::new(constants, 1.0, 2).expect("valid");
         // The doubles next to 3 are 2ε apart, where ε is the machine epsilon.
-        assert_eq!(setting.kappa_above_one(), 2.0 * f64::EPSILON / 3.0);
+        assert_eq!(setting.kappa_above_one::<f64>(), 2.0 * f64::EPSILON / 3.0);
     }
 
     #[test]

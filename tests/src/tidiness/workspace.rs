@@ -13,7 +13,7 @@ const BELOW: [(&str, &str); 28] = [
     ("metrics", "chance scalar"),
     ("formula", "chance metrics scalar spline"),
     ("sets", "chance scalar"),
-    ("bounds", "chance metrics"),
+    ("bounds", "chance metrics scalar"),
     ("discretizations", "chance formula metrics scalar"),
     ("certify", "chance discretizations formula metrics scalar sets"),
     ("check", "chance formula metrics scalar sets spline"),

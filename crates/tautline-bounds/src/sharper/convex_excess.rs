@@ -3,12 +3,13 @@
 use std::num::NonZeroUsize;
 
 use tautline_metrics::Constants;
+use tautline_scalar::Interval;
 
 use super::{
     ceiling,
-    convexity::{BetweenPoints, convexity_modulus, poincare, wave},
+    convexity::{BetweenPoints, convexity_modulus_in, poincare, wave},
 };
-use crate::{PaperRule, Setting, product::product};
+use crate::{PaperRule, Setting, number::Number};
 
 /// Bounds `E(γᵖˡ) − d²`, in `m²`, for *any* sequence between two points, by `O(1/N²)` for either
 /// rule, if the discrete energy is strictly convex there (Proposition S.9).
@@ -46,19 +47,45 @@ pub fn convex_excess(
     dimension: usize,
     computed: &BetweenPoints,
 ) -> Option<f64> {
+    excess_in::<f64>(constants, dimension, computed)
+}
+
+/// Returns a bound like that of [`convex_excess`], rounded up to the last digit.
+///
+/// - `computed`: upper bounds, all of them.
+///
+/// Returns `None` as there.
+#[must_use]
+pub fn convex_excess_outward(
+    constants: Constants,
+    dimension: usize,
+    computed: &BetweenPoints,
+) -> Option<f64> {
+    let excess = excess_in::<Interval>(constants, dimension, computed)?.above();
+    excess.is_finite().then_some(excess)
+}
+
+/// Returns what [`convex_excess`] documents, in doubles or in intervals.
+fn excess_in<T: Number>(
+    constants: Constants,
+    dimension: usize,
+    computed: &BetweenPoints,
+) -> Option<T> {
     if !computed.is_valid() {
         return None;
     }
     let &BetweenPoints { rule, n, length, greatest_difference, residual, .. } = computed;
     let setting = Setting::new(constants, length, dimension).ok()?;
-    let greatest = greatest_difference.max(length / constants.c1().sqrt());
-    let modulus = convexity_modulus(constants, rule, greatest, n)?;
-    if !(modulus > 0.0) {
+    let [length, greatest_difference, residual] =
+        [length, greatest_difference, residual].map(T::constant);
+    let greatest = greatest_difference.greatest(length / T::constant(constants.c1()).sqrt());
+    let modulus: T = convexity_modulus_in(constants, rule, greatest, n)?;
+    if !modulus.is_positive() {
         return None;
     }
-    let sampled = sampled_excess(setting, n)?;
-    let slope = slope_of_the_gap(constants, rule, greatest, n)? + residual / wave(n);
-    Some(sampled + slope * slope / (4.0 * modulus))
+    let sampled: T = sampled_excess_in(setting, n)?;
+    let slope = slope_of_the_gap(constants, rule, greatest, n)? + residual / wave::<T>(n);
+    Some(sampled + slope * slope / (modulus * 4.0))
 }
 
 /// Bounds `E(γᵖˡ) − d²`, in `m²`, for the points `γ(n/N)` of a minimal geodesic `γ` (proof of Lemma
@@ -74,29 +101,38 @@ pub fn convex_excess(
 /// Returns `None` if `M_H` is unknown.
 #[must_use]
 pub fn sampled_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
-    let d = setting.distance();
-    Some(product([d, d, ceiling::sampled(setting, n)?]))
+    sampled_excess_in(setting, n)
+}
+
+fn sampled_excess_in<T: Number>(setting: Setting, n: NonZeroUsize) -> Option<T> {
+    let d = T::constant(setting.distance());
+    Some(T::product([d, d, ceiling::sampled(setting, n)?]))
 }
 
 /// Returns `K`, in `m²/ℓ`: between two sequences with `|βₙ| ≤ B` and the same ends,
 /// `E(γᵖˡ) − E_N` changes by at most `K` times the root mean square difference of their `βₙ`.
 /// Returns `None` if `M_H` is unknown.
-fn slope_of_the_gap(
+fn slope_of_the_gap<T: Number>(
     constants: Constants,
     rule: PaperRule,
-    greatest: f64,
+    greatest: T,
     n: NonZeroUsize,
-) -> Option<f64> {
-    let (l_h, m_h) = (constants.l_h(), constants.m_h()?);
+) -> Option<T> {
+    let [l_h, m_h] = [constants.l_h(), constants.m_h()?].map(T::constant);
     // A single chord between two points cannot change.
     if n == NonZeroUsize::MIN {
-        return Some(0.0);
+        return Some(T::constant(0.0));
     }
-    let (count, r, b) = (n.get() as f64, poincare(rule, n), greatest);
+    let (count, b) = (n.get() as f64, greatest);
+    let r: T = poincare(rule, n);
     Some(match rule {
-        PaperRule::Trapezoidal => product([m_h, b, b, b, 0.25 * r + 1.0 / (6.0 * count)]) / count,
+        PaperRule::Trapezoidal => {
+            let moved = r * 0.25 + (T::constant(6.0) * count).recip();
+            T::product([m_h, b, b, b, moved]) / count
+        }
         PaperRule::LeftEndpoint => {
-            (product([1.5, l_h, b, b]) + product([0.5, m_h, b, b, b, r])) / count
+            let [more, half] = [1.5, 0.5].map(T::constant);
+            (T::product([more, l_h, b, b]) + T::product([half, m_h, b, b, b, r])) / count
         }
     })
 }

@@ -1,11 +1,13 @@
 //! Proposition S.7: a set on which the discrete energy between two points is strictly convex.
 
-use std::{f64::consts::FRAC_PI_2, num::NonZeroUsize};
+use std::num::NonZeroUsize;
 
 use tautline_metrics::Constants;
 
-use super::{ceiling, speeds::greatest_speed, spread::Spread};
-use crate::{PaperRule, Setting, product::product};
+use tautline_scalar::Interval;
+
+use super::{ceiling, speeds::greatest_speed_in, spread::Moments};
+use crate::{PaperRule, Setting, number::Number};
 
 /// Returns `σ`, in `m²/ℓ²`. If it is positive, the discrete energy between two *points* is strictly
 /// convex on the sequences with `|βₙ| ≤ B` (Proposition S.7).
@@ -38,24 +40,35 @@ pub fn convexity_modulus(
     n: NonZeroUsize,
 ) -> Option<f64> {
     assert!(greatest >= 0.0, "the greatest difference must be nonnegative, got {greatest}");
-    let m_h = constants.m_h()?;
-    let r = poincare(rule, n);
+    convexity_modulus_in(constants, rule, greatest, n)
+}
+
+/// Returns what [`convexity_modulus`] documents, in doubles or in intervals.
+pub(super) fn convexity_modulus_in<T: Number>(
+    constants: Constants,
+    rule: PaperRule,
+    greatest: T,
+    n: NonZeroUsize,
+) -> Option<T> {
+    let (m_h, r) = (T::constant(constants.m_h()?), poincare(rule, n));
+    let [two, half, l_h] = [2.0, 0.5, constants.l_h()].map(T::constant);
     Some(
-        constants.c1()
-            - product([2.0, constants.l_h(), greatest, r])
-            - product([0.5, m_h, greatest, greatest, r, r]),
+        T::constant(constants.c1())
+            - T::product([two, l_h, greatest, r])
+            - T::product([half, m_h, greatest, greatest, r, r]),
     )
 }
 
 /// Returns the greatest ratio of the root mean square at the nodes to the root mean square of the
 /// differences, over the variations that vanish at both ends. At `N = 1` there are none, and the
 /// result is 0.
-pub(super) fn poincare(rule: PaperRule, n: NonZeroUsize) -> f64 {
+pub(super) fn poincare<T: Number>(rule: PaperRule, n: NonZeroUsize) -> T {
     let count = n.get() as f64;
+    let half = T::constant(0.5);
     match rule {
-        _ if n == NonZeroUsize::MIN => 0.0,
-        PaperRule::Trapezoidal => 0.5 / (count * (FRAC_PI_2 / count).tan()),
-        PaperRule::LeftEndpoint => 0.5 / (count * (FRAC_PI_2 / count).sin()),
+        _ if n == NonZeroUsize::MIN => T::constant(0.0),
+        PaperRule::Trapezoidal => half / ((T::half_pi() / count).tan() * count),
+        PaperRule::LeftEndpoint => half / ((T::half_pi() / count).sin() * count),
     }
 }
 
@@ -87,9 +100,9 @@ impl BetweenPoints {
 
 /// Returns `N sin(π/2N)`. The root mean square of the differences of a variation that vanishes at
 /// both ends is at least twice this number times that of its values.
-pub(super) fn wave(n: NonZeroUsize) -> f64 {
+pub(super) fn wave<T: Number>(n: NonZeroUsize) -> T {
     let count = n.get() as f64;
-    count * (FRAC_PI_2 / count).sin()
+    (T::half_pi() / count).sin() * count
 }
 
 /// Returns a lower bound on the minimum of `E_N` over *all* sequences between the two points, in
@@ -114,39 +127,62 @@ pub fn strict_convexity(
     dimension: usize,
     computed: &BetweenPoints,
 ) -> Option<f64> {
+    Some(computed.discrete_energy - loss::<f64>(constants, dimension, computed)?)
+}
+
+/// Returns a lower bound like that of [`strict_convexity`], rounded down to the last digit.
+///
+/// - `computed`: upper bounds, all of them.
+/// - `discrete_energy_at_least`: a lower bound on `E_N` of the same sequence, in `m²`.
+///
+/// Returns `None` as there.
+#[must_use]
+pub fn strict_convexity_outward(
+    constants: Constants,
+    dimension: usize,
+    computed: &BetweenPoints,
+    discrete_energy_at_least: f64,
+) -> Option<f64> {
+    let loss = loss::<Interval>(constants, dimension, computed)?;
+    let least = (Interval::point(discrete_energy_at_least) - loss).lo();
+    least.is_finite().then_some(least)
+}
+
+/// Returns `R²/(4σ N² sin²(π/2N))`, by which the minimum may be below the computed energy.
+fn loss<T: Number>(constants: Constants, dimension: usize, computed: &BetweenPoints) -> Option<T> {
     let &BetweenPoints { rule, n, discrete_energy, length, greatest_difference, residual } =
         computed;
     if !computed.is_valid() {
         return None;
     }
     let setting = Setting::new(constants, length, dimension).ok()?;
+    let [discrete_energy, length, greatest_difference, residual] =
+        [discrete_energy, length, greatest_difference, residual].map(T::constant);
     // A minimiser is stationary, and its energy is at most that of the computed sequence and at
     // most d² e.
-    let by_momentum = greatest_speed(constants, discrete_energy, 0.0, n);
-    let by_spread = length * greatest_ratio(setting, rule, n);
-    let minimisers = by_momentum.min(by_spread) / constants.c1().sqrt();
-    let greatest = greatest_difference.max(minimisers);
-    let modulus = convexity_modulus(constants, rule, greatest, n)?;
-    if modulus > 0.0 {
-        let left = residual / wave(n);
-        Some(discrete_energy - left * left / (4.0 * modulus))
-    } else {
-        None
-    }
+    let by_momentum = greatest_speed_in(constants, discrete_energy, T::constant(0.0), n);
+    let by_spread = length * greatest_ratio::<T>(setting, rule, n);
+    let minimisers = by_momentum.least(by_spread) / T::constant(constants.c1()).sqrt();
+    let greatest = greatest_difference.greatest(minimisers);
+    let modulus = convexity_modulus_in(constants, rule, greatest, n)?;
+    modulus.is_positive().then(|| {
+        let left = residual / wave::<T>(n);
+        left * left / (modulus * 4.0)
+    })
 }
 
 /// Bounds `max qₙ/d` for a minimiser by `√ε + R`, using the spread of its speeds.
-fn greatest_ratio(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
-    let spread = |surplus: f64, spread: Spread| (1.0 + surplus).sqrt() + spread.deviation;
+fn greatest_ratio<T: Number>(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> T {
+    let spread = |surplus: T, spread: Moments<T>| (surplus + 1.0).sqrt() + spread.deviation;
     let surplus = ceiling::first_order(setting, rule, n);
-    let first = spread(surplus, Spread::of_first_order(setting, rule, n, surplus));
+    let first = spread(surplus, Moments::of_first_order(setting, rule, n, surplus));
     let second = match rule {
         PaperRule::Trapezoidal => ceiling::second_variation(setting, n).and_then(|surplus| {
-            Some(spread(surplus, Spread::of_second_order(setting, n, surplus)?))
+            Some(spread(surplus, Moments::of_second_order(setting, n, surplus)?))
         }),
         PaperRule::LeftEndpoint => None,
     };
-    second.map_or(first, |second| first.min(second))
+    second.map_or(first, |second| first.least(second))
 }
 
 #[cfg(test)]
@@ -192,12 +228,12 @@ mod tests {
                 (PaperRule::LeftEndpoint, sum(&y)),
             ] {
                 let ratio = (moved / differences).sqrt();
-                let r = poincare(rule, n(count));
+                let r: f64 = poincare(rule, n(count));
                 // The sums have at most 50 terms.
                 assert!((ratio / r - 1.0).abs() < 1e-13, "{rule:?}, N = {count}: {ratio} and {r}");
             }
         }
-        let limit = poincare(PaperRule::Trapezoidal, n(1 << 20));
+        let limit: f64 = poincare(PaperRule::Trapezoidal, n(1 << 20));
         assert!((limit * std::f64::consts::PI - 1.0).abs() < 1e-11);
     }
 

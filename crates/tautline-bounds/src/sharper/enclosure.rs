@@ -3,9 +3,10 @@
 use std::num::NonZeroUsize;
 
 use tautline_metrics::Constants;
+use tautline_scalar::Interval;
 
 use super::{Computed, DiscreteMinimum, ceiling};
-use crate::{BoundError, PaperRule, Setting, product::product};
+use crate::{BoundError, PaperRule, Setting, number::Number};
 
 /// The statement that proves a lower bound on `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -108,8 +109,8 @@ impl Enclosure {
 /// (Proposition S.8); ends in their sets; for the lower bound, the knowledge stated in
 /// [`DiscreteMinimum`].
 ///
-/// The computation rounds to nearest and treats `energy` and `length_squared` as exact, so the last
-/// digits are not certified.
+/// The computation rounds to nearest, so the last digits are not certified; those of
+/// [`enclose_outward`] are.
 ///
 /// # Errors
 ///
@@ -118,6 +119,30 @@ impl Enclosure {
 /// [`BoundError::NoDimension`] if the dimension is 0; [`BoundError::Contradiction`] if the sequence
 /// refutes the lower bound on the minimum.
 pub fn enclose(
+    constants: Constants,
+    dimension: usize,
+    computed: &Computed,
+) -> Result<Enclosure, BoundError> {
+    enclose_in::<f64>(constants, dimension, computed)
+}
+
+/// Encloses `d²` like [`enclose`], with a lower bound that is rounded down to the last digit.
+///
+/// - `computed`: upper bounds on `energy` and `length_squared`; lower bounds on `discrete_energy`, on
+///   the least one that `minimum` says, and on `gap`.
+///
+/// # Errors
+///
+/// As for [`enclose`].
+pub fn enclose_outward(
+    constants: Constants,
+    dimension: usize,
+    computed: &Computed,
+) -> Result<Enclosure, BoundError> {
+    enclose_in::<Interval>(constants, dimension, computed)
+}
+
+fn enclose_in<T: Number>(
     constants: Constants,
     dimension: usize,
     computed: &Computed,
@@ -134,7 +159,7 @@ pub fn enclose(
         (length_squared, FromAbove::Length)
     };
     let (mut lower, mut from_below) = (0.0, FromBelow::Nothing);
-    let euclidean = product([constants.c1(), gap, gap]);
+    let euclidean = T::product([constants.c1(), gap, gap].map(T::constant)).below();
     if euclidean > lower {
         (lower, from_below) = (euclidean, FromBelow::Euclidean);
     }
@@ -148,7 +173,7 @@ pub fn enclose(
         }
         DiscreteMinimum::Unknown => 0.0,
     };
-    let solved = distance_from_below(zero, rule, n, least).powi(2);
+    let solved = T::constant(distance_from_below::<T>(zero, rule, n, least)).sqr().below();
     // The solution is at most d² ≤ upper, up to rounding, unless the claimed minimum is wrong.
     let contradicts = solved > upper * (1.0 + 1e-12);
     if contradicts && matches!(minimum, DiscreteMinimum::AtLeast(_)) {
@@ -173,11 +198,17 @@ pub fn enclose(
 
 /// Returns the largest `d` with `d² e(d) ≤ least` that bisection finds, in `m`. It is a lower bound
 /// on the distance between the ends if `min E_N ≥ least`.
-fn distance_from_below(setting: Setting, rule: PaperRule, n: NonZeroUsize, least: f64) -> f64 {
+fn distance_from_below<T: Number>(
+    setting: Setting,
+    rule: PaperRule,
+    n: NonZeroUsize,
+    least: f64,
+) -> f64 {
     let at_most = |d: f64| {
         setting.with_distance(d).is_ok_and(|setting| {
-            let surplus = ceiling::least(setting, rule, n);
-            product([d, d, 1.0 + surplus]) <= least
+            let surplus: T = ceiling::least(setting, rule, n);
+            let d = T::constant(d);
+            T::product([d, d, surplus + 1.0]).is_at_most(least)
         })
     };
     // e ≥ 1, so d ≤ √least.

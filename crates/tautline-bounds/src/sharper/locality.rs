@@ -4,9 +4,10 @@
 use std::num::NonZeroUsize;
 
 use tautline_metrics::{Constants, Short};
+use tautline_scalar::Interval;
 
 use super::ceiling;
-use crate::{BoundError, PaperRule, Setting};
+use crate::{BoundError, PaperRule, Setting, number::Number};
 
 /// A region that contains every competitor, with the constants on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,7 +119,7 @@ pub fn competitors_within<E>(
             .map_err(|reason| LocalityError::NoConstants { radius, reason })?
             .on_a_region();
         let setting = Setting::new(constants, upper, dimension).map_err(LocalityError::Bound)?;
-        let reach = radius_for(reach(setting, rule, n));
+        let reach = radius_for(reach_outward(setting, rule, n));
         if reach < radius || upper == 0.0 {
             return Ok(Region { radius, constants });
         }
@@ -162,7 +163,7 @@ pub fn shrink<E>(
 ) -> Vec<Region> {
     let radius_by = |constants| {
         let setting = Setting::new(constants, upper, dimension).ok()?;
-        Some(radius_for(reach(setting, rule, n)))
+        Some(radius_for(reach_outward(setting, rule, n)))
     };
     let mut regions: Vec<Region> = Vec::new();
     let mut last = outer;
@@ -190,8 +191,20 @@ pub fn shrink<E>(
 /// Overestimation: the bound is attained in the limit `H → c₁ I`.
 #[must_use]
 pub fn reach(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
-    let surplus = ceiling::least(setting, rule, n);
-    setting.distance() * (1.0 + surplus).sqrt() / setting.constants().c1().sqrt()
+    reach_in(setting, rule, n)
+}
+
+/// Returns a bound like that of [`reach`], rounded up to the last digit; infinite if a number overflows.
+#[must_use]
+pub fn reach_outward(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+    let reach = reach_in::<Interval>(setting, rule, n).above();
+    if reach.is_nan() { f64::INFINITY } else { reach }
+}
+
+fn reach_in<T: Number>(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> T {
+    let surplus: T = ceiling::least(setting, rule, n);
+    let c1 = T::constant(setting.constants().c1());
+    (surplus + 1.0).sqrt() * setting.distance() / c1.sqrt()
 }
 
 #[cfg(test)]

@@ -26,11 +26,13 @@ pub use best::{
     suggest_n,
 };
 pub use computed::{Computed, DiscreteMinimum};
-pub use convex_excess::{convex_excess, sampled_excess};
-pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity};
-pub use enclosure::{Enclosure, FromAbove, FromBelow, enclose};
+pub use convex_excess::{convex_excess, convex_excess_outward, sampled_excess};
+pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity, strict_convexity_outward};
+pub use enclosure::{Enclosure, FromAbove, FromBelow, enclose, enclose_outward};
 pub use length::squared_length;
-pub use locality::{LocalityError, Region, competitors, competitors_within, reach, shrink};
+pub use locality::{
+    LocalityError, Region, competitors, competitors_within, reach, reach_outward, shrink,
+};
 pub use own_norms::OwnNorms;
 pub use sampling::{pointwise_fall, pointwise_rise, sampling_fall, sampling_rise, velocity_error};
 pub use sequence_gap::{cubic_gap, cubic_rule_gap, quartic_gap};

@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 
 use tautline_metrics::Constants;
 
-use crate::product::product;
+use crate::{number::Number, product::product};
 
 /// Bounds the greatest speed `max qₙ` of a sequence, in `m`, where `qₙ² = βₙᵀ H βₙ` with `H`
 /// evaluated at the node of the rule (Lemma S.3).
@@ -38,10 +38,20 @@ pub fn greatest_speed(
 ) -> f64 {
     assert!(discrete_energy >= 0.0, "an energy must be nonnegative, got {discrete_energy}");
     assert!(mean_residual >= 0.0, "the mean residual must be nonnegative, got {mean_residual}");
-    let root = 1.0 / constants.c1().sqrt();
-    let steps = product([constants.l_h(), discrete_energy, root, root, root]);
+    greatest_speed_in(constants, discrete_energy, mean_residual, n)
+}
+
+/// Returns what [`greatest_speed`] documents, in doubles or in intervals.
+pub(super) fn greatest_speed_in<T: Number>(
+    constants: Constants,
+    discrete_energy: T,
+    mean_residual: T,
+    n: NonZeroUsize,
+) -> T {
+    let root = T::constant(constants.c1()).sqrt().recip();
+    let steps = T::product([T::constant(constants.l_h()), discrete_energy, root, root, root]);
     let stationary = discrete_energy.sqrt() + steps + mean_residual * root;
-    stationary.min((n.get() as f64 * discrete_energy).sqrt())
+    stationary.least((discrete_energy * n.get() as f64).sqrt())
 }
 
 /// Bounds the greatest difference `max |βₙ|` of a sequence, in `ℓ`, by means of its momentum (Lemma

@@ -2,7 +2,7 @@
 
 use std::num::NonZeroUsize;
 
-use crate::{PaperRule, Setting, product::product};
+use crate::{PaperRule, Setting, number::Number};
 
 /// Bounds on the moments of the relative speeds `uₙ = qₙ/d` of an admissible sequence with
 /// `E_N ≤ d² ε` (Lemma S.5). All of them are pure numbers.
@@ -45,8 +45,7 @@ impl Spread {
         surplus: f64,
     ) -> Self {
         assert!(surplus >= 0.0, "the surplus must be nonnegative, got {surplus}");
-        let halved = 0.5 * rule.mean_distance() / n.get() as f64;
-        Self::of_shortfall(product([halved, setting.delta(), 1.0 + surplus]), surplus, n)
+        Moments::of_first_order(setting, rule, n, surplus).into()
     }
 
     /// Returns the spread for the smaller of the two `x`, for the trapezoidal rule; `surplus` is
@@ -60,34 +59,72 @@ impl Spread {
     /// If `surplus` is negative or NaN.
     #[must_use]
     pub fn of_second_order(setting: Setting, n: NonZeroUsize, surplus: f64) -> Option<Self> {
-        let mu = setting.mu()?;
+        assert!(surplus >= 0.0, "the surplus must be nonnegative, got {surplus}");
+        Moments::of_second_order(setting, n, surplus).map(Self::from)
+    }
+}
+
+impl From<Moments<f64>> for Spread {
+    fn from(moments: Moments<f64>) -> Self {
+        let Moments { shortfall, variance, deviation, cube, fourth } = moments;
+        Self { shortfall, variance, deviation, cube, fourth }
+    }
+}
+
+/// The numbers of a [`Spread`], in doubles or in intervals.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moments<T> {
+    shortfall: T,
+    variance: T,
+    pub(super) deviation: T,
+    cube: T,
+    fourth: T,
+}
+
+impl<T: Number> Moments<T> {
+    /// Returns what [`Spread::of_first_order`] documents.
+    pub(super) fn of_first_order(
+        setting: Setting,
+        rule: PaperRule,
+        n: NonZeroUsize,
+        surplus: T,
+    ) -> Self {
+        let halved = T::constant(0.5 * rule.mean_distance()) / n.get() as f64;
+        Self::of_shortfall(T::product([halved, setting.delta_in(), surplus + 1.0]), surplus, n)
+    }
+
+    /// Returns what [`Spread::of_second_order`] documents.
+    pub(super) fn of_second_order(setting: Setting, n: NonZeroUsize, surplus: T) -> Option<Self> {
+        let mu = setting.mu_in()?;
         let mut spread = Self::of_first_order(setting, PaperRule::Trapezoidal, n, surplus);
         let count = n.get() as f64;
         for _ in 0..64 {
-            let shortfall = product([mu, spread.cube]) / (48.0 * count * count);
-            spread = Self::of_shortfall(shortfall.min(spread.shortfall), surplus, n);
+            let shortfall = T::product([mu, spread.cube]) / (T::constant(48.0) * count * count);
+            spread = Self::of_shortfall(shortfall.least(spread.shortfall), surplus, n);
         }
         Some(spread)
     }
 
     /// Returns the bounds that follow from `mean u ≥ 1 − x` and `mean u² ≤ 1 + surplus`.
-    fn of_shortfall(shortfall: f64, surplus: f64, n: NonZeroUsize) -> Self {
-        let (e, count) = (1.0 + surplus, n.get() as f64);
-        // ε − (1 − x)², computed without cancellation.
-        let variance = if shortfall < 1.0 { surplus + shortfall * (2.0 - shortfall) } else { e };
-        let others = count - 1.0;
-        let square = product([others, variance]);
+    fn of_shortfall(shortfall: T, surplus: T, n: NonZeroUsize) -> Self {
+        let (e, count) = (surplus + 1.0, n.get() as f64);
+        // ε − (1 − x)², computed without cancellation. It is at most ε for any x.
+        let variance =
+            if shortfall.is_below(1.0) { surplus + shortfall * (2.0 - shortfall) } else { e };
+        let others = T::constant(count) - 1.0;
+        let square = T::product([others, variance]);
         let deviation = square.sqrt();
         let root = e.sqrt();
         // Among all N nonnegative numbers with mean square ε, those with a single nonzero number
         // have the greatest moments.
-        let cube = (e * root + 1.5 * product([root, variance]) + product([deviation, variance]))
-            .min(count.sqrt() * e * root);
+        let cube =
+            (e * root + T::product([root, variance]) * 1.5 + T::product([deviation, variance]))
+                .least(T::constant(count).sqrt() * e * root);
         let fourth = (e * e
-            + 4.0 * product([e, variance])
-            + 4.0 * product([root, deviation, variance])
-            + product([square, variance]))
-        .min(count * e * e);
+            + T::product([e, variance]) * 4.0
+            + T::product([root, deviation, variance]) * 4.0
+            + T::product([square, variance]))
+        .least(e * count * e);
         Self { shortfall, variance, deviation, cube, fourth }
     }
 }

@@ -49,7 +49,7 @@ pub fn theorem_a_minimum_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize)
 #[must_use]
 pub fn theorem_a_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
-    let e = 1.0 + ceiling::first_order(setting, rule, n);
+    let e = 1.0 + ceiling::first_order::<f64>(setting, rule, n);
     let greatest = greatest_speed(delta, e, n);
     product([d, d, rule.mean_distance(), delta, e, greatest]) / n.get() as f64
 }
@@ -74,7 +74,7 @@ pub fn theorem_a_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f
 #[must_use]
 pub fn theorem_a_constant(setting: Setting, rule: PaperRule) -> f64 {
     let (delta, d, k) = (setting.delta(), setting.distance(), rule.mean_distance());
-    let e = 1.0 + ceiling::first_order(setting, rule, NonZeroUsize::MIN);
+    let e = 1.0 + ceiling::first_order::<f64>(setting, rule, NonZeroUsize::MIN);
     let sampled = match rule {
         PaperRule::Trapezoidal => 0.25 * delta + product([setting.bend() / 12.0, delta]),
         PaperRule::LeftEndpoint => 0.5 * delta,

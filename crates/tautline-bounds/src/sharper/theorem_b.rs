@@ -36,7 +36,7 @@ pub fn theorem_b_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 #[must_use]
 pub fn theorem_b_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
-    let e = 1.0 + ceiling::second_order(setting, n)?;
+    let e = 1.0 + ceiling::second_order::<f64>(setting, n)?;
     let greatest = greatest_speed(setting.delta(), e, n);
     let count = n.get() as f64;
     Some(product([d, d, mu, e, greatest, greatest]) / (24.0 * count * count))
@@ -61,7 +61,7 @@ pub fn theorem_b_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 #[must_use]
 pub fn theorem_b_constant(setting: Setting) -> Option<f64> {
     let (delta, mu, d) = (setting.delta(), setting.mu()?, setting.distance());
-    let e = 1.0 + ceiling::first_order(setting, PaperRule::Trapezoidal, NonZeroUsize::MIN);
+    let e = 1.0 + ceiling::first_order::<f64>(setting, PaperRule::Trapezoidal, NonZeroUsize::MIN);
     let greatest = e.sqrt() + product([delta, e]);
     let sampled = product([setting.bend() / 3.0, delta]);
     let gap = product([mu / 24.0, 1.0 + product([e, greatest, greatest])]);

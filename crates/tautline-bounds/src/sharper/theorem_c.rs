@@ -61,7 +61,7 @@ fn root(a: f64) -> f64 {
 #[must_use]
 pub fn theorem_c_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
-    let surplus = ceiling::first_order(setting, rule, n);
+    let surplus: f64 = ceiling::first_order(setting, rule, n);
     let spread = Spread::of_first_order(setting, rule, n, surplus);
     product([d, d, rule.mean_distance(), delta, spread.cube]) / n.get() as f64
 }
@@ -89,7 +89,7 @@ pub fn theorem_c_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f
 #[must_use]
 pub fn theorem_c_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
-    let surplus = ceiling::first_order(setting, rule, n);
+    let surplus: f64 = ceiling::first_order(setting, rule, n);
     let cube = (1.0 + surplus).powf(1.5);
     let gap = product([rule.mean_distance(), delta, cube]) / n.get() as f64;
     product([d, d, surplus + gap])

@@ -64,7 +64,7 @@ pub fn theorem_d_deficit(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 #[must_use]
 pub fn theorem_d_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
-    let surplus = ceiling::second_variation(setting, n)?;
+    let surplus: f64 = ceiling::second_variation(setting, n)?;
     let spread = Spread::of_second_order(setting, n, surplus)?;
     let count = n.get() as f64;
     Some(product([d, d, mu, spread.fourth]) / (24.0 * count * count))
@@ -93,7 +93,7 @@ pub fn theorem_d_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 #[must_use]
 pub fn theorem_d_length_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
-    let surplus = ceiling::second_variation(setting, n)?;
+    let surplus: f64 = ceiling::second_variation(setting, n)?;
     let (e, count) = (1.0 + surplus, n.get() as f64);
     let gap = product([mu, e, e]) / (24.0 * count * count);
     Some(product([d, d, surplus + gap]))

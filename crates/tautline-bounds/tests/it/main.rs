@@ -2,6 +2,7 @@
 
 mod bend;
 mod golden;
+mod outward;
 mod panics;
 mod properties;
 mod properties_sharper;

@@ -1,9 +1,12 @@
 //! Enclosures whose bounds are explicit.
 
-use super::{Computed, DiscreteMinimum, FromAbove, FromBelow, enclose};
+use tautline_scalar::Interval;
+
+use super::{Computed, DiscreteMinimum, FromAbove, FromBelow, enclose, enclose_outward};
 use crate::{
     BoundError, Constants, PaperRule, Setting,
     by_hand::{self, n, with_m_h},
+    product::product,
     theorem_a_minimum_gap, theorem_d_minimum_gap,
 };
 
@@ -117,12 +120,16 @@ fn the_equation_of_the_ceiling_is_solved_from_below() {
             for k in 1..40 {
                 let least = 0.37 * f64::from(k * k);
                 let setting = |d| Setting::new(constants, d, 2).expect("valid");
-                let d = super::distance_from_below(setting(0.0), rule, n, least);
+                let d = super::distance_from_below::<f64>(setting(0.0), rule, n, least);
                 let energy = |d: f64| {
-                    super::product([d, d, 1.0 + super::ceiling::least(setting(d), rule, n)])
+                    let surplus: f64 = super::ceiling::least(setting(d), rule, n);
+                    product([d, d, 1.0 + surplus])
                 };
                 assert!(energy(d) <= least, "{d} for {least}");
                 solved += usize::from(energy(d.next_up()) > least);
+                // In intervals the result is no larger, and smaller by a few roundings.
+                let proved = super::distance_from_below::<Interval>(setting(0.0), rule, n, least);
+                assert!(proved <= d && d <= proved * (1.0 + 1e-14), "{proved} {d}");
             }
         }
     }
@@ -192,4 +199,42 @@ fn invalid_numbers_are_errors() {
         let error = enclose(constants(), 2, &computed);
         assert!(matches!(error, Err(BoundError::NotAnEnergy { .. })), "{error:?}");
     }
+}
+
+/// `d² = c E₁`, where `E₁` is the energy of one chord of length `x` under `H = c`: nothing is lost but
+/// the last digits, and the bound is below the exact product.
+#[test]
+fn outward_bounds_are_below_exact_ones_to_the_last_digit() {
+    let mut equal = 0;
+    for k in 1..2000_u32 {
+        let c = 0.1 + f64::from(k) * 0.37;
+        let flat = Constants::new(c, c, 0.0).expect("positive");
+        let gap = f64::from(k).sqrt();
+        let computed = Computed {
+            rule: PaperRule::Trapezoidal,
+            n: n(3),
+            discrete_energy: 0.0,
+            energy: 1e9,
+            length_squared: 1e9,
+            minimum: DiscreteMinimum::Unknown,
+            gap,
+        };
+        let found = enclose_outward(flat, 2, &computed).expect("valid");
+        // Subtracted exactly: c gap² as a sum of doubles.
+        let square = gap * gap;
+        let rest = gap.mul_add(gap, -square);
+        let product = c * square;
+        let error = c.mul_add(square, -product) + c * rest;
+        assert!(found.lower - product <= error, "{c} {gap}");
+        assert!(found.lower >= product * (1.0 - 1e-15));
+        equal += u32::from(enclose(flat, 2, &computed).expect("valid").lower > found.lower);
+        // By a minimum of the discrete energy: d ≥ √least, whose square is at most it.
+        let least = square;
+        let by_minimum =
+            Computed { minimum: DiscreteMinimum::AtLeast(least), gap: 0.0, ..computed };
+        let found = enclose_outward(flat, 2, &by_minimum).expect("valid");
+        assert!(found.lower <= least && found.lower >= least * (1.0 - 2e-15), "{found:?}");
+    }
+    // To nearest, a good part is on the wrong side.
+    assert!(equal > 500, "{equal}");
 }
