@@ -8,7 +8,9 @@ const seven = (value) => number(value, Math.min(12, Math.max(0, 6 - Math.floor(M
 // Bounds rounded outward, with two digits of their distance.
 function bounds(lower, upper) {
   const digits = Math.min(9, Math.max(2, 1 - Math.floor(Math.log10(upper - lower || 1e-9))));
-  const [down, up] = [Math.floor(lower * 10 ** digits), Math.ceil(upper * 10 ** digits)];
+  // The product is off by half a unit of its last place, which must not reach the next whole number.
+  const [low, high] = [lower * (1 - 2 ** -51), upper * (1 + 2 ** -51)];
+  const [down, up] = [Math.floor(low * 10 ** digits), Math.ceil(high * 10 ** digits)];
   return [down, up].map((value) => number(value / 10 ** digits, digits));
 }
 

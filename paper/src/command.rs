@@ -12,6 +12,7 @@ use crate::{
     figures::FIGURES,
     output::Output,
     parallel,
+    said::{print, say},
     sweep::Sweep,
 };
 
@@ -45,8 +46,7 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
     while let Some(argument) = arguments.next().map_err(|error| usage(error.to_string()))? {
         match argument {
             lexopt::Arg::Long("help") | lexopt::Arg::Short('h') => {
-                println!("{USAGE}");
-                return Ok(());
+                return print(USAGE);
             }
             lexopt::Arg::Long(flag @ ("check" | "quick" | "list")) => {
                 let asked = match flag {
@@ -90,13 +90,13 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
     let chosen =
         artefacts.iter().filter(|a| ids.is_empty() || ids.iter().any(|id| id.as_str() == a.id));
     if mode == Mode::List {
-        chosen.for_each(|artefact| println!("{:24} {}", artefact.id, artefact.shows));
-        return Ok(());
+        let mut lines = chosen.map(|artefact| format!("{:24} {}", artefact.id, artefact.shows));
+        return lines.try_for_each(print);
     }
     let (unchecked, chosen): (Vec<&Artefact>, Vec<&Artefact>) =
         chosen.partition(|artefact| mode == Mode::Check && artefact.times == Times::Unchecked);
     for artefact in unchecked {
-        eprintln!("not checked: paper/{}, which contains times", artefact.data_file());
+        say(format!("not checked: paper/{}, which contains times", artefact.data_file()));
     }
     // Artefacts with measured times come last, one at a time, so that nothing else runs on the
     // machine. A check ignores the times.
@@ -112,14 +112,14 @@ fn make_and_tell(artefact: &Artefact, mode: Mode) -> Result<(), Failure> {
     let begun = Instant::now();
     // It is printed at once, since others are still running and may fail as well.
     let files =
-        make(artefact, mode).inspect_err(|failure| eprintln!("{}: {failure}", artefact.id))?;
+        make(artefact, mode).inspect_err(|failure| say(format!("{}: {failure}", artefact.id)))?;
     let (done, folder) = match mode {
         Mode::Check => ("checked", "paper"),
         Mode::Quick => ("wrote", "target/quick"),
         _ => ("wrote", "paper"),
     };
     let files: Vec<String> = files.iter().map(|file| format!("{folder}/{file}")).collect();
-    eprintln!("{done} {} in {:.1} s", files.join(", "), begun.elapsed().as_secs_f64());
+    say(format!("{done} {} in {:.1} s", files.join(", "), begun.elapsed().as_secs_f64()));
     Ok(())
 }
 

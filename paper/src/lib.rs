@@ -27,6 +27,7 @@ mod methods;
 mod observation;
 pub mod output;
 pub mod parallel;
+pub mod said;
 pub mod section_5;
 pub mod sweep;
 #[cfg(feature = "tables")]

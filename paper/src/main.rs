@@ -6,7 +6,7 @@ fn main() -> ExitCode {
     match paper::command::run(std::env::args().skip(1)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            paper::said::say(format!("error: {failure}"));
             ExitCode::FAILURE
         }
     }

@@ -1,7 +1,8 @@
 //! `Output`: a folder in which every file is written completely or not at all.
 
 use std::{
-    fs,
+    fs::{self, File},
+    io::Write,
     path::{Path, PathBuf},
 };
 
@@ -32,8 +33,8 @@ impl Output {
         Output { root: root.into() }
     }
 
-    /// Writes a file under a temporary name and renames it, so that an interrupted run leaves the
-    /// old file intact.
+    /// Writes a file under a temporary name, brings it to the disk and renames it, so that an
+    /// interrupted run and a full disk leave the old file intact.
     ///
     /// # Errors
     ///
@@ -43,7 +44,9 @@ impl Output {
         let temporary = path.with_extension(format!("{}.part", std::process::id()));
         let attempt = || {
             fs::create_dir_all(path.parent().unwrap_or(&self.root))?;
-            fs::write(&temporary, bytes)?;
+            let mut file = File::create(&temporary)?;
+            file.write_all(bytes)?;
+            file.sync_all()?;
             fs::rename(&temporary, &path)
         };
         attempt().map_err(|source| {

@@ -24,7 +24,7 @@ pub(crate) struct Certificate {
     ended: String,
     /// The number of cubes that hold every shortest curve, and their side.
     corridor: (usize, f64),
-    /// The certificate, which `check` and `tautline check` read; empty if the sets touch.
+    /// The certificate, which `check` and `tautline check` read; empty if the sets touch, up to rounding.
     text: String,
 }
 

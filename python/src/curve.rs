@@ -104,7 +104,7 @@ impl Curve {
         self.curve.speeds().into_pyarray(py)
     }
 
-    /// Whether the search converged to a strict local minimum, or the sets touch.
+    /// Whether the search converged to a strict local minimum, or the sets touch, up to rounding.
     #[getter]
     fn converged(&self) -> bool {
         self.curve.search().converged

@@ -2,11 +2,14 @@
 //! certificates of distances.
 
 use std::{
-    fs,
+    fs::{self, File},
+    io::Write,
     path::Path,
     process::{Command, Stdio},
     thread,
 };
+
+use crate::said::{print, say};
 
 /// Each benchmark, its table, and what the table shows.
 const BENCHES: [(&str, &str, &str); 4] = [
@@ -69,8 +72,8 @@ pub(crate) fn bench(root: &Path, rest: &[&str]) -> Result<(), String> {
         let rows = run(root, name, &[])?;
         let file = format!("paper/tables/{table}.csv");
         let text = format!("{}{rows}", header(name, table, what));
-        fs::write(root.join(&file), text).map_err(|error| format!("{file}: {error}"))?;
-        eprintln!("wrote {file}");
+        write(&root.join(&file), &text)?;
+        say(format!("wrote {file}"));
     }
     for name in IN_PARTS.iter().filter(|name| !parts.is_empty() && chosen(name, &named)) {
         run(root, name, &parts)?;
@@ -83,10 +86,24 @@ fn chosen(name: &str, named: &[&str]) -> bool {
     named.is_empty() || named.contains(&name)
 }
 
+/// Writes a table under another name, brings it to the disk, and renames it.
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    let unfinished = path.with_extension("part");
+    let written = File::create(&unfinished).and_then(|mut file| {
+        file.write_all(text.as_bytes())?;
+        file.sync_all()?;
+        fs::rename(&unfinished, path)
+    });
+    written.map_err(|error| {
+        let _ = fs::remove_file(&unfinished);
+        format!("{}: {error}", path.display())
+    })
+}
+
 /// Runs one benchmark, and returns its output.
 fn run(root: &Path, name: &str, rest: &[&str]) -> Result<String, String> {
     let arguments = ["bench", "--package", "tautline", "--bench", name, "--"];
-    eprintln!("$ cargo {} {}", arguments.join(" "), rest.join(" "));
+    say(format!("$ cargo {} {}", arguments.join(" "), rest.join(" ")));
     let output = Command::new(env!("CARGO"))
         .args(arguments)
         .args(rest)
@@ -95,7 +112,7 @@ fn run(root: &Path, name: &str, rest: &[&str]) -> Result<String, String> {
         .output()
         .map_err(|error| format!("the benchmark did not start: {error}"))?;
     let rows = String::from_utf8_lossy(&output.stdout).into_owned();
-    print!("{rows}");
+    print(rows.trim_end())?;
     if !output.status.success() {
         return Err(format!("the benchmark failed: {}", output.status));
     }

@@ -8,6 +8,7 @@ mod peers;
 mod python;
 mod release;
 mod run;
+mod said;
 mod second_checker;
 mod sweeps;
 
@@ -73,16 +74,13 @@ fn main() -> ExitCode {
         ["guide", rest @ ..] => guide::guide(&root(), rest),
         ["release", rest @ ..] => release::release(rest),
         ["ci"] => ci(),
-        ["help" | "--help" | "-h"] => {
-            println!("{USAGE}");
-            Ok(())
-        }
+        ["help" | "--help" | "-h"] => said::print(USAGE),
         _ => Err(USAGE.to_owned()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
-            eprintln!("{message}");
+            said::say(message);
             ExitCode::FAILURE
         }
     }

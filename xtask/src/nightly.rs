@@ -6,6 +6,8 @@ use std::{
     time::{SystemTime, UNIX_EPOCH},
 };
 
+use crate::said::print;
+
 /// The factor by which the number of cases of a test is multiplied.
 const CASES: &str = "100";
 
@@ -25,7 +27,7 @@ pub(crate) fn nightly(root: &Path, rest: &[&str]) -> Result<(), String> {
     let set: String = chosen.iter().map(|(name, value)| format!("{name}={value} ")).collect();
     let line = format!("{set}cargo {}", arguments.join(" "));
     // The line is printed first, so that an interrupted run can be repeated.
-    println!("$ {line}");
+    print(format!("$ {line}"))?;
     let status =
         Command::new(env!("CARGO")).args(&arguments).envs(chosen).current_dir(root).status();
     match status {

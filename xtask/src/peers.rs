@@ -8,6 +8,7 @@ use std::{env, fs, path::Path, process::Command};
 use crate::{
     python,
     run::{self, cargo},
+    said::say,
 };
 
 /// The virtual environments: their folders below `target/peers`, and their requirements.
@@ -23,7 +24,7 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
     let [python, geomstats] = ENVIRONMENTS.map(|(name, requirements)| {
         let environment = folder.join(name);
         if let Err(message) = install(&environment, &scripts.join(requirements)) {
-            eprintln!("{message}; peers that need it get a row that says so");
+            say(format!("{message}; peers that need it get a row that says so"));
         }
         environment.join("bin/python")
     });
@@ -32,7 +33,7 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
     let wheel = python::made(root, &target, &target.join("python-environment"))
         .and_then(|wheels| python::installed(&folder.join("main"), &wheels));
     if let Err(message) = wheel {
-        eprintln!("{message}; Tautline from Python gets a row that says so");
+        say(format!("{message}; Tautline from Python gets a row that says so"));
     }
 
     let example = ["build", "--release", "--package", "tautline", "--example", "peers"];
@@ -42,7 +43,7 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
     let argmin = folder.join("argmin").display().to_string();
     let build = ["build", "--release", "--manifest-path", &manifest, "--target-dir", &argmin];
     if let Err(message) = cargo(&build, &[]) {
-        eprintln!("{message}; argmin gets a row that says so");
+        say(format!("{message}; argmin gets a row that says so"));
     }
 
     // A part of the table does not replace the whole table.

@@ -9,6 +9,7 @@ use std::{
 use crate::{
     peers::install,
     run::{cargo, run},
+    said::print,
 };
 
 /// Makes the wheel of the Python module, installs it into `target/python-environment`, and runs its
@@ -138,7 +139,8 @@ fn twins(root: &Path, python: &Path, target: &str) -> Result<(), String> {
         if found.trim().is_empty() {
             return Err(format!("{name}.py prints nothing"));
         }
-        println!("{name}: {} lines, equal in Python and in Rust", found.lines().count());
+        let count = found.lines().count();
+        print(format!("{name}: {count} lines, equal in Python and in Rust"))?;
     }
     Ok(())
 }

@@ -2,7 +2,10 @@
 
 use std::process::{Command, Stdio};
 
-use crate::run::{cargo, root};
+use crate::{
+    run::{cargo, root},
+    said::print,
+};
 
 /// The packages that are not published.
 const PRIVATE: [&str; 4] = ["benches", "paper", "tests", "xtask"];
@@ -15,18 +18,20 @@ pub(crate) fn release(rest: &[&str]) -> Result<(), String> {
         return Err("release takes no arguments but --allow-dirty".to_owned());
     }
     cargo(&[&["package"], published().as_slice(), rest].concat(), &[])?;
-    println!("Every package compiles from its own files, without tests, examples and benchmarks.");
+    print("Every package compiles from its own files, without tests, examples and benchmarks.")?;
     let tag = output("git", &["describe", "--tags", "--abbrev=0", "--match", "v*"]);
     let tool = output(env!("CARGO"), &["semver-checks", "--version"]).is_some();
     match comparison(tag.as_deref(), tool) {
         Ok(arguments) => {
             cargo(&arguments, &[])?;
-            println!("The public items are compatible with {}.", arguments[arguments.len() - 1]);
+            let tag = arguments[arguments.len() - 1];
+            print(format!("The public items are compatible with {tag}."))?;
         }
-        Err(reason) => println!("NOT done: a comparison of the public items. {reason}"),
+        Err(reason) => {
+            print(format!("NOT done: a comparison of the public items. {reason}"))?;
+        }
     }
-    println!("NOT done: publishing. `CONTRIBUTING.md` has the steps of a release.");
-    Ok(())
+    print("NOT done: publishing. `CONTRIBUTING.md` has the steps of a release.")
 }
 
 /// Returns the arguments that select the published crates.

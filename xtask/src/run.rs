@@ -6,6 +6,8 @@ use std::{
     process::Command,
 };
 
+use crate::said::say;
+
 /// Returns the root of the workspace.
 pub(crate) fn root() -> PathBuf {
     let xtask = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -24,7 +26,7 @@ pub(crate) fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<
 /// Runs a command in the root of the workspace. It first prints the command as `line`, so that a
 /// failing command can be pasted and run again.
 pub(crate) fn run(command: &mut Command, line: &str) -> Result<(), String> {
-    eprintln!("$ {line}");
+    say(format!("$ {line}"));
     match command.current_dir(root()).status() {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("`{line}` failed: {status}")),

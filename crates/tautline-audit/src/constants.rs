@@ -4,9 +4,10 @@ use tautline::Constants;
 use tautline_kit::{Claim, Region};
 use tautline_problem::{
     BallAnswer, ConstantAnswer, ConstantsAnswer, Failure, Question, UsedConstants,
+    decimal::{shortly_down, shortly_up},
 };
 
-use crate::{answer::Standing, region::largest_ball};
+use crate::{answer::Standing, region::largest_ball, words::DIGITS};
 
 /// A ball: its centre and its radius.
 pub(crate) type BallOf = (Vec<f64>, f64);
@@ -89,6 +90,9 @@ fn proved(question: &Question, ball: Option<BallOf>) -> Result<Proved, Unproved>
     }
     let standings = Claim::ALL.into_iter().filter_map(|claim| {
         let (constant, bound) = (of(claim)?, bound(claim));
+        let is_lower = claim == Claim::C1;
+        let round = if is_lower { shortly_down } else { shortly_up };
+        let bound = bound.map(|bound| round(bound, DIGITS));
         let proof = match (bound, &constant.reason) {
             (Some(bound), None) => format!("{bound} proved from the formula"),
             (Some(bound), Some(reason)) => format!("{bound} proved, but not sharp: {reason}"),

@@ -69,13 +69,27 @@ enum ProgramError {
     BadEnvironment(tautline_kit::ChanceError),
     #[error("error: {0}")]
     NotDone(String),
+    /// Nobody reads the output any more, as after `head`.
+    #[error("")]
+    Unread,
 }
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        // Help that cannot be printed is no success.
+        Err(usage) => {
+            let code = u8::try_from(usage.exit_code()).unwrap_or(2);
+            return ExitCode::from(if usage.print().is_err() { code.max(1) } else { code });
+        }
+    };
+    match run(&arguments) {
         Ok(code) => code,
+        // There is nobody to tell.
+        Err(ProgramError::Unread) => ExitCode::from(1),
         Err(error) => {
-            eprintln!("{error}");
+            // Nobody may listen: the exit code says what counts.
+            let _ = writeln!(io::stderr(), "{error}");
             ExitCode::from(if matches!(error, ProgramError::NotDone(_)) { 1 } else { 2 })
         }
     }
@@ -134,13 +148,12 @@ fn json(value: &impl serde::Serialize) -> Result<String, ProgramError> {
     Ok(json.map_err(|error| ProgramError::NotDone(error.to_string()))? + "\n")
 }
 
-/// Prints a text. A reader that has gone away, such as `head`, is no error.
+/// Prints a text.
 fn print(text: &str) -> Result<(), ProgramError> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(ProgramError::File { path: "standard output".into(), error })
-        }
-        _ => Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Err(ProgramError::Unread),
+        Err(error) => Err(ProgramError::File { path: "standard output".into(), error }),
+        Ok(()) => Ok(()),
     }
 }

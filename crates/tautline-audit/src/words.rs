@@ -1,6 +1,9 @@
 //! The sentences of a report, which its formats share.
 
-use tautline_problem::UsedConstants;
+use tautline_problem::{
+    UsedConstants,
+    decimal::{shortly_down, shortly_up},
+};
 
 use crate::{
     answer::{Audit, Lie, Status, Verdict},
@@ -8,7 +11,7 @@ use crate::{
 };
 
 /// The significant digits of a number that is claimed or found.
-const DIGITS: usize = 10;
+pub(crate) const DIGITS: usize = 10;
 
 /// The significant digits of a coordinate.
 const COORDINATE_DIGITS: usize = 6;
@@ -71,8 +74,12 @@ pub(crate) fn lie(lie: &Lie) -> String {
     };
     match (found, point) {
         (Some(found), None) => {
-            let side = if *about == "c1" { "at most" } else { "at least" };
-            text += &format!(" is proved to reach {side} {} somewhere", number(*found));
+            let (side, bound) = if *about == "c1" {
+                ("at most", shortly_up(*found, DIGITS))
+            } else {
+                ("at least", shortly_down(*found, DIGITS))
+            };
+            text += &format!(" is proved to reach {side} {bound} somewhere");
         }
         (Some(found), Some(_)) => text += &format!(" = {}", number(*found)),
         (None, _) if is_a_constant => text += " is infinite",
@@ -110,15 +117,20 @@ pub(crate) fn constants(audit: &Audit) -> String {
         let why = audit.no_constants.as_deref().unwrap_or("time ran out");
         return format!("none: {why}");
     };
-    let m_h = m_h.map_or(String::new(), |m_h| format!(", M_H = {}", number(m_h)));
+    // A claim is what was typed.
+    let down = |x: &f64| if *proved { shortly_down(*x, DIGITS) } else { number(*x) };
+    let up = |x: &f64| if *proved { shortly_up(*x, DIGITS) } else { number(*x) };
+    let m_h = m_h.as_ref().map_or(String::new(), |m_h| format!(", M_H = {}", up(m_h)));
     let how = if *proved { "proved" } else { "claimed" };
     let place = match within {
         None => "on all of space".to_owned(),
         Some(ball) => {
-            format!("in the ball of radius {} about {}", number(ball.radius), vector(&ball.centre))
+            let (centre, radius) = ball.shortened(DIGITS);
+            let centre: Vec<String> = centre.iter().map(f64::to_string).collect();
+            format!("in the ball of radius {radius} about ({})", centre.join(", "))
         }
     };
-    let [c1, c2, l_h] = [c1, c2, l_h].map(|x| number(*x));
+    let (c1, c2, l_h) = (down(c1), up(c2), up(l_h));
     format!("c1 = {c1}, c2 = {c2}, L_H = {l_h}{m_h}; {how} {place}")
 }
 

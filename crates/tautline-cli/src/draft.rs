@@ -15,48 +15,58 @@ use crate::error::CommandError;
 const DRAFT: &str = ".part";
 
 /// A file that is written under another name next to its own, and gets its own once it is complete and on
-/// the disk. A draft that is dropped is removed.
+/// the disk. A draft that is dropped is removed. What is no file, such as a pipe or a device, is written
+/// to; a symbolic link remains one.
 #[derive(Debug)]
 pub(crate) struct Draft {
-    /// Both are there until the draft is finished.
+    /// It is there until the draft is finished.
     file: Option<BufWriter<File>>,
     path: PathBuf,
-    temporary: PathBuf,
+    /// `None` if the path is no file.
+    temporary: Option<PathBuf>,
 }
 
 impl Draft {
     /// Begins a file, and removes drafts of it whose processes have ended.
     pub(crate) fn of(path: &Path) -> Result<Self, CommandError> {
         let failed = |error| CommandError::File { path: path.to_owned(), error };
-        remove_abandoned(path);
+        if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+            let file = File::options().write(true).open(path).map_err(failed)?;
+            return Ok(Self {
+                file: Some(BufWriter::new(file)),
+                path: path.to_owned(),
+                temporary: None,
+            });
+        }
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        remove_abandoned(&path);
         // Processes of several machines may write to one folder.
         let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         let own = format!(".{}-{}{DRAFT}", process::id(), since.as_nanos());
-        let mut name = start_of_name(path);
+        let mut name = start_of_name(&path);
         name.push(own);
         let temporary = path.with_file_name(name);
         let file = File::create_new(&temporary).map_err(failed)?;
         // The lock only says that the draft is in use. Where there are no locks, drafts of processes that
         // were killed remain.
         let _ = file.try_lock();
-        let (path, file) = (path.to_owned(), Some(BufWriter::new(file)));
-        Ok(Self { file, path, temporary })
+        Ok(Self { file: Some(BufWriter::new(file)), path, temporary: Some(temporary) })
     }
 
     /// Appends to the file.
-    pub(crate) fn write(&mut self, text: &str) -> Result<(), CommandError> {
-        let written = self.file.as_mut().map_or(Ok(()), |file| file.write_all(text.as_bytes()));
-        written.map_err(|error| CommandError::File { path: self.temporary.clone(), error })
+    pub(crate) fn write(&mut self, bytes: impl AsRef<[u8]>) -> Result<(), CommandError> {
+        let written = self.file.as_mut().map_or(Ok(()), |file| file.write_all(bytes.as_ref()));
+        written.map_err(|error| CommandError::File { path: self.path.clone(), error })
     }
 
     /// Brings the file to the disk, and only then under its name.
     pub(crate) fn finish(mut self) -> Result<(), CommandError> {
         let done = (|| {
-            if let Some(file) = self.file.take() {
-                let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
-                file.sync_all()?;
-            }
-            fs::rename(&self.temporary, &self.path)?;
+            let Some(mut file) = self.file.take() else { return Ok(()) };
+            file.flush()?;
+            let Some(temporary) = &self.temporary else { return Ok(()) };
+            file.get_ref().sync_all()?;
+            fs::rename(temporary, &self.path)?;
             sync_folder(&self.path)
         })();
         done.map_err(|error| CommandError::File { path: self.path.clone(), error })
@@ -65,8 +75,14 @@ impl Draft {
 
 impl Drop for Draft {
     fn drop(&mut self) {
+        // What was buffered is not written any more: a full disk has refused it once.
+        if let Some(file) = self.file.take() {
+            let _ = file.into_parts();
+        }
         // After it was renamed, there is none.
-        let _ = fs::remove_file(&self.temporary);
+        if let Some(temporary) = &self.temporary {
+            let _ = fs::remove_file(temporary);
+        }
     }
 }
 
@@ -137,7 +153,8 @@ mod tests {
         abandoned.iter().for_each(|name| fs::write(folder.path().join(name), "").expect("written"));
         let living = Draft::of(&path).expect("a draft");
         let own = Draft::of(&path).expect("another draft");
-        assert!(living.temporary.exists() && own.temporary != living.temporary);
+        let temporary = living.temporary.as_ref().expect("a draft");
+        assert!(temporary.exists() && own.temporary != living.temporary);
         let remain = abandoned.map(|name| folder.path().join(name).exists());
         assert_eq!(remain, [false, true, true]);
         drop(Draft::of(&other).expect("a draft"));

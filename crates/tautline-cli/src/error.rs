@@ -22,6 +22,9 @@ pub(crate) enum CommandError {
     /// Nothing was computed or proved.
     #[error("error: {0}")]
     NotDone(String),
+    /// Nobody reads the output any more. There is nobody to tell, either.
+    #[error("")]
+    Unread,
 }
 
 impl CommandError {
@@ -31,7 +34,7 @@ impl CommandError {
             CommandError::BadFile(_) | CommandError::BadArgument(_) | CommandError::File { .. } => {
                 ExitCode::from(2)
             }
-            CommandError::NotDone(_) => ExitCode::from(1),
+            CommandError::NotDone(_) | CommandError::Unread => ExitCode::from(1),
         }
     }
 }

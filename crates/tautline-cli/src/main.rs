@@ -1,7 +1,6 @@
 //! The command `tautline`.
 
 mod arguments;
-mod decimal;
 mod draft;
 mod error;
 mod plan_file;
@@ -16,9 +15,18 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use arguments::{Arguments, Verb};
+use error::CommandError;
 
 fn main() -> ExitCode {
-    let done = match Arguments::parse().verb {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        // Help that cannot be printed is no success.
+        Err(usage) => {
+            let code = u8::try_from(usage.exit_code()).unwrap_or(2);
+            return ExitCode::from(if usage.print().is_err() { code.max(1) } else { code });
+        }
+    };
+    let done = match arguments.verb {
         Verb::Solve(arguments) => verbs::solve::solve(&arguments),
         Verb::Constants(arguments) => verbs::constants::constants(&arguments),
         Verb::Certify(arguments) => verbs::certify::certify(&arguments),
@@ -35,7 +43,9 @@ fn main() -> ExitCode {
     match done {
         Ok(code) => code,
         Err(error) => {
-            eprintln!("{error}");
+            if !matches!(error, CommandError::Unread) {
+                write::say(&error);
+            }
             error.code()
         }
     }

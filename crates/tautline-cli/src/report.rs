@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use tautline_problem::{
     Answer, Bounds, CertifiedAnswer, ConstantsAnswer, Estimated, GlobalMinimum, UsedConstants,
+    decimal::{
+        nearest, one_digit_up, places_up, rounded_down, rounded_up, shortly_down, shortly_up, up_to,
+    },
 };
-
-use crate::decimal::{nearest, one_digit_up, rounded_down, rounded_up};
 
 /// Returns the lines that describe an answer.
 pub(crate) fn answer(answer: &Answer) -> String {
@@ -138,9 +139,7 @@ fn note(bounds: &Bounds, converged: bool) -> Option<String> {
             if is_close {
                 return bounds.certificate.is_some().then(|| about.to_owned());
             }
-            // It is rounded up.
-            let percent = (percent / SHOWN).ceil() * SHOWN;
-            return Some(format!("{about}; one shorter by {percent:.2} % may exist"));
+            return Some(format!("{about}; one shorter by {} % may exist", share(lower, upper)));
         }
         GlobalMinimum::Assumed => {
             "the lower bound assumes that the minimum found is the global one"
@@ -155,15 +154,36 @@ fn note(bounds: &Bounds, converged: bool) -> Option<String> {
     Some(note.to_owned())
 }
 
+/// Returns how much shorter than `upper` something of at least `lower` can be, in percent, rounded up.
+fn share(lower: f64, upper: f64) -> String {
+    if !(lower > 0.0) {
+        return "100.00".to_owned();
+    }
+    // The quotient and the difference are off by half an ε each, at most, in numbers up to 1; the
+    // product by as much in a hundred.
+    places_up(100.0 * (1.0 - lower / upper) + 200.0 * f64::EPSILON, 2)
+}
+
+/// The number of significant digits of a constant.
+const SHORT: usize = 5;
+
 fn constants(constants: &UsedConstants) -> String {
     let UsedConstants { c1, c2, l_h, m_h, proved, within } = constants;
-    let m_h = m_h.map_or(String::new(), |m_h| format!(", M_H {m_h:.4}"));
+    // A claim is what was typed.
+    let down = |x: &f64| if *proved { shortly_down(*x, SHORT) } else { x.to_string() };
+    let up = |x: &f64| if *proved { shortly_up(*x, SHORT) } else { x.to_string() };
+    let (c1, c2, l_h) = (down(c1), up(c2), up(l_h));
+    let m_h = m_h.as_ref().map_or(String::new(), |m_h| format!(", M_H {}", up(m_h)));
     let how = if *proved { "proved" } else { "claimed" };
     let place = match within {
         None => "on all of space".to_owned(),
-        Some(ball) => format!("within {:.4} of {:.4?}", ball.radius, ball.centre),
+        Some(ball) => {
+            let (centre, radius) = ball.shortened(SHORT);
+            let centre: Vec<String> = centre.iter().map(f64::to_string).collect();
+            format!("within {radius} of [{}]", centre.join(", "))
+        }
     };
-    format!("c1 {c1:.4}, c2 {c2:.4}, L_H {l_h:.4}{m_h}; {how} {place}")
+    format!("c1 {c1}, c2 {c2}, L_H {l_h}{m_h}; {how} {place}")
 }
 
 /// Returns the lines that describe proved constants.
@@ -190,15 +210,19 @@ pub(crate) fn proved_constants(answer: &ConstantsAnswer) -> String {
 
 /// Returns a certified distance as text.
 pub(crate) fn certified(answer: &CertifiedAnswer) -> String {
-    if answer.levels.is_empty() {
+    if answer.upper.value == 0.0 {
         return format!("distance    0: {}\n", answer.ended);
     }
     let (lower, upper) = (rounded_down(answer.lower.value), rounded_up(answer.upper.value));
     let mut text = format!("distance    between {lower} and {upper}, proved\n");
     let cubes: usize = answer.levels.iter().map(|level| level.cubes).sum();
     let (left, side) = (answer.corridor_cubes, answer.corridor_side.value);
-    let _ =
-        writeln!(text, "gap         {:.1e} of the upper bound: {}", answer.gap.value, answer.ended);
+    // The gap is a difference and a quotient of doubles.
+    let gap = up_to(answer.gap.value * (1.0 + 2.0 * f64::EPSILON), 2);
+    let _ = writeln!(text, "gap         {gap} of the upper bound: {}", answer.ended);
+    if answer.levels.is_empty() {
+        return text;
+    }
     let _ = writeln!(text, "proof       {} levels, {cubes} cubes", answer.levels.len());
     let _ = writeln!(text, "corridor    {left} cubes of side {side:e} hold every shortest curve");
     text

@@ -1,34 +1,20 @@
-//! Files that are written whole or not at all.
+//! Files that are written whole or not at all, and what is printed.
 
 use std::{
-    ffi::OsString,
-    fs,
+    fmt::Display,
     io::{self, Write},
     path::Path,
-    process,
 };
 
 use tautline_problem::{Scene, pdf, png, svg};
 
-use crate::error::CommandError;
+use crate::{draft::Draft, error::CommandError};
 
-/// Writes a file under a temporary name next to it, and renames it. What is no file, such as a pipe or
-/// a device, is written to; a symbolic link remains one.
+/// Writes a file as a [`Draft`].
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), CommandError> {
-    let failed = |error| CommandError::File { path: path.to_owned(), error };
-    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
-        return fs::write(path, bytes).map_err(failed);
-    }
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let mut name = OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}", process::id()));
-    let temporary = path.with_file_name(name);
-    let written = fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, &path));
-    written.map_err(|error| {
-        let _ = fs::remove_file(&temporary);
-        failed(error)
-    })
+    let mut draft = Draft::of(path)?;
+    draft.write(bytes)?;
+    draft.finish()
 }
 
 /// The formats of pictures.
@@ -78,13 +64,29 @@ pub(crate) fn write_picture(path: &Path, scene: &Scene) -> Result<(), CommandErr
     write(path, &bytes.map_err(|error| CommandError::NotDone(error.to_string()))?)
 }
 
-/// Prints a text. A reader that has gone away, such as `head`, is no error.
+/// Prints a text.
+///
+/// # Errors
+///
+/// [`CommandError::Unread`] if the reader has gone away, as `head` does; another one if the output is
+/// full or closed.
 pub(crate) fn print(text: &str) -> Result<(), CommandError> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(CommandError::File { path: "standard output".into(), error })
-        }
-        _ => Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Err(CommandError::Unread),
+        Err(error) => Err(CommandError::File { path: "standard output".into(), error }),
+        Ok(()) => Ok(()),
     }
+}
+
+/// Returns a value as a JSON document.
+pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, CommandError> {
+    let json = serde_json::to_string_pretty(value);
+    Ok(json.map_err(|error| CommandError::NotDone(error.to_string()))? + "\n")
+}
+
+/// Says something to the person at the terminal. Nobody may listen: that is no reason to fail, and the
+/// exit code says what counts.
+pub(crate) fn say(message: impl Display) {
+    let _ = writeln!(io::stderr(), "{message}");
 }

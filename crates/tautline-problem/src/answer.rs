@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::Constants;
 
-use crate::Float;
+use crate::{Float, decimal::shortly_down};
 
 /// A curve between the two sets, and bounds on their distance.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -16,7 +16,8 @@ pub struct Answer {
     pub rule: &'static str,
     /// The number of chords.
     pub n: usize,
-    /// The length of the curve, an upper bound on the distance up to the error of its quadrature.
+    /// The length of the curve, an upper bound on the distance up to the error of its quadrature, and of
+    /// its ends if the sets touch up to rounding.
     pub length: Estimated,
     /// The energy of the curve, an upper bound on the squared distance up to the error of its
     /// quadrature.
@@ -64,7 +65,7 @@ pub struct Estimated {
 /// How a search ended.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Search {
-    /// Whether it converged to a strict local minimum, or to ends that touch.
+    /// Whether it converged to a strict local minimum, or to ends that touch, up to rounding.
     pub converged: bool,
     /// Why it stopped.
     pub stop: &'static str,
@@ -162,6 +163,24 @@ pub struct BallAnswer {
     pub centre: Vec<f64>,
     /// The radius.
     pub radius: f64,
+}
+
+impl BallAnswer {
+    /// Returns a ball of fewer digits that lies in this one: its centre to four places, if it is not
+    /// much smaller then, and its radius to this many digits.
+    #[must_use]
+    pub fn shortened(&self, digits: usize) -> (Vec<f64>, String) {
+        let round = |x: &f64| format!("{x:.4}").parse().unwrap_or(*x) + 0.0;
+        let short: Vec<f64> = self.centre.iter().map(round).collect();
+        let moved: f64 = short.iter().zip(&self.centre).map(|(a, b)| (a - b).abs()).sum();
+        // Decimals of the centre are read as doubles, and a dozen moves are added: each step is off by
+        // less than ε of the radius and the coordinates.
+        let size = self.centre.iter().fold(self.radius, |size, x| size.max(x.abs()));
+        let rounding = 64.0 * f64::EPSILON * size;
+        let is_near = moved <= 0.1 * self.radius;
+        let (centre, moved) = if is_near { (short, moved) } else { (self.centre.clone(), 0.0) };
+        (centre, shortly_down((self.radius - moved - rounding).max(0.0), digits))
+    }
 }
 
 /// A local minimum besides the result.

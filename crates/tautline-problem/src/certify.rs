@@ -19,7 +19,7 @@ use crate::{Answer, Diagnostic, Failure, Float, Question, known::Known, solve::p
 pub struct CertifiedAnswer {
     /// No curve between the sets is shorter.
     pub lower: Float,
-    /// The proved length of a curve between the sets; 0, and not proved, if they touch up to rounding.
+    /// The proved length of a curve between the sets; 0 if they have a proved common point.
     pub upper: Float,
     /// (upper - lower)/upper.
     pub gap: Float,
@@ -33,7 +33,7 @@ pub struct CertifiedAnswer {
     pub corridor_cubes: usize,
     /// Their side.
     pub corridor_side: Float,
-    /// The certificate, which `tautline check` reads; empty if the sets touch.
+    /// The certificate, which `tautline check` reads; empty if the sets touch, up to rounding.
     #[serde(skip)]
     pub certificate: String,
     /// The points of the curve.
@@ -112,7 +112,14 @@ impl CertifiedAnswer {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, CertificateError> {
         let found = match line.certificate_with(wanted, observe) {
-            Err(CertificateError::Touching) => return Ok(touching(points(line.sequence()))),
+            Err(CertificateError::Touching) => {
+                let ended = "the sets have a common point";
+                return Ok(without_certificate(line, 0.0, ended));
+            }
+            Err(CertificateError::NearlyTouching { upper }) => {
+                let ended = "the sets touch up to rounding, and no common point is proved";
+                return Ok(without_certificate(line, upper, ended));
+            }
             found => found?,
         };
         let proved = &found.proved;
@@ -140,20 +147,24 @@ impl CertifiedAnswer {
     }
 }
 
-/// Returns the answer if the sets touch, with a curve.
-fn touching(curve: Vec<Vec<f64>>) -> CertifiedAnswer {
-    let zero = || Float::from(0.0);
+/// Returns the answer without a certificate, for sets that touch, up to rounding: the distance is at most
+/// `upper`.
+fn without_certificate<R: Rule, const D: usize>(
+    line: &TautLine<Known<D>, R, D>,
+    upper: f64,
+    ended: &'static str,
+) -> CertifiedAnswer {
     CertifiedAnswer {
-        lower: zero(),
-        upper: zero(),
-        gap: zero(),
-        reached: true,
-        ended: "the sets touch, up to rounding",
+        lower: Float::from(0.0),
+        upper: Float::from(upper),
+        gap: Float::from(if upper == 0.0 { 0.0 } else { 1.0 }),
+        reached: upper == 0.0,
+        ended,
         levels: Vec::new(),
         corridor_cubes: 0,
-        corridor_side: zero(),
+        corridor_side: Float::from(0.0),
         certificate: String::new(),
-        curve,
+        curve: points(line.sequence()),
         other_minima: Vec::new(),
         corridor: Vec::new(),
     }

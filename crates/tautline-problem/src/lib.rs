@@ -27,8 +27,11 @@ mod audited;
 mod bounds;
 mod certify;
 mod constants;
+pub mod decimal;
 mod diagnostic;
 mod dimension;
+#[cfg(test)]
+mod exact_decimal;
 mod examples;
 mod failure;
 mod file;

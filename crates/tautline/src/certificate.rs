@@ -4,12 +4,14 @@ use std::num::NonZeroUsize;
 
 use tautline_bounds::{
     BetweenPoints, BoundError, Computed, Constants, DiscreteMinimum, Enclosure, PaperRule, Setting,
-    Theorem, convex_excess, enclose, strict_convexity, suggest_n,
+    Theorem, convex_excess_outward, enclose_outward, strict_convexity_outward, suggest_n,
 };
+use tautline_certify::AdmissibleCurve;
 use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, energy_gradient};
 use tautline_metrics::{Bounded, Metric};
+use tautline_scalar::{Interval, Scalar};
 
-use crate::{Competitors, TautLine};
+use crate::{Competitors, SVector, TautLine};
 
 /// A rule for which the paper has theorems.
 pub trait RuleOfThePaper: Rule {
@@ -37,31 +39,99 @@ pub struct SuggestedN {
     pub expected: Option<NonZeroUsize>,
 }
 
-/// Bounds on the energy, the length and the squared length of a curve.
+/// What the theorems need of a curve and of its points: upper bounds, unless their names say otherwise.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
-    /// The upper bound on the energy, in `m²`.
+    /// The energy, in `m²`.
     pub(crate) energy: f64,
-    /// The lower bound on the energy, in `m²`.
+    /// A lower bound on the energy, in `m²`.
     pub(crate) energy_at_least: f64,
-    /// The upper bound on the length, in `m`.
+    /// The length, in `m`.
     pub(crate) length: f64,
-    /// The upper bound on the squared length, in `m²`.
+    /// The squared length, in `m²`.
     pub(crate) length_squared: f64,
+    /// The discrete energy `E_N`, in `m²`.
+    pub(crate) discrete_energy: f64,
+    /// A lower bound on the discrete energy, in `m²`.
+    pub(crate) discrete_energy_at_least: f64,
+    /// A lower bound on the Euclidean distance between the ends, in `ℓ`; 0 if the ends are no points.
+    pub(crate) gap_at_least: f64,
+    /// How far the points are from stationary ones; `None` if the ends are no points.
+    pub(crate) stationarity: Option<Stationarity>,
+}
+
+/// How far points between fixed ends are from stationary ones, from above.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stationarity {
+    /// `max |βₙ|`, in `ℓ`.
+    greatest_difference: f64,
+    /// `((1/N) Σ |ρₙ|²)^{1/2}`, in `m²/ℓ`.
+    residual: f64,
 }
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
-    /// Returns the bounds by quadrature, with its estimated errors added.
+    /// Returns the bounds by quadrature, with its estimated errors added, and what is computed of the
+    /// points in doubles.
     pub(crate) fn extent(&self) -> Extent {
         let (length, energy) = (self.length(), self.energy());
         let length = length.value + length.error;
+        let sequence = self.sequence();
+        let fixed = self.ends().are_points();
+        let point = |x: &SVector<f64, D>| x.map(Interval::point);
         Extent {
             energy: energy.value + energy.error,
             energy_at_least: energy.value - energy.error,
             length,
             length_squared: length * length,
+            discrete_energy: self.discrete_energy(),
+            discrete_energy_at_least: self.discrete_energy(),
+            gap_at_least: if fixed {
+                gap(&point(sequence.first()), &point(sequence.last()))
+            } else {
+                0.0
+            },
+            stationarity: fixed.then(|| {
+                let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
+                let n = sequence.n().get();
+                let squares: f64 = gradient[1..n].iter().map(|g| g.norm_squared()).sum();
+                Stationarity {
+                    greatest_difference: sequence
+                        .differences()
+                        .map(|beta| beta.norm())
+                        .fold(0.0, f64::max),
+                    // The root of the mean (1/N) Σ |ρₙ|², where ρₙ = ½N ∂E/∂xₙ.
+                    residual: 0.5 * (n as f64 * squares).sqrt(),
+                }
+            }),
         }
     }
+
+    /// Returns proved bounds, given the proved curve of this line.
+    pub(crate) fn proved_extent(&self, curve: &AdmissibleCurve<'_, D>) -> Extent {
+        let polygon = curve.polygon();
+        let discrete_energy = polygon.discrete_energy(self.rule(), self.metric());
+        let fixed = self.ends().are_points();
+        Extent {
+            energy: curve.energy().hi(),
+            energy_at_least: curve.energy().lo(),
+            length: curve.length().hi(),
+            length_squared: curve.distance_squared_at_most(),
+            discrete_energy: discrete_energy.hi(),
+            discrete_energy_at_least: discrete_energy.lo(),
+            gap_at_least: if fixed { gap(polygon.first(), polygon.last()) } else { 0.0 },
+            stationarity: fixed.then(|| Stationarity {
+                greatest_difference: polygon.greatest_difference().hi(),
+                residual: polygon.residual(self.rule(), self.metric()).hi(),
+            }),
+        }
+    }
+}
+
+/// Returns a lower bound on the Euclidean distance between two points, or 0 if it overflows.
+fn gap<const D: usize>(first: &SVector<Interval, D>, last: &SVector<Interval, D>) -> f64 {
+    let squares = first.iter().zip(last).map(|(&x, &y)| (y - x).sqr());
+    let gap = squares.fold(Interval::constant(0.0), |sum, square| sum + square).sqrt().lo();
+    if gap.is_finite() { gap } else { 0.0 }
 }
 
 impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
@@ -74,8 +144,9 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///   (Proposition S.9), or where all competitors are (Proposition S.7). Otherwise a global
     ///   minimum is assumed, and [`Enclosure::assumes_global_minimum`] is set.
     ///
-    /// Needs: the metric satisfies its constants. The bounds are computed in `f64`, with an
-    /// estimated quadrature error, and are not certified to the last digits.
+    /// Needs: the metric satisfies its constants. The discrete energy and its residual are computed in
+    /// `f64`, and the quadrature has an estimated error, so that the bounds are not certified to the last
+    /// digits. Those of [`prove`](TautLine::prove) are.
     ///
     /// # Errors
     ///
@@ -168,46 +239,45 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     pub(crate) fn enclosure_unless_convex(
         &self,
         constants: Constants,
-        Extent { energy, energy_at_least, length, length_squared }: Extent,
+        extent: Extent,
         otherwise: DiscreteMinimum,
     ) -> Result<Enclosure, BoundError> {
-        let (rule, n) = (R::OF_THE_PAPER, self.sequence().n());
-        let fixed = self.ends().are_points();
-        let between = fixed.then(|| self.between_points(length));
-        let certified = between.and_then(|between| strict_convexity(constants, D, &between));
-        let gap = (self.sequence().last() - self.sequence().first()).norm();
+        let Extent { energy, energy_at_least, length_squared, .. } = extent;
+        let least = extent.discrete_energy_at_least;
+        let between = self.between_points(extent);
+        let certified =
+            between.and_then(|between| strict_convexity_outward(constants, D, &between, least));
         let computed = Computed {
-            rule,
-            n,
-            discrete_energy: self.discrete_energy(),
+            rule: R::OF_THE_PAPER,
+            n: self.sequence().n(),
+            discrete_energy: least,
             energy,
             length_squared,
             minimum: certified.map_or(otherwise, DiscreteMinimum::AtLeast),
             // Between two sets the gap is unknown.
-            gap: if fixed { gap } else { 0.0 },
+            gap: extent.gap_at_least,
         };
-        let enclosure = enclose(constants, D, &computed)?;
-        match between.and_then(|between| convex_excess(constants, D, &between)) {
-            Some(excess) => enclosure.with_convexity(energy_at_least - excess),
+        let enclosure = enclose_outward(constants, D, &computed)?;
+        match between.and_then(|between| convex_excess_outward(constants, D, &between)) {
+            Some(excess) => {
+                let lower = Interval::point(energy_at_least) - Interval::point(excess);
+                enclosure.with_convexity(lower.lo())
+            }
             None => Ok(enclosure),
         }
     }
 
-    /// Returns what convexity needs of this line, given an upper bound on the distance, in `m`.
-    fn between_points(&self, length: f64) -> BetweenPoints {
-        let (sequence, n) = (self.sequence(), self.sequence().n());
-        let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
-        let squares: f64 = gradient[1..n.get()].iter().map(|g| g.norm_squared()).sum();
-        let greatest = sequence.differences().map(|beta| beta.norm()).fold(0.0, f64::max);
-        BetweenPoints {
+    /// Returns what convexity needs of this line between two points.
+    fn between_points(&self, extent: Extent) -> Option<BetweenPoints> {
+        let Stationarity { greatest_difference, residual } = extent.stationarity?;
+        Some(BetweenPoints {
             rule: R::OF_THE_PAPER,
-            n,
-            discrete_energy: self.discrete_energy(),
-            length,
-            greatest_difference: greatest,
-            // The root of the mean (1/N) Σ |ρₙ|², where ρₙ = ½N ∂E/∂xₙ.
-            residual: 0.5 * (n.get() as f64 * squares).sqrt(),
-        }
+            n: self.sequence().n(),
+            discrete_energy: extent.discrete_energy,
+            length: extent.length,
+            greatest_difference,
+            residual,
+        })
     }
 
     fn suggest_n_by(&self, constants: Constants, tolerance: f64) -> Result<SuggestedN, BoundError> {

@@ -4,12 +4,13 @@ use std::{ops::ControlFlow, sync::Arc};
 
 use nalgebra::SVector;
 use tautline_bounds::{Enclosure, FromBelow};
-use tautline_check::CheckError;
+use tautline_check::{CheckError, length_above};
 use tautline_discretizations::{Rule, Trapezoidal};
 use tautline_distance::{DistanceError, Found, Progress, Wanted, search};
 use tautline_formula::{Formula, RecordError};
-use tautline_metrics::Metric;
+use tautline_metrics::{Metric, is_gram};
 use tautline_optimizers::{Options, SolveError, Starts, Stop, Workspace, minimise_by_batches};
+use tautline_sets::{Shape, proved_common_point};
 
 use crate::TautLine;
 
@@ -23,9 +24,18 @@ pub enum CertificateError {
         /// The gap.
         gap: f64,
     },
-    /// The sets touch, up to rounding.
+    /// The sets have a [proved common point](TautLine::common_point).
     #[error("the sets touch: the distance is 0, and has no certificate")]
     Touching,
+    /// The sets touch up to rounding, but no common point is proved, and the cubes of a certificate
+    /// would be too small.
+    #[error(
+        "the sets touch up to rounding: the distance is at most {upper:e}, and may be any smaller number"
+    )]
+    NearlyTouching {
+        /// The proved length of a curve between the sets, in `m`.
+        upper: f64,
+    },
     /// The formula of the metric cannot be written into a certificate.
     #[error(transparent)]
     NotRecorded(#[from] RecordError),
@@ -108,7 +118,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         if !(wanted.gap > 0.0 && wanted.gap < 1.0) {
             return Err(CertificateError::Gap { gap: wanted.gap });
         }
-        if self.minimum().stop == Stop::EndsTouch {
+        if self.common_point().is_some() {
             return Err(CertificateError::Touching);
         }
         // The compiler decides.
@@ -124,6 +134,16 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
             set.shape().ok_or(CertificateError::NoShape { end })
         };
         let sets = [shape("first", self.ends().first())?, shape("second", self.ends().second())?];
+        if self.minimum().stop == Stop::EndsTouch {
+            let (curve, upper) = self.between_members(&formula, &sets)?;
+            // A chord without length is a common point.
+            if upper == 0.0 {
+                return Err(CertificateError::Touching);
+            }
+            // Under a metric with a large scale there may be cubes that are small enough.
+            let found = search(&formula, &sets, &[curve], wanted, observe);
+            return found.map_err(|_| CertificateError::NearlyTouching { upper });
+        }
         let length = self.length().value;
         let mut curves: Vec<(f64, Vec<SVector<f64, D>>)> =
             vec![(length, self.refined(wanted.gap)?)];
@@ -136,6 +156,50 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         }
         let curves: Vec<_> = curves.into_iter().map(|(_, curve)| curve).collect();
         Ok(search(&formula, &sets, &curves, wanted, observe)?)
+    }
+
+    /// Returns a point that is proved to be a member of both sets, where the metric is defined, in `ℓ`.
+    /// Then the distance is 0.
+    ///
+    /// The result is `None` if the search did not end where the sets
+    /// [touch](Stop::EndsTouch); and also if they touch up to rounding, but no double near by is a member
+    /// of both. Then the distance may be positive: under a metric with a large scale a rounding is a long
+    /// way.
+    #[must_use]
+    pub fn common_point(&self) -> Option<SVector<f64, D>> {
+        if self.minimum().stop != Stop::EndsTouch {
+            return None;
+        }
+        let (first, last) = (self.sequence().first(), self.sequence().last());
+        let shared = self.ends().pairs().find_map(|(a, b)| {
+            [first, last].into_iter().find_map(|x| proved_common_point(&*a, &*b, x))
+        });
+        shared.filter(|x| is_gram(&self.metric().gram(x)))
+    }
+
+    /// Returns a chord from a member of the first set to one of the second next to the ends of this line,
+    /// and its proved length.
+    fn between_members(
+        &self,
+        formula: &Formula<D>,
+        [first, second]: &[Shape<D>; 2],
+    ) -> Result<(Vec<SVector<f64, D>>, f64), CertificateError> {
+        let ends = [self.sequence().first(), self.sequence().last()];
+        let pairs = ends.into_iter().flat_map(|x| {
+            let (a, b) = (first.proved_member(x), second.proved_member(x));
+            let there = a.and_then(|a| Some([a, second.proved_member(&a)?]));
+            let back = b.and_then(|b| Some([first.proved_member(&b)?, b]));
+            [there, back, a.zip(b).map(|(a, b)| [a, b])]
+        });
+        let curves = pairs.flatten().map(|pair| {
+            let length = length_above(formula, [first, second], &pair);
+            (pair.to_vec(), length.unwrap_or(f64::INFINITY))
+        });
+        let none = || {
+            let end = "first";
+            CertificateError::from(DistanceError::Refused(CheckError::CurveEnd { end }))
+        };
+        curves.min_by(|(_, a), (_, b)| a.total_cmp(b)).ok_or_else(none)
     }
 
     /// Searches for a certificate that proves about as much as this enclosure does under the

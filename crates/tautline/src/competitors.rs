@@ -2,10 +2,11 @@
 //! of the metric on that ball.
 
 use tautline_bounds::{
-    BoundError, Constants, LocalityError, Region, Setting, competitors_within, reach, shrink,
+    BoundError, Constants, LocalityError, Region, Setting, competitors_within, reach_outward,
+    shrink,
 };
-use tautline_discretizations::Rule;
 use tautline_metrics::{LocalError, LocallyBounded, Metric};
+use tautline_scalar::{Interval, Scalar};
 use tautline_sets::{Ball, Ends};
 
 use crate::{RuleOfThePaper, SVector, TautLine, certificate::Extent};
@@ -33,10 +34,10 @@ impl<const D: usize> Competitors<D> {
         line: &TautLine<M, R, D>,
         extent: Extent,
     ) -> Result<(), BoundError> {
-        let (bounded, upper) = (BoundedEnds::of(line.ends()), upper(line, extent));
+        let (bounded, upper) = (BoundedEnds::of(line.ends()), upper(extent));
         let length = |constants| {
             let setting = Setting::new(constants, upper, D)?;
-            Ok(reach(setting, R::OF_THE_PAPER, line.sequence().n()))
+            Ok(reach_outward(setting, R::OF_THE_PAPER, line.sequence().n()))
         };
         let refused =
             |reach, ball: &Ball<D>| Err(BoundError::LeavesTheBall { reach, radius: ball.r() });
@@ -74,44 +75,62 @@ impl<const D: usize> BoundedEnds<D> {
     }
 
     /// Returns the middle of the two centres and the sum of the two radii if both ends are bounded.
-    fn middle(&self) -> Option<(SVector<f64, D>, f64)> {
+    fn middle(&self) -> Option<(SVector<Interval, D>, Interval)> {
         let [(first, r), (second, s)] = self.0[..] else { return None };
-        Some(((first + second) * 0.5, r + s))
+        let middle = first.zip_map(&second, |x, y| (Interval::point(x) + y) * 0.5);
+        Some((middle, Interval::point(r) + s))
     }
 
     /// Returns the least radius of a ball about `centre` that no curve of a Euclidean length from
-    /// set to set leaves, if only the length of its parts in the ball is known.
+    /// set to set leaves, if only the length of its parts in the ball is known. It is rounded up, and
+    /// infinite if a number overflows.
     ///
     /// A curve that leaves the ball has a part from an end to the boundary, and another one to the
     /// other end.
     fn left_by(&self, length: f64, centre: &SVector<f64, D>) -> f64 {
-        let away = self.0.iter().map(|(at, r)| (at - centre).norm() + r);
-        let one = away.clone().fold(f64::INFINITY, f64::min) + length;
-        if self.0.len() == 2 { one.min(0.5 * (away.sum::<f64>() + length)) } else { one }
+        let length = interval(length);
+        let away: Vec<Interval> =
+            self.0.iter().map(|(at, r)| distance(&at.map(Interval::point), centre) + *r).collect();
+        let one = away.iter().map(|&away| above(away + length)).fold(f64::INFINITY, f64::min);
+        let [first, second] = away[..] else { return one };
+        one.min(above((first + second + length) * 0.5))
     }
 
     /// Returns the least radius of a ball about `centre` that contains every curve of a Euclidean
-    /// length from set to set.
+    /// length from set to set, rounded up.
     ///
     /// For each point `z` of a curve from `x` to `y`,
     /// `2 |z − ½(x + y)| ≤ |z − x| + |z − y| ≤ length`.
     fn filled_by(&self, length: f64, centre: &SVector<f64, D>) -> f64 {
         let left = self.left_by(length, centre);
-        let about_the_middle = |(middle, radii): (SVector<f64, D>, f64)| {
-            (middle - centre).norm() + 0.5 * (length + radii)
+        let about_the_middle = |(middle, radii): (SVector<Interval, D>, Interval)| {
+            above(distance(&middle, centre) + (radii + interval(length)) * 0.5)
         };
         self.middle().map_or(left, |middle| left.min(about_the_middle(middle)))
     }
 }
 
+/// Returns the interval of a length, which may be infinite.
+fn interval(length: f64) -> Interval {
+    Interval::new(length, length).unwrap_or(Interval::REALS)
+}
+
+/// Returns the upper end, or `∞` without one.
+fn above(radius: Interval) -> f64 {
+    if radius.is_undefined() { f64::INFINITY } else { radius.hi() }
+}
+
+/// Encloses the Euclidean distance of two points.
+fn distance<const D: usize>(x: &SVector<Interval, D>, y: &SVector<f64, D>) -> Interval {
+    let squares = x.iter().zip(y).map(|(&x, &y)| (x - y).sqr());
+    squares.fold(Interval::constant(0.0), |sum, square| sum + square).sqrt()
+}
+
 /// Returns an upper bound on both the distance and the square root of the discrete energy, in `m`.
 /// The energy counts because a sequence with the energy of the line has to stay inside the ball,
 /// too. The result is NaN if either number is NaN.
-fn upper<M: Metric<D>, R: Rule, const D: usize>(
-    line: &TautLine<M, R, D>,
-    Extent { length, .. }: Extent,
-) -> f64 {
-    let root = line.discrete_energy().sqrt();
+fn upper(Extent { length, discrete_energy, .. }: Extent) -> f64 {
+    let root = if discrete_energy == 0.0 { 0.0 } else { discrete_energy.sqrt().next_up() };
     if root.is_nan() || root > length { root } else { length }
 }
 
@@ -160,6 +179,7 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
         // The error if neither end has an enclosing ball: no radius bounds the competitors.
         let mut refused = LocalityError::Escapes { radius: f64::INFINITY, reach: f64::INFINITY };
         if let Some((middle, _)) = bounded.middle() {
+            let middle = middle.map(Interval::midpoint);
             least = self.about(&bounded, &middle, 0.0, extent).ok();
         }
         // A ball about an end is smaller if the other end is much larger, and it may exist if there
@@ -188,7 +208,7 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
         r: f64,
         extent: Extent,
     ) -> Result<Competitors<D>, LocalityError<LocalError>> {
-        let (rule, n, upper) = (R::OF_THE_PAPER, self.sequence().n(), upper(self, extent));
+        let (rule, n, upper) = (R::OF_THE_PAPER, self.sequence().n(), upper(extent));
         let within = |centre: &SVector<f64, D>, radius: f64| {
             LocalError::check_ball(centre, radius)?;
             self.metric().constants_within(centre, radius)
@@ -202,6 +222,7 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
         let first = Ball::new(*centre, total).map_err(|_| outside)?;
         let mut found = Competitors { constants, within: first, outer: Vec::new() };
         let Some((middle, _)) = bounded.middle().filter(|_| upper > 0.0) else { return Ok(found) };
+        let middle = middle.map(Interval::midpoint);
         let filled = |length| bounded.filled_by(length, &middle);
         let outer = Region { radius: total, constants };
         for Region { radius, constants } in

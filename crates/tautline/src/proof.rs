@@ -14,7 +14,7 @@ use tautline_formula::Prepared;
 use tautline_metrics::{LocalError, LocallyBounded, Metric};
 use tautline_sets::Ball;
 
-use crate::{RuleOfThePaper, SMatrix, SVector, Scalar, TautLine, certificate::Extent};
+use crate::{RuleOfThePaper, SMatrix, SVector, Scalar, TautLine};
 
 /// Bounds on `d²` that are proved from the formula of the metric.
 #[derive(Clone, Debug)]
@@ -26,10 +26,10 @@ pub struct Proof<'a, const D: usize> {
     /// The region where the constants hold; `None` if it is all of `R^D`.
     pub within: Option<Ball<D>>,
     /// The bounds on `d²`. The upper bound is the rigorous bound on the curve.
-    /// [`from_below`](Enclosure::from_below) says where the lower one is from. That of a certificate
-    /// is rigorous. That of a theorem has rigorous constants and a rigorous length, but it is
-    /// evaluated in doubles with the discrete energy and its residual, so that its last digits are
-    /// not certified. Neither bound uses a quadrature.
+    /// [`from_below`](Enclosure::from_below) says where the lower one is from: a certificate, or a
+    /// theorem, which is evaluated in intervals, with proved constants and with enclosures of the
+    /// length, of the discrete energy and of its residual. Both bounds hold to the last digit, and
+    /// neither uses a quadrature.
     pub enclosure: Enclosure,
     /// The certificate, where the theorems would assume that the minimum is global; `None` if they
     /// assume nothing, or if there is no certificate.
@@ -125,12 +125,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ) -> Result<Proof<'_, D>, ProofError> {
         let accuracy = accuracy.checked()?;
         let curve = self.admissible_curve()?;
-        let extent = Extent {
-            energy: curve.energy().hi(),
-            energy_at_least: curve.energy().lo(),
-            length: curve.length().hi(),
-            length_squared: curve.distance_squared_at_most(),
-        };
+        let extent = self.proved_extent(&curve);
         // The left-endpoint rule needs M_H only to prove a minimum between two points global.
         let m_h = R::OF_THE_PAPER == PaperRule::Trapezoidal || self.ends().are_points();
         let watch = Needed { m_h, watch };

@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use nalgebra::SVector;
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule, SequenceError};
 use tautline_formula::{Formula, Prepared};
 use tautline_metrics::Metric;
@@ -93,17 +94,43 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     }
 
     /// Returns the energy `E(γᵖˡ) ≥ d²` of the curve, in `m²`, computed by quadrature with an error
-    /// estimate.
+    /// estimate. If the sets [touch](Stop::EndsTouch) up to rounding, the error contains the square of
+    /// what the rounding may be worth.
     #[must_use]
     pub fn energy(&self) -> Integral {
-        *self.energy.get_or_init(|| self.curve().energy_by_batches(&*self.metric))
+        *self.energy.get_or_init(|| {
+            let energy = self.curve().energy_by_batches(&*self.metric);
+            Integral { error: energy.error + self.contact().powi(2), ..energy }
+        })
     }
 
     /// Returns the length `L(γᵖˡ) ≥ d` of the curve, in `m`, computed by quadrature with an error
-    /// estimate.
+    /// estimate. If the sets [touch](Stop::EndsTouch) up to rounding, the error contains what the
+    /// rounding may be worth.
     #[must_use]
     pub fn length(&self) -> Integral {
-        *self.length.get_or_init(|| self.curve().length_by_batches(&*self.metric))
+        *self.length.get_or_init(|| {
+            let length = self.curve().length_by_batches(&*self.metric);
+            Integral { error: length.error + self.contact(), ..length }
+        })
+    }
+
+    /// Returns how long a curve from set to set may be, in `m`, if the ends are members of both sets up
+    /// to rounding only; 0 for other ends, and for a [proved common point](TautLine::common_point).
+    ///
+    /// The nearest points of both sets agree with the ends to within `(D + 4) ε max |xᵢ|` in every
+    /// coordinate ([`common_point`](tautline_sets::common_point())), so that they are at most
+    /// `√D (D + 4) ε max |xᵢ|` away from each end, and the metric is at most its trace.
+    fn contact(&self) -> f64 {
+        if self.minimum.stop != Stop::EndsTouch || self.common_point().is_some() {
+            return 0.0;
+        }
+        let ends = [self.sequence().first(), self.sequence().last()];
+        let away = |x: &SVector<f64, D>| {
+            let rounding = (D + 4) as f64 * f64::EPSILON * x.amax();
+            rounding * (D as f64 * self.metric().gram(x).trace()).sqrt()
+        };
+        ends.into_iter().map(away).sum()
     }
 
     /// Returns `n + 1` points on the curve at constant speed, in `ℓ`: the length under the metric is

@@ -14,6 +14,7 @@ use crate::{
     Failure,
     data::{Data, Tolerance},
     output::Output,
+    said::say,
 };
 
 use super::{CHANGES, Pair, Search, pairs};
@@ -46,7 +47,7 @@ pub(crate) fn run(python: &Path) -> Result<(), Failure> {
     let table = compare(python, &folder.join("certificate"));
     fs::remove_dir_all(&folder).map_err(unwritten)?;
     Output::committed().write(FILE, &table?.to_csv(COMMENT)?)?;
-    eprintln!("wrote paper/{FILE}");
+    say(format!("wrote paper/{FILE}"));
     Ok(())
 }
 
@@ -61,7 +62,7 @@ fn compare(python: &Path, file: &Path) -> Result<Data, Failure> {
         let found = match pair.search()? {
             Ok(found) => found,
             Err(error) => {
-                eprintln!("{metric}, D = {d}: no certificate: {error}");
+                say(format!("{metric}, D = {d}: no certificate: {error}"));
                 continue;
             }
         };
@@ -76,7 +77,7 @@ fn compare(python: &Path, file: &Path) -> Result<Data, Failure> {
             let second = second(python, file)?;
             let seconds = begun.elapsed().as_secs_f64();
             let name = format!("{metric}, D = {d}, {change} changed");
-            eprintln!("{name}: {first:?} {second:?} in {seconds:.1} s");
+            say(format!("{name}: {first:?} {second:?} in {seconds:.1} s"));
             let is_wrong = |verdict: Verdict| match verdict {
                 None => change == "nothing",
                 Some((lower, _)) => !(lower <= most * (1.0 + AGREEMENT)),

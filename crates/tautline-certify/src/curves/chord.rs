@@ -50,6 +50,16 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         Chord { start: *x, step: SVector::from_fn(|i, _| y[i] - x[i]) }
     }
 
+    /// Returns the first point, in `ℓ`.
+    pub(super) fn start(&self) -> &SVector<Enclosure<K>, D> {
+        &self.start
+    }
+
+    /// Returns the difference of the last and the first point, in `ℓ`.
+    pub(super) fn step(&self) -> &SVector<Enclosure<K>, D> {
+        &self.step
+    }
+
     /// Returns the enclosures; they are undefined if the metric is undefined somewhere on the
     /// chord.
     ///

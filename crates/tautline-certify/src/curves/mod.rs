@@ -4,6 +4,7 @@ mod admissible_curve;
 mod chord;
 mod pairwise_sum;
 mod polygon;
+mod stationarity;
 mod taylor;
 
 pub use admissible_curve::{AdmissibleCurve, CurveError};

@@ -152,11 +152,11 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     }
 
     /// Returns `N`, which is exact as a double.
-    fn n(&self) -> f64 {
+    pub(super) fn n(&self) -> f64 {
         self.sequence.n().get() as f64
     }
 
-    fn chords(&self) -> impl Iterator<Item = Chord<K, D>> {
+    pub(super) fn chords(&self) -> impl Iterator<Item = Chord<K, D>> {
         let points = self.sequence.points();
         let last = points.len() - 1;
         let vertex = move |n: usize| match n {

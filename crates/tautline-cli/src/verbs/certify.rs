@@ -2,7 +2,7 @@
 
 use std::{ops::ControlFlow, path::Path, process::ExitCode, time::Instant};
 
-use tautline_problem::{Failure, distance::Wanted};
+use tautline_problem::{CertifiedAnswer, Failure, decimal::rounded_up, distance::Wanted};
 
 use crate::{
     arguments::Certify,
@@ -10,7 +10,7 @@ use crate::{
     problem::ProblemText,
     report,
     timed::{seconds, timed},
-    write::{check_pictures, print, write, write_picture},
+    write::{check_pictures, json, print, write, write_picture},
 };
 
 /// A level takes at most about this many times as long as the one before.
@@ -51,22 +51,28 @@ pub(crate) fn certify(arguments: &Certify) -> Result<ExitCode, CommandError> {
     let found = found.map_err(|failure| problem.explain(failure))?;
     match &arguments.output {
         Some(path) if found.certificate.is_empty() => {
-            let message = format!("{}: a distance of 0 has no certificate", path.display());
+            let message = format!("{}: {}", path.display(), without_certificate(&found));
             return Err(CommandError::NotDone(message));
         }
         Some(path) => write(path, found.certificate.as_bytes())?,
         None => {}
     }
-    if arguments.json {
-        let json = serde_json::to_string_pretty(&found);
-        let json = json.map_err(|error| CommandError::NotDone(error.to_string()))?;
-        print(&format!("{json}\n"))?;
-    } else {
-        print(&report::certified(&found))?;
-    }
+    let text = if arguments.json { json(&found)? } else { report::certified(&found) };
+    // The pictures do not depend on who reads the answer.
+    let printed = print(&text);
     for path in &arguments.plot {
         let picture = problem.question.certified_picture(&found);
         write_picture(path, &picture.map_err(|failure| problem.explain(failure))?)?;
     }
+    printed?;
     Ok(if found.reached { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+/// Says why there is no certificate to write.
+fn without_certificate(found: &CertifiedAnswer) -> String {
+    if found.upper.value == 0.0 {
+        return "a distance of 0 has no certificate".to_owned();
+    }
+    let upper = rounded_up(found.upper.value);
+    format!("no certificate: {}, and the distance is at most {upper}", found.ended)
 }

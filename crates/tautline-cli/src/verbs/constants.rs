@@ -10,7 +10,7 @@ use crate::{
     problem::ProblemText,
     report,
     timed::{seconds, timed},
-    write::print,
+    write::{json, print},
 };
 
 /// Proves the constants of the metric of a file.
@@ -23,12 +23,7 @@ pub(crate) fn constants(arguments: &Constants) -> Result<ExitCode, CommandError>
     let too_late = || Failure::NotComputed("nothing was proved within the time limit".to_owned());
     let proved = proved.unwrap_or_else(|| Err(too_late()));
     let proved = proved.map_err(|failure| problem.explain(failure))?;
-    if arguments.json {
-        let json = serde_json::to_string_pretty(&proved);
-        let json = json.map_err(|error| CommandError::NotDone(error.to_string()))?;
-        print(&format!("{json}\n"))?;
-    } else {
-        print(&report::proved_constants(&proved))?;
-    }
+    let text = if arguments.json { json(&proved)? } else { report::proved_constants(&proved) };
+    print(&text)?;
     Ok(if proved.are_proved() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }

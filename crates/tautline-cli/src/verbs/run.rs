@@ -17,7 +17,7 @@ use crate::{
     draft::Draft,
     error::CommandError,
     plan_file::{PlanFile, explained},
-    write::print,
+    write::{print, say, write},
 };
 
 /// Solves a block of problems, unless its results are there.
@@ -57,13 +57,11 @@ pub(crate) fn run(arguments: &Run) -> Result<ExitCode, CommandError> {
     draft.finish()?;
     bar.finish_and_clear();
     let time = begin.elapsed();
-    print(&format!("wrote {}\n", path.display()))?;
-    eprintln!("{}", summary(count, [doubtful, failed], time, runner.threads()));
     if let Some(path) = &arguments.times {
-        let mut times = Draft::of(path)?;
-        times.write(&row_of_times(ids, failed, time, runner.threads()))?;
-        times.finish()?;
+        write(path, row_of_times(ids, failed, time, runner.threads()).as_bytes())?;
     }
+    say(summary(count, [doubtful, failed], time, runner.threads()));
+    print(&format!("wrote {}\n", path.display()))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -7,7 +7,7 @@ use tautline_problem::{answer_schema, certified_schema, constants_schema, proble
 use crate::{
     arguments::{Described, Schema},
     error::CommandError,
-    write::print,
+    write::{json, print},
 };
 
 /// Prints a JSON schema.
@@ -18,7 +18,6 @@ pub(crate) fn schema(arguments: &Schema) -> Result<ExitCode, CommandError> {
         Described::Constants => constants_schema(),
         Described::Certified => certified_schema(),
     };
-    let text = serde_json::to_string_pretty(&schema);
-    print(&format!("{}\n", text.map_err(|error| CommandError::NotDone(error.to_string()))?))?;
+    print(&json(&schema)?)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -10,7 +10,7 @@ use crate::{
     problem::ProblemText,
     report,
     timed::{seconds, timed},
-    write::{check_pictures, print, write_picture},
+    write::{check_pictures, json, print, write_picture},
 };
 
 /// Solves the problem of a file, prints the answer, and draws it.
@@ -40,17 +40,14 @@ pub(crate) fn solve(arguments: &Solve) -> Result<ExitCode, CommandError> {
     }
     let limit = limit.or(problem.question.time_limit());
     let answer = solved(&problem, limit)?;
-    if arguments.json {
-        let json = serde_json::to_string_pretty(&answer);
-        let json = json.map_err(|error| CommandError::NotDone(error.to_string()))?;
-        print(&format!("{json}\n"))?;
-    } else {
-        print(&report::answer(&answer))?;
-    }
+    let text = if arguments.json { json(&answer)? } else { report::answer(&answer) };
+    // The pictures do not depend on who reads the answer.
+    let printed = print(&text);
     for path in &arguments.plot {
         let picture = problem.question.picture(Some(&answer));
         write_picture(path, &picture.map_err(|failure| problem.explain(failure))?)?;
     }
+    printed?;
     Ok(if is_done(&answer) { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 

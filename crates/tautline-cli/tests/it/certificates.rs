@@ -117,11 +117,53 @@ fn sets_that_touch_have_distance_0() {
         assert_ne!(changed, VALLEYS);
         fs::write(folder.join("t.toml"), changed).expect("written");
         let output = tautline(&folder, &["certify", "t.toml", "--plot", "t.svg"]);
-        assert_eq!(text(&output.stdout), "distance    0: the sets touch, up to rounding\n");
+        assert_eq!(text(&output.stdout), "distance    0: the sets have a common point\n");
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         // Nothing is proved, and there is no corridor.
         let picture = fs::read_to_string(folder.join("t.svg")).expect("drawn");
         assert!(!picture.contains("corridor") && picture.contains("<svg"), "{picture}");
+    }
+}
+
+/// At a cost of 10¹⁵ a rounding of the ends is worth 0.444. Without a common point that is proved, the
+/// distance is not said to be 0.
+#[test]
+fn sets_that_touch_up_to_rounding_have_a_bound() {
+    let folder = folder("nearly-touching");
+    let file = |cost: &str, centre: &str| {
+        format!(
+            "[metric]\ncost = \"{cost}\"\n[from]\nball = {{ centre = [0, 0], radius = 1 }}\n[to]\n\
+             ball = {{ centre = [{centre}, 0], radius = 1 }}\n"
+        )
+    };
+    let d = 0.5_f64.powi(51);
+    for (cost, scale) in [("1e15 + 0*x1", 1e15), ("1", 1.0), ("2 - cos(x1)", 2.0 - 1_f64.cos())] {
+        fs::write(folder.join("t.toml"), file(cost, "\"2 + 2^-51\"")).expect("written");
+        let output = tautline(&folder, &["certify", "t.toml", "-o", "t.cert"]);
+        assert_eq!(output.status.code(), Some(1), "{cost}");
+        assert!(text(&output.stderr).contains("no certificate: the sets touch up to rounding"));
+        assert!(!folder.join("t.cert").exists());
+        let output = tautline(&folder, &["certify", "t.toml", "--json"]);
+        assert_eq!(output.status.code(), Some(1), "{cost}");
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        let upper = json["upper"]["value"].as_f64().expect("a number");
+        assert_eq!((json["lower"]["value"].as_f64(), &json["reached"]), (Some(0.0), &false.into()));
+        let d = d * scale * (1.0 - 1e-12);
+        assert!(d <= upper && upper < 20.0 * d, "{cost}: {upper} for {d}");
+        let output = tautline(&folder, &["solve", "t.toml"]);
+        let answer = text(&output.stdout);
+        assert!(answer.contains("the sets touch, up to rounding\n"), "{answer}");
+        let bounds = answer.lines().next().expect("a line");
+        let upper: f64 = bounds.rsplit(' ').next().expect("a number").parse().expect(bounds);
+        assert!(d <= upper && upper < 40.0 * d, "{cost}: {answer}");
+        // Sets that do touch are said to.
+        fs::write(folder.join("t.toml"), file(cost, "2")).expect("written");
+        let output = tautline(&folder, &["certify", "t.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{cost}");
+        assert_eq!(text(&output.stdout), "distance    0: the sets have a common point\n");
+        let answer = text(&tautline(&folder, &["solve", "t.toml"]).stdout);
+        assert!(answer.contains("the sets touch\n"), "{answer}");
+        assert!(answer.starts_with("distance     between 0 and 0\n"), "{answer}");
     }
 }
 

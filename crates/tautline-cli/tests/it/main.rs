@@ -1,7 +1,11 @@
 //! The command `tautline`, run as a user runs it.
 
 mod certificates;
+#[path = "../../../tautline-problem/src/exact_decimal.rs"]
+mod exact_decimal;
 mod malformed;
+mod outputs;
+mod printed;
 mod sweeps;
 mod tables;
 mod verbs;

@@ -9,6 +9,7 @@ use std::{
 };
 
 use tautline_chance::{Random, seed};
+use tautline_sweep::{Block, BlockWriter, Head};
 
 use crate::{folder, tautline, text};
 
@@ -100,6 +101,27 @@ fn a_finished_shard_is_not_done_again_and_an_incomplete_one_is() {
         (read(&folder, path), names(&folder.join("results"))),
         (whole, vec!["2-of-4.csv".to_owned()])
     );
+}
+
+/// Results that were computed by another version have a right hash of their own: they are neither done
+/// nor replaced.
+#[test]
+fn results_of_another_version_are_not_done() {
+    let folder = folder("version");
+    plan(&folder, 8);
+    let run = ["run", "plan.csv", "--to", "results"];
+    done(&folder, &run);
+    let own = read(&folder, "results/1-of-1.csv");
+    let block = Block::read(&own).expect("a block");
+    let version = block.head.version.clone();
+    for other in [format!("{version}.1"), "0.0.1".to_owned(), String::new()] {
+        let head = Head { version: other.clone(), ..block.head.clone() };
+        let (mut writer, begin) = BlockWriter::new(&head);
+        let written = begin + &writer.rows(block.rows.to_owned()) + &writer.end();
+        fs::write(folder.join("results/1-of-1.csv"), &written).expect("written");
+        assert!(refused(&folder, &run, 2).contains("another plan or version"), "{other}");
+        assert_eq!(read(&folder, "results/1-of-1.csv"), written);
+    }
 }
 
 /// Shards are killed at random moments, and run again: the result has the same bytes, and no drafts

@@ -219,6 +219,33 @@ fn a_time_limit_is_kept() {
     assert_eq!(wrong.status.code(), Some(2));
 }
 
+/// The option counts in place of the limit of the file, in both directions.
+#[test]
+fn the_option_takes_the_place_of_the_time_limit_of_a_file() {
+    let folder = folder("limits");
+    let file = |limit: f64| {
+        let file =
+            "[metric]\nphi = \"2 - cos(x1)\"\n[from]\npoint = [0, 0]\n[to]\npoint = [3, 1]\n";
+        let file = format!("{file}[solve]\ntime_limit = {limit}\n");
+        fs::write(folder.join("p.toml"), file).expect("written");
+    };
+    // With no time for a second level the gap is not reached.
+    let certified = |more: &[&str]| {
+        let arguments = [&["certify", "p.toml", "--gap", "1e-3"], more].concat();
+        tautline(&folder, &arguments).status.code()
+    };
+    file(1e-6);
+    assert_eq!(certified(&[]), Some(1));
+    assert_eq!(certified(&["--time-limit", "100"]), Some(0));
+    file(100.0);
+    assert_eq!(certified(&[]), Some(0));
+    assert_eq!(certified(&["--time-limit", "0.000001"]), Some(1));
+    let solve = ["solve", "p.toml", "-n", "10000000", "--no-bounds", "--time-limit", "0.001"];
+    let output = tautline(&folder, &solve);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("within the time limit"));
+}
+
 #[test]
 fn bad_arguments_have_the_exit_code_2() {
     let folder = folder("arguments");

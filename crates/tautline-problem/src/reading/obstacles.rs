@@ -97,3 +97,47 @@ pub(crate) fn distance(shape: &Shape) -> Option<String> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use tautline_chance::{Random, seed};
+    use tautline_portrait::Shape;
+
+    use super::distance;
+
+    /// The distance is Euclidean, whatever the length of the normal: `(n·x − b)/|n|`.
+    #[test]
+    fn the_distance_from_a_half_space_does_not_depend_on_the_length_of_its_normal() {
+        let mut random = Random(seed(7));
+        for case in 0..200 {
+            let length = 10.0_f64.powi(case % 13 - 6);
+            let angle = random.between(0.0, 6.0);
+            let (unit, height) = ([angle.cos(), angle.sin()], random.between(-3.0, 3.0));
+            let wall = Shape::HalfSpace {
+                normal: unit.iter().map(|n| n * length).collect(),
+                offset: height * length,
+            };
+            let text = distance(&wall).expect("a normal");
+            let at = [random.between(-5.0, 5.0), random.between(-5.0, 5.0)];
+            let names = [("x1", at[0]), ("x2", at[1])];
+            let text =
+                names.iter().fold(text, |text, (name, x)| text.replace(name, &format!("({x:?})")));
+            let found = tautline::formula::number(&text, &[]).expect("a number");
+            let expected = unit[0] * at[0] + unit[1] * at[1] - height;
+            // A dozen roundings of numbers up to 10.
+            assert!((found - expected).abs() < 1e-14, "{text}: {found} for {expected}");
+        }
+    }
+
+    /// Positive outside, negative inside.
+    #[test]
+    fn the_distance_from_a_ball_is_that_of_its_surface() {
+        let ball = Shape::Ball { centre: vec![1.0, -2.0], radius: 0.5 };
+        let text = distance(&ball).expect("a radius");
+        for (x, expected) in [([1.0, -2.0], -0.5), ([4.0, 2.0], 4.5), ([1.0, -1.5], 0.0)] {
+            let text =
+                text.replace("x1", &format!("{:?}", x[0])).replace("x2", &format!("({:?})", x[1]));
+            assert_eq!(tautline::formula::number(&text, &[]), Ok(expected), "{text}");
+        }
+    }
+}

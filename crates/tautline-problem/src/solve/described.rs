@@ -1,6 +1,6 @@
 //! What the library found, as the numbers and the words of an answer.
 
-use tautline::{Curvature, Integral, Metric, Minimum, PointSequence, Rule, Stop, TautLine};
+use tautline::{Curvature, Integral, Metric, PointSequence, Rule, Stop, TautLine};
 
 use crate::{Estimated, Search, file::request::RuleName};
 
@@ -20,10 +20,12 @@ pub(crate) fn extrapolated<M: Metric<D>, R: Rule, const D: usize>(
 }
 
 /// Returns how the search for a minimum ended.
-pub(crate) fn search<const D: usize>(minimum: &Minimum<D>) -> Search {
+pub(crate) fn search<M: Metric<D>, R: Rule, const D: usize>(line: &TautLine<M, R, D>) -> Search {
+    let minimum = line.minimum();
+    let is_contact = minimum.stop == Stop::EndsTouch && line.common_point().is_none();
     Search {
         converged: minimum.is_local_minimum(),
-        stop: stop(minimum.stop),
+        stop: if is_contact { "the sets touch, up to rounding" } else { stop(minimum.stop) },
         hessian: hessian(minimum.curvature),
         residual: minimum.residual,
         residual_floor: minimum.residual_floor,

@@ -211,7 +211,7 @@ impl Question {
             energy: estimated(line.energy()),
             discrete_energy: minimum.energy,
             extrapolated: extrapolated(line),
-            search: search(minimum),
+            search: search(line),
             resolved: line.is_resolved(),
             within_tolerance: match self.grid {
                 Grid::Tolerance(tolerance) => Some(finer_grid(line, tolerance).is_none()),

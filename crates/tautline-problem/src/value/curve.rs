@@ -189,7 +189,7 @@ impl<R: NamedRule, const D: usize> Curve for TautLine<Known<D>, R, D> {
     }
 
     fn search(&self) -> Search {
-        search(self.minimum())
+        search(self)
     }
 
     fn is_resolved(&self) -> bool {

@@ -7,6 +7,7 @@ mod obstacles;
 mod other_minima;
 mod random_certificates;
 mod schema;
+mod signs;
 mod tables;
 mod tolerance;
 mod twins;

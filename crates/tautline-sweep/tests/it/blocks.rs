@@ -1,6 +1,6 @@
 //! Blocks of results that were cut or changed.
 
-use tautline_sweep::{Block, BlockError, BlockWriter, Runner};
+use tautline_sweep::{Block, BlockError, BlockWriter, Head, Plan, Runner, in_order};
 
 use crate::{plan, whole};
 
@@ -17,6 +17,61 @@ fn a_block_says_what_it_is() {
     let other = crate::plan("vary = { height = [1, 2, 3, 5] }");
     assert!(!other.has(&block.head, 1..3));
     assert!(Runner::new(&plan, 1).expect("a thread").solved(3..5).is_err());
+}
+
+/// Whatever the head says that is not what this plan, these ids and this version would write: the
+/// results are none of theirs, even if their hash is right, and they are not merged with them.
+#[test]
+fn results_count_as_done_only_if_every_line_of_their_head_agrees() {
+    let plan = plan("vary = { height = [1, 2, 3, 4] }");
+    let text = Runner::new(&plan, 1).expect("a thread").solved(1..3).expect("results");
+    let head = Block::read(&text).expect("a block").head;
+    assert!(plan.has(&head, 1..3));
+    let changes: [(&str, fn(&mut Head)); 9] = [
+        ("version", |head| head.version += "1"),
+        ("an empty version", |head| head.version.clear()),
+        ("plan", |head| head.plan.replace_range(..1, "x")),
+        ("the end of the plan", |head| head.plan.replace_range(63.., "x")),
+        ("number of problems", |head| head.count += 1),
+        ("first id", |head| head.ids.start += 1),
+        ("end of the ids", |head| head.ids.end += 1),
+        ("columns", |head| head.columns += ",more"),
+        ("their order", |head| {
+            head.columns = head.columns.replace("length,length_error", "length_error,length")
+        }),
+    ];
+    for (what, change) in changes {
+        let mut other = head.clone();
+        change(&mut other);
+        assert_ne!(other, head, "{what}");
+        assert!(!plan.has(&other, 1..3), "{what}");
+        let (mut writer, begin) = BlockWriter::new(&other);
+        let written = begin
+            + &writer.rows(Block::read(&text).expect("a block").rows.to_owned())
+            + &writer.end();
+        if let Ok(block) = Block::read(&written) {
+            assert!(!plan.has(&block.head, 1..3), "{what}");
+        }
+        if other.ids == head.ids {
+            assert!(in_order(&[head.clone(), other]).is_err(), "{what}");
+        }
+    }
+    // The parameters, the metric, the sets, the grid and the rule are all in the hash of the plan.
+    let sweep = "vary = { height = [1, 2, 3, 4] }";
+    for (from, to) in [
+        ("y = 0.1", "y = 0.2"),
+        ("height*exp(", "height*exp(0+"),
+        ("centre = [2, 0]", "centre = [3, 0]"),
+        ("n = 16", "n = 17"),
+        ("n = 16", "n = 16\nrule = \"left_endpoint\""),
+        ("[1, 2, 3, 4]", "[1, 2, 3, 4.5]"),
+        ("[sweep]", "[sweep]\nseed = 2"),
+    ] {
+        let changed = crate::file(sweep).replace(from, to);
+        assert_ne!(changed, crate::file(sweep));
+        let other = Plan::read(&changed).expect(to);
+        assert!(!other.has(&head, 1..3), "{to}");
+    }
 }
 
 #[test]

@@ -41,7 +41,7 @@ fn the_ball_is_as_large_as_a_competitor_may_reach() {
 #[test]
 fn the_second_stage_narrows_the_bounds() {
     fn by_one_ball(line: &TautLine<Sphere, Trapezoidal, 2>) -> Option<f64> {
-        let (n, upper) = (line.sequence().n(), super::upper(line, line.extent()));
+        let (n, upper) = (line.sequence().n(), super::upper(line.extent()));
         let ends = [line.sequence().first(), line.sequence().last()];
         let balls = ends.map(|end| {
             let within = |radius| Sphere.constants_within(end, radius);

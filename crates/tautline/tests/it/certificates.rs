@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use tautline::{
     Ball, CertificateError, Ends, Formula, HalfSpace, KnownDistance, Metric, Options,
     PointSequence, Problem, Sphere, Starts, Trapezoidal,
+    certify::Accuracy,
     check::AnyCertificate,
     distance::{Ended, Found, Wanted},
     gallery,
@@ -165,4 +166,65 @@ fn a_small_gap_is_reached_under_an_anisotropic_metric() {
     assert_eq!(found.ended, Ended::Reached);
     let (lower, upper) = (found.proved.lower, found.proved.upper.expect("a curve"));
     assert!((1.0 - 1e-6) * d <= lower && lower <= d && d <= upper, "{lower} {d} {upper}");
+}
+
+/// Balls whose surfaces are `2⁻⁵¹` apart touch up to rounding. At a cost of 10¹⁵ their distance is
+/// 0.444, and 0 is not claimed; where a double is a member of both, it is proved.
+#[test]
+fn sets_that_touch_up_to_rounding_are_not_said_to_touch() {
+    let apart = 0.5_f64.powi(51);
+    for scale in [1e15, 1.0, 1e-15, 1e140] {
+        let line = |gap: f64| {
+            let balls = [0.0, 2.0 + gap].map(|x| Ball::new([x, 0.0], 1.0).expect("finite"));
+            let [first, second] = balls;
+            let ends = Ends::new(first, second).expect("bounded");
+            let metric = Formula::<2>::parse(&format!("{:?} I", scale * scale), &[]);
+            Problem::new(metric.expect("a formula"), ends).solve(Trapezoidal, 8).expect("solved")
+        };
+        // The square of the scale is rounded by less than one part in 10¹⁵.
+        let d = apart * scale * (1.0 - 1e-15);
+        let touching = line(0.0);
+        assert_eq!(touching.common_point(), Some([1.0, 0.0].into()));
+        assert_eq!(touching.certificate(0.1).map(|_| ()), Err(CertificateError::Touching));
+        assert_eq!((touching.length().value, touching.length().error), (0.0, 0.0));
+        let nearly = line(apart);
+        assert_eq!(nearly.common_point(), None);
+        let length = nearly.length();
+        assert!(length.value + length.error >= d, "{length:?} for {d}");
+        match nearly.certificate(0.1) {
+            Err(CertificateError::NearlyTouching { upper }) => {
+                assert!(d <= upper && upper <= 10.0 * d, "{upper} for {d}");
+            }
+            Ok(found) => {
+                let (lower, upper) = (found.proved.lower, found.proved.upper.expect("a curve"));
+                assert!(lower <= d && d <= upper, "{lower} {upper} for {d}");
+            }
+            Err(error) => panic!("{error}"),
+        }
+        let proof = nearly.prove(Accuracy::default()).expect("proved").enclosure;
+        assert!(proof.lower <= d * d && d * d <= proof.upper, "{proof:?}");
+    }
+}
+
+/// Two points whose coordinates differ by an ulp are no common point.
+#[test]
+fn points_an_ulp_apart_do_not_touch() {
+    let next = 1.0_f64.next_up();
+    let metric = Formula::<1>::parse("1e30 I", &[]).expect("a formula");
+    let line = |b: f64| {
+        let ends = Ends::points([1.0], [b]).expect("finite");
+        Problem::new(metric.clone(), ends).solve(Trapezoidal, 4).expect("solved")
+    };
+    let d = 1e15 * f64::EPSILON;
+    let near = line(next);
+    assert_eq!(near.common_point(), None);
+    let found = near.certificate(0.5);
+    match found {
+        Err(CertificateError::NearlyTouching { upper }) => assert!(upper >= d * (1.0 - 1e-15)),
+        Ok(found) => assert!(found.proved.lower <= d && d <= found.proved.upper.expect("a curve")),
+        Err(error) => panic!("{error}"),
+    }
+    let length = near.length();
+    assert!(length.value + length.error >= d * (1.0 - 1e-15), "{length:?}");
+    assert!(line(1.0).common_point().is_some());
 }

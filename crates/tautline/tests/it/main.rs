@@ -4,6 +4,7 @@ mod batch;
 mod certificates;
 mod enclosure;
 mod front_door;
+mod last_digits;
 mod lattice;
 mod own_norms;
 mod proofs;

@@ -1,0 +1,157 @@
+//! How far a polygon is from a stationary point of its discrete energy, with rigorous bounds.
+
+use nalgebra::SVector;
+use tautline_discretizations::Rule;
+use tautline_formula::AnyMetric;
+use tautline_metrics::Metric;
+use tautline_scalar::{Enclosure, Jet1, Kernel, Scalar};
+
+use super::{Polygon, chord::Chord, pairwise_sum::PairwiseSum};
+
+impl<const D: usize, K: Kernel> Polygon<'_, D, K> {
+    /// Encloses the residual `((1/N) Σ |ρₙ|²)^{1/2}` of a rule over the inner points, in `m²/ℓ`, with
+    /// `∂E_N/∂xₙ = −2hρₙ` and `h = 1/N`.
+    ///
+    /// The result is undefined as that of [`discrete_energy`](Polygon::discrete_energy) is. It is 0 for
+    /// a single chord. Overestimation: rounding, of the size of `ε N` times the length.
+    #[must_use]
+    pub fn residual<R: Rule>(&self, _rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
+        let metric = AnyMetric::new(metric);
+        let mut squares = PairwiseSum::new();
+        let mut before: Option<SVector<Enclosure<K>, D>> = None;
+        for chord in self.chords() {
+            let [first, last] = slopes::<R, K, D>(&chord, &metric);
+            if let Some(before) = before {
+                for i in 0..D {
+                    squares.add((before[i] + first[i]).sqr());
+                }
+            }
+            before = Some(last);
+        }
+        // ∂E_N/∂xₙ is N times the sum of two slopes, and |ρₙ| is N/2 times that.
+        (squares.value() * self.n()).sqrt() * (0.5 * self.n())
+    }
+
+    /// Encloses `max |βₙ|`, the greatest difference `N |xₙ₊₁ − xₙ|`, in `ℓ`.
+    #[must_use]
+    pub fn greatest_difference(&self) -> Enclosure<K> {
+        let zero = Enclosure::point(0.0);
+        let lengths = self.chords().map(|chord| {
+            let square = chord.step().iter().fold(zero, |sum, step| sum + step.sqr());
+            square.sqrt()
+        });
+        let greatest = lengths.fold(zero, |greatest, length| {
+            let (lo, hi) = (greatest.lo().max(length.lo()), greatest.hi().max(length.hi()));
+            // The larger of two ends would ignore a NaN.
+            let is_undefined = greatest.is_undefined() || length.is_undefined();
+            let largest = Enclosure::new(lo, hi).unwrap_or(Enclosure::UNDEFINED);
+            if is_undefined { Enclosure::UNDEFINED } else { largest }
+        });
+        greatest * self.n()
+    }
+}
+
+/// Returns the derivatives of `Σᵢ wᵢ dᵀ H(x + θᵢ d) d` with respect to both ends of a chord.
+///
+/// With `vₖ = dᵀ (∂ₖH) d` they are `Σ w (−2Hd + (1 − θ) v)` and `Σ w (2Hd + θ v)`.
+fn slopes<R: Rule, K: Kernel, const D: usize>(
+    chord: &Chord<K, D>,
+    metric: &impl Metric<D>,
+) -> [SVector<Enclosure<K>, D>; 2] {
+    let (x, d) = (chord.start(), chord.step());
+    let mut slopes = [SVector::<Enclosure<K>, D>::repeat(Enclosure::point(0.0)); 2];
+    for node in R::NODES {
+        let theta = Enclosure::point(node.fraction);
+        let at: [Enclosure<K>; D] = std::array::from_fn(|i| x[i] + d[i] * theta);
+        // As everywhere, the upper triangle is H.
+        let h = metric.gram(&SVector::from(Jet1::variables(&at)));
+        let entry = |i: usize, j: usize| &h[(i.min(j), i.max(j))];
+        for k in 0..D {
+            let (mut momentum, mut force) = (Enclosure::point(0.0), Enclosure::point(0.0));
+            for i in 0..D {
+                momentum += entry(k, i).value() * d[i] * 2.0;
+                for j in i..D {
+                    let product = if i == j { d[i].sqr() } else { d[i] * d[j] * 2.0 };
+                    force += entry(i, j).first(k) * product;
+                }
+            }
+            slopes[0][k] += (force * (1.0 - theta) - momentum) * node.weight;
+            slopes[1][k] += (force * theta + momentum) * node.weight;
+        }
+    }
+    slopes
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, vector};
+    use tautline_chance::{Random, seed};
+    use tautline_discretizations::{
+        LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
+    };
+    use tautline_metrics::{
+        Metric,
+        gallery::{Constant, Shear, Sphere},
+    };
+
+    use super::Polygon;
+
+    /// The enclosures contain what doubles compute, and are no wider than rounding.
+    fn check<R: Rule>(rule: R, metric: &impl Metric<2>) {
+        let mut random = Random(seed(3));
+        for n in [1, 2, 3, 17] {
+            let mut points = vec![vector![0.1, -0.3]];
+            for _ in 0..n {
+                let step = [0.1, 0.1].map(|size| random.between(-size, size));
+                points.push(points[points.len() - 1] + vector![step[0], step[1]]);
+            }
+            let sequence = PointSequence::new(points).expect("finite");
+            let (_, gradient) = energy_gradient(rule, metric, &sequence);
+            let squares: f64 = gradient[1..n].iter().map(|g| g.norm_squared()).sum();
+            let expected = 0.5 * (n as f64 * squares).sqrt();
+            let polygon = Polygon::new(&sequence);
+            let residual = polygon.residual(rule, metric);
+            // About a hundred roundings, relative to the momentum N |H d|.
+            let rounding = 1e-13 * (1.0 + expected);
+            assert!(residual.lo() <= expected + rounding && expected - rounding <= residual.hi());
+            assert!(residual.width() <= rounding, "{residual:?}");
+            let greatest = sequence.differences().map(|beta| beta.norm()).fold(0.0, f64::max);
+            let enclosed = polygon.greatest_difference();
+            assert!(
+                (enclosed.midpoint() / greatest - 1.0).abs() < 1e-15 && enclosed.width() < 1e-14
+            );
+        }
+    }
+
+    #[test]
+    fn residuals_are_those_of_the_gradient() {
+        let shear = Shear::new(0.5, 1.3).expect("a wave number");
+        check(Trapezoidal, &shear);
+        check(LeftEndpoint, &shear);
+        check(TrueTrapezoid, &shear);
+        check(LeftEndpoint, &Sphere);
+    }
+
+    /// Under `H = I` the residual of `(0, a, 1)` is `½ · 2 · √2 · 2 |a − (1 − a)|`.
+    #[test]
+    fn a_residual_by_hand() {
+        let flat = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
+        let points = [0.0, 0.75, 1.0].map(|x| vector![x]).to_vec();
+        let sequence = PointSequence::new(points).expect("finite");
+        let polygon = Polygon::new(&sequence);
+        let residual = polygon.residual(Trapezoidal, &flat);
+        // E₂ = 2 (x² + (1 − x)²), E₂′ = 4 (2x − 1) = 2, and ½ √(2 · 4) = √2.
+        assert!(residual.lo() <= 2_f64.sqrt() && 2_f64.sqrt() <= residual.hi());
+        assert!(residual.width() < 1e-15, "{residual:?}");
+        assert_eq!(polygon.greatest_difference().lo(), 1.5);
+        let straight = PointSequence::straight([0.0], [1.0], 2).expect("finite");
+        assert_eq!(Polygon::new(&straight).residual(Trapezoidal, &flat).hi(), 0.0);
+    }
+
+    #[test]
+    fn nothing_is_enclosed_where_the_metric_is_undefined() {
+        let sequence = PointSequence::straight([0.0, 0.0], [4.0, 0.0], 4).expect("finite");
+        let hyperbolic = tautline_metrics::gallery::Hyperbolic;
+        assert!(Polygon::new(&sequence).residual(LeftEndpoint, &hyperbolic).is_undefined());
+    }
+}

@@ -1,0 +1,194 @@
+//! Outputs that are closed, full or cut, and files that are written whole or not at all.
+
+#![cfg(unix)]
+
+use std::{
+    fs::{self, File},
+    path::Path,
+    process::{Command, Output, Stdio},
+};
+
+use crate::{folder, tautline, text};
+
+const FILE: &str = "\
+[metric]
+phi = \"(2 - cos(x1))^2\"
+[from]
+point = [0, 0]
+[to]
+point = [3, 0]
+";
+
+/// Every verb that prints.
+const PRINTING: [&[&str]; 9] = [
+    &["solve", "v.toml"],
+    &["solve", "v.toml", "--json"],
+    &["constants", "v.toml"],
+    &["certify", "v.toml", "--gap", "0.1"],
+    &["plan", "sweep.toml"],
+    &["schema"],
+    &["examples"],
+    &["completions", "bash"],
+    &["--help"],
+];
+
+fn written(name: &str) -> std::path::PathBuf {
+    let folder = folder(name);
+    fs::write(folder.join("v.toml"), FILE).expect("written");
+    let sweep = tautline_problem::Example::named("sweep").expect("an example").text;
+    fs::write(folder.join("sweep.toml"), sweep).expect("written");
+    folder
+}
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tautline"));
+    command.args(arguments).current_dir(folder);
+    command
+}
+
+#[test]
+fn a_full_output_is_an_error_and_a_full_stderr_no_panic() {
+    let folder = written("full");
+    let full = || Stdio::from(File::options().write(true).open("/dev/full").expect("a device"));
+    for arguments in PRINTING {
+        let output = command(&folder, arguments).stdout(full()).output().expect("started");
+        assert_ne!(output.status.code(), Some(0), "{arguments:?}");
+        assert!(output.status.code().is_some_and(|code| code <= 2), "{arguments:?}");
+        let said = text(&output.stderr);
+        let is_said = said.contains("standard output") || arguments == ["--help"];
+        assert!(is_said && !said.contains("panicked"), "{arguments:?}: {said}");
+        // With nobody to tell, the code still says it.
+        let output = command(&folder, arguments).stdout(full()).stderr(full()).output();
+        let code = output.expect("started").status.code();
+        assert!(matches!(code, Some(1 | 2)), "{arguments:?}: {code:?}");
+    }
+    for arguments in [&["solve", "nothing.toml"][..], &["solve", "--wrong"], &["nothing"]] {
+        let output = command(&folder, arguments).stderr(full()).output().expect("started");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    }
+    // What is said beside the results does not count.
+    let run = ["run", "sweep.toml", "--to", "r"];
+    let output = command(&folder, &run).stderr(full()).output().expect("started");
+    assert_eq!(output.status.code(), Some(0));
+    assert!(folder.join("r/1-of-1.csv").exists());
+}
+
+#[test]
+fn a_reader_that_has_gone_away_is_no_panic_and_no_success() {
+    let folder = written("gone");
+    for arguments in PRINTING {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let output = command(&folder, arguments).stdout(writer).output().expect("started");
+        let said = text(&output.stderr);
+        assert!(matches!(output.status.code(), Some(1 | 2)), "{arguments:?}: {:?}", output.status);
+        assert!(said.is_empty(), "{arguments:?}: {said}");
+    }
+    // Of stderr: the error is not read, and the code is the same.
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
+    let output = command(&folder, &["solve", "nothing.toml"]).stderr(writer).output();
+    assert_eq!(output.expect("started").status.code(), Some(2));
+    let closed = |arguments: &str| {
+        let program = env!("CARGO_BIN_EXE_tautline");
+        let shell = format!("'{program}' {arguments} 2>&-");
+        let status = Command::new("sh").args(["-c", &shell]).current_dir(&folder).output();
+        status.expect("started").status.code()
+    };
+    assert_eq!(closed("solve nothing.toml"), Some(2));
+    assert_eq!(closed("solve v.toml"), Some(0));
+    // The pictures of an answer that nobody reads are drawn.
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
+    let plot = ["solve", "v.toml", "--plot", "v.svg"];
+    assert!(!command(&folder, &plot).stdout(writer).status().expect("started").success());
+    assert!(folder.join("v.svg").exists());
+}
+
+/// Runs the command in a shell where no file may have more than a few thousand bytes. With the signal
+/// ignored, a write fails as on a full disk; otherwise the process is killed in the middle of it.
+fn limited(folder: &Path, arguments: &[&str], is_killed: bool) -> Output {
+    let trap = if is_killed { "" } else { "trap '' XFSZ; " };
+    let program = env!("CARGO_BIN_EXE_tautline");
+    // Units are of 512 or 1024 bytes.
+    let shell = format!("{trap}ulimit -f 2; exec '{program}' {}", arguments.join(" "));
+    Command::new("sh").args(["-c", &shell]).current_dir(folder).output().expect("started")
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let name = |entry: std::io::Result<fs::DirEntry>| {
+        entry.expect("an entry").file_name().to_string_lossy().into_owned()
+    };
+    let mut names: Vec<String> = entries.map(name).collect();
+    names.sort();
+    names
+}
+
+/// Every file that the command writes is the old one or none if the disk is full, and if the process is
+/// killed in the middle.
+#[test]
+fn a_full_disk_or_a_kill_leaves_the_old_file_or_none() {
+    let folder = written("disk");
+    assert!(tautline(&folder, &["run", "sweep.toml", "--to", "good"]).status.success());
+    let cases: [(&[&str], &str); 9] = [
+        (&["certify", "v.toml", "--gap", "1e-2", "-o", "out/v.cert"], "out/v.cert"),
+        (&["certify", "v.toml", "--gap", "0.1", "--plot", "out/c.pdf"], "out/c.pdf"),
+        (&["solve", "v.toml", "--plot", "out/v.svg"], "out/v.svg"),
+        (&["solve", "v.toml", "--plot", "out/v.png"], "out/v.png"),
+        (&["plot", "v.toml", "out/p.pdf"], "out/p.pdf"),
+        (&["plan", "sweep.toml", "-o", "out/plan.csv"], "out/plan.csv"),
+        (&["run", "sweep.toml", "--to", "out"], "out/1-of-1.csv"),
+        (&["merge", "good", "-o", "out/merged.csv"], "out/merged.csv"),
+        (&["plan", "sweep.toml", "-o", "out/new.csv"], "out/new.csv"),
+    ];
+    for (arguments, path) in cases {
+        for is_killed in [false, true] {
+            let _ = fs::remove_dir_all(folder.join("out"));
+            fs::create_dir(folder.join("out")).expect("a folder");
+            let is_new = path.ends_with("new.csv");
+            // An old file of a sweep is one that was cut.
+            let old = if path.contains("1-of-1") {
+                let good = fs::read_to_string(folder.join("good/1-of-1.csv")).expect("results");
+                good[..good.len() - 5].to_owned()
+            } else {
+                "the old one".to_owned()
+            };
+            if !is_new {
+                fs::write(folder.join(path), &old).expect("written");
+            }
+            let output = limited(&folder, arguments, is_killed);
+            if is_killed {
+                assert_eq!(output.status.code(), None, "{arguments:?}: {output:?}");
+            } else {
+                assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
+                assert!(text(&output.stderr).contains("File too large"), "{output:?}");
+                // The draft is gone.
+                assert!(names(&folder.join("out")).len() <= 1, "{:?}", names(&folder.join("out")));
+            }
+            let found = fs::read_to_string(folder.join(path));
+            assert_eq!(found.ok(), (!is_new).then_some(old), "{arguments:?}");
+            // Without the limit, the file is there, and drafts of killed processes are not.
+            assert!(tautline(&folder, arguments).status.success(), "{arguments:?}");
+            let name = path.rsplit('/').next().expect("a name");
+            assert_eq!(names(&folder.join("out")), [name], "{arguments:?}");
+            assert!(fs::metadata(folder.join(path)).expect("a file").len() > 2048, "{path}");
+        }
+    }
+}
+
+/// A device is written to, and what it refuses is an error.
+#[test]
+fn a_device_is_no_file() {
+    let folder = written("device");
+    let plan = |to: &str| tautline(&folder, &["plan", "sweep.toml", "-o", to]);
+    assert_eq!(plan("/dev/full").status.code(), Some(2));
+    assert_eq!(plan("/dev/null").status.code(), Some(0));
+    assert!(fs::metadata("/dev/null").is_ok_and(|device| !device.is_file()));
+    assert_eq!(names(&folder), ["sweep.toml", "v.toml"]);
+    std::os::unix::fs::symlink("real.csv", folder.join("link.csv")).expect("linked");
+    fs::write(folder.join("real.csv"), "before").expect("written");
+    assert_eq!(plan("link.csv").status.code(), Some(0));
+    assert!(fs::symlink_metadata(folder.join("link.csv")).expect("there").is_symlink());
+    assert!(fs::read_to_string(folder.join("real.csv")).expect("read").starts_with("# tautline"));
+}
