@@ -27,10 +27,13 @@ pub(crate) fn answer(answer: &Answer) -> String {
         (None, None) => {}
     }
     let (rule, chords) = (answer.rule.replace('_', " "), answer.n);
-    line(
-        "length",
-        format!("{} of a curve of {}, {rule} rule", nearest(answer.length.value), counted(chords)),
-    );
+    let Estimated { value, error } = answer.length;
+    let mut length = nearest(value);
+    if value == 0.0 && error > 0.0 {
+        // The ends are in both sets up to rounding only.
+        length += &format!(" ± {}", one_digit_up(error));
+    }
+    line("length", format!("{length} of a curve of {}, {rule} rule", counted(chords)));
     if let [first, .., last] = answer.curve.as_slice() {
         let places = places(&[first, last].map(Vec::as_slice));
         line("", format!("from {} to {}", point(first, places), point(last, places)));
@@ -218,7 +221,7 @@ pub(crate) fn certified(answer: &CertifiedAnswer) -> String {
     let cubes: usize = answer.levels.iter().map(|level| level.cubes).sum();
     let (left, side) = (answer.corridor_cubes, answer.corridor_side.value);
     // The gap is a difference and a quotient of doubles.
-    let gap = up_to(answer.gap.value * (1.0 + 2.0 * f64::EPSILON), 2);
+    let gap = up_to((answer.gap.value * (1.0 + 2.0 * f64::EPSILON)).min(1.0), 2);
     let _ = writeln!(text, "gap         {gap} of the upper bound: {}", answer.ended);
     if answer.levels.is_empty() {
         return text;

@@ -214,3 +214,29 @@ impl OtherMinimum {
         is_shorter(self.length.value, answer.length.value)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::BallAnswer;
+
+    /// A centre that is cut moves the ball, and the radius falls by at least as much.
+    #[test]
+    fn a_shortened_ball_lies_in_the_ball() {
+        for (centre, radius) in [
+            (vec![1.0 / 3.0, -2.0 / 3.0], 1.0),
+            (vec![0.333_349_999, 7.0], 0.001),
+            (vec![0.0], 0.1),
+            (vec![1e-7, 1e-7], 1e-6),
+            (vec![123_456.123_456], 0.000_2),
+            (vec![0.5, 0.25, 0.125], 3.0),
+        ] {
+            let ball = BallAnswer { centre: centre.clone(), radius };
+            let (short, text) = ball.shortened(5);
+            let printed: f64 = text.parse().expect("a number");
+            let moved = short.iter().zip(&centre).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+            assert!(printed + moved <= radius && printed >= 0.89 * radius, "{centre:?}: {text}");
+        }
+        let half = BallAnswer { centre: vec![0.25], radius: 2.0_f64.sqrt() };
+        assert_eq!(half.shortened(5), (vec![0.25], "1.4142".to_owned()));
+    }
+}

@@ -6,7 +6,7 @@ use tautline_bounds::{
     BetweenPoints, BoundError, Computed, Constants, DiscreteMinimum, Enclosure, PaperRule, Setting,
     Theorem, convex_excess_outward, enclose_outward, strict_convexity_outward, suggest_n,
 };
-use tautline_certify::AdmissibleCurve;
+use tautline_certify::{AdmissibleCurve, Polygon};
 use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, energy_gradient};
 use tautline_metrics::{Bounded, Metric};
 use tautline_scalar::{Interval, Scalar};
@@ -109,8 +109,13 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// Returns proved bounds, given the proved curve of this line.
     pub(crate) fn proved_extent(&self, curve: &AdmissibleCurve<'_, D>) -> Extent {
         let polygon = curve.polygon();
-        let discrete_energy = polygon.discrete_energy(self.rule(), self.metric());
         let fixed = self.ends().are_points();
+        // The ends are moved into their sets, by a few roundings. The minimum that was found is that of
+        // the points before, and both are sequences that competitors are compared with.
+        let found = Polygon::new(self.sequence());
+        let [moved, found] =
+            [polygon, &found].map(|polygon| polygon.discrete_energy(self.rule(), self.metric()));
+        let discrete_energy = moved.hull(found);
         Extent {
             energy: curve.energy().hi(),
             energy_at_least: curve.energy().lo(),

@@ -153,6 +153,8 @@ fn sets_that_touch_up_to_rounding_have_a_bound() {
         let output = tautline(&folder, &["solve", "t.toml"]);
         let answer = text(&output.stdout);
         assert!(answer.contains("the sets touch, up to rounding\n"), "{answer}");
+        assert!(answer.contains("length       0 ± ") && !answer.contains("global"), "{answer}");
+        assert!(answer.contains("one shorter by 100.00 % may exist"), "{answer}");
         let bounds = answer.lines().next().expect("a line");
         let upper: f64 = bounds.rsplit(' ').next().expect("a number").parse().expect(bounds);
         assert!(d <= upper && upper < 40.0 * d, "{cost}: {answer}");

@@ -35,8 +35,11 @@ const PRINTING: [&[&str]; 9] = [
 fn written(name: &str) -> std::path::PathBuf {
     let folder = folder(name);
     fs::write(folder.join("v.toml"), FILE).expect("written");
-    let sweep = tautline_problem::Example::named("sweep").expect("an example").text;
-    fs::write(folder.join("sweep.toml"), sweep).expect("written");
+    let example = tautline_problem::Example::named("sweep").expect("an example").text;
+    let (problem, _) = example.split_once("[sweep.vary]").expect("a section");
+    let sweep = "[sweep]\ndraws = 120\nseed = 3\nvary = { y = { uniform = [-1, 1] } }\n";
+    let file = format!("{}{sweep}", problem.replace("n = 64", "n = 16"));
+    fs::write(folder.join("sweep.toml"), file).expect("written");
     folder
 }
 

@@ -105,8 +105,13 @@ fn every_printed_bound_is_on_the_right_side_of_the_number() {
             }
         }
         let certify = ["certify", "p.toml", "--gap", "0.05"];
-        let (answer, output) = (json(&folder, &certify), tautline(&folder, &certify));
-        let printed = text(&output.stdout);
+        let printed = text(&tautline(&folder, &certify).stdout);
+        // A segment cannot be written into a certificate.
+        if printed.is_empty() {
+            assert!(file.contains("segment"), "{file}");
+            continue;
+        }
+        let answer = json(&folder, &certify);
         let first = printed.lines().next().expect("a line");
         is_below(after(first, "between"), double(&answer["lower"]));
         is_above(after(first, "and"), double(&answer["upper"]));

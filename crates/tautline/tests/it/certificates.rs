@@ -203,6 +203,8 @@ fn sets_that_touch_up_to_rounding_are_not_said_to_touch() {
         }
         let proof = nearly.prove(Accuracy::default()).expect("proved").enclosure;
         assert!(proof.lower <= d * d && d * d <= proof.upper, "{proof:?}");
+        // Points that are all the same are no minimum that bounds anything, and refute nothing.
+        assert!(!proof.is_not_global && !proof.assumes_global_minimum, "{proof:?}");
     }
 }
 
