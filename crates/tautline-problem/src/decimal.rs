@@ -187,7 +187,7 @@ mod tests {
         assert_eq!(compare("0.1", &exact(0.1)), Ordering::Less);
         assert_eq!(compare("0.3", &exact(0.3)), Ordering::Greater);
         assert_eq!(compare("-0.1", &exact(-0.1)), Ordering::Greater);
-        assert_eq!(compare("1.25e-3", &exact(1.25e-3)), Ordering::Greater);
+        assert_eq!(compare("1.25e-3", &exact(1.25e-3)), Ordering::Less);
         assert_eq!(compare("0.5000", &exact(0.5)), Ordering::Equal);
         assert_eq!(compare("-3e2", "-299"), Ordering::Less);
         assert_eq!(compare("0", "-0.0"), Ordering::Equal);
@@ -221,7 +221,7 @@ mod tests {
             1e-5,
             4503599627370497.5,
         ];
-        for _ in 0..3000 {
+        for _ in 0..600 {
             let power = random.between(-308.0, 308.0);
             numbers.push(10.0_f64.powf(power) * random.between(0.1, 1.0));
             let digits = random.between(1.0, 2e4).round();
