@@ -74,7 +74,6 @@ mod segment;
 mod set_error;
 mod shape;
 mod sphere;
-mod sum_of_products;
 mod union;
 
 pub use affine_subspace::AffineSubspace;

@@ -1,12 +1,14 @@
 //! Proofs about points and boxes: exact comparisons of distances, and points of a sphere by interval
 //! arithmetic.
 
+mod sum_of_products;
+
 use std::cmp::Ordering;
 
 use nalgebra::SVector;
 use tautline_scalar::{Interval, Scalar};
 
-use crate::{norm::on_axis, sum_of_products};
+use crate::norm::on_axis;
 
 /// Returns the box that consists of one point.
 pub(crate) fn point<const D: usize>(x: &SVector<f64, D>) -> SVector<Interval, D> {

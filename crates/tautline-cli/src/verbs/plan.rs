@@ -33,7 +33,7 @@ pub(crate) fn plan(arguments: &Plan) -> Result<ExitCode, CommandError> {
         return Ok(ExitCode::SUCCESS);
     };
     let mut draft = Draft::of(path)?;
-    draft.write(&plan.head())?;
+    draft.write(plan.head())?;
     for ids in Runner::pieces(0..plan.count()) {
         draft.write(&lines(ids)?)?;
     }

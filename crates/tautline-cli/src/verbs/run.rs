@@ -50,10 +50,10 @@ pub(crate) fn run(arguments: &Run) -> Result<ExitCode, CommandError> {
         file.check(ids.clone())?;
         let rows = runner.rows(ids.clone()).map_err(explain)?;
         (doubtful, failed) = (doubtful + rows.doubtful, failed + rows.failed);
-        draft.write(&writer.rows(rows.text))?;
+        draft.write(writer.rows(rows.text))?;
         bar.inc(ids.end - ids.start);
     }
-    draft.write(&writer.end())?;
+    draft.write(writer.end())?;
     draft.finish()?;
     bar.finish_and_clear();
     let time = begin.elapsed();
