@@ -27,7 +27,8 @@ fn results_count_as_done_only_if_every_line_of_their_head_agrees() {
     let text = Runner::new(&plan, 1).expect("a thread").solved(1..3).expect("results");
     let head = Block::read(&text).expect("a block").head;
     assert!(plan.has(&head, 1..3));
-    let changes: [(&str, fn(&mut Head)); 9] = [
+    type Change = fn(&mut Head);
+    let changes: [(&str, Change); 9] = [
         ("version", |head| head.version += "1"),
         ("an empty version", |head| head.version.clear()),
         ("plan", |head| head.plan.replace_range(..1, "x")),
