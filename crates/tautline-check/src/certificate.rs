@@ -4,14 +4,18 @@ use nalgebra::SVector;
 use tautline_formula::Formula;
 use tautline_sets::Shape;
 
-use crate::{CheckError, Cubes, Level, Place, Region, length_above, sweep::Sweep};
+use crate::{
+    CheckError, Cubes, Level, Place, Region, polygon::length_within, region::MOST, sweep::Sweep,
+    work::Work,
+};
 
 /// A certificate of the distance between two sets under a metric.
 ///
 /// Every number in it is data. What it proves is computed by [`check`](Certificate::check).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certificate<const D: usize> {
-    /// The metric: the entries of `H` on and above the diagonal.
+    /// The metric. The entries above the diagonal and those below it have to be the same steps, as those
+    /// of [`Formula::of_upper_half`] are.
     pub formula: Formula<D>,
     /// The sets `X⁽⁰⁾` and `X⁽¹⁾`.
     pub sets: [Shape<D>; 2],
@@ -54,15 +58,41 @@ impl<const D: usize> Proved<D> {
 impl<const D: usize> Certificate<D> {
     /// Proves a lower bound on the distance, and an upper one if there is a curve.
     ///
+    /// The bounds are about curves that stay where every entry of `H` is defined and `H` is positive
+    /// definite. The time is at most some minutes for each megabyte of the file: a certificate that
+    /// asks for more is refused.
+    ///
     /// # Errors
     ///
     /// [`CheckError`] if the certificate proves nothing.
     pub fn check(&self) -> Result<Proved<D>, CheckError> {
-        let mut chain = Chain::new(&self.formula, &self.sets, self.hi, self.region)?;
+        self.check_while(&|| true)
+    }
+
+    /// Does the same as long as `go_on`, which is often asked, returns true.
+    ///
+    /// # Errors
+    ///
+    /// [`CheckError::Stopped`] if it returned false, with what was checked until then; the others of
+    /// [`check`](Certificate::check).
+    pub fn check_while(&self, go_on: &(dyn Fn() -> bool + Sync)) -> Result<Proved<D>, CheckError> {
+        let work = Work::limited(self, go_on);
+        let mut checked = 0;
+        self.check_within(&work, &mut checked).map_err(|error| match error {
+            CheckError::Stopped { .. } => {
+                CheckError::Stopped { levels: checked, of: self.levels.len() }
+            }
+            error => error,
+        })
+    }
+
+    /// Checks for no more than this work, and counts the levels.
+    fn check_within(&self, work: &Work<'_>, checked: &mut usize) -> Result<Proved<D>, CheckError> {
+        let mut chain = Chain::begin(&self.formula, &self.sets, self.hi, self.region, work)?;
         let upper = match &self.curve {
             None => None,
             Some(points) => {
-                let length = length_above(&self.formula, self.sets.each_ref(), points)?;
+                let length = length_within(&self.formula, self.sets.each_ref(), points, work)?;
                 if !(length < self.hi) {
                     return Err(CheckError::CurveLength { length, hi: self.hi });
                 }
@@ -76,7 +106,11 @@ impl<const D: usize> Certificate<D> {
             if chain.is_closed() {
                 break;
             }
-            chain.add(level, self.hi)?;
+            // If many more cubes are required, the level lacks one. Larger cubes are seldom more than
+            // the smaller ones.
+            let most = 4 * level.cubes().places().len() + 4_usize.pow(D as u32);
+            chain.add_within(level, self.hi, most, work)?;
+            *checked += 1;
         }
         chain.proved(upper)
     }
@@ -104,12 +138,23 @@ impl<'c, const D: usize> Chain<'c, D> {
     /// # Errors
     ///
     /// [`CheckError::Bound`] unless `hi` is positive and finite, [`CheckError::Dimension`] in more
-    /// than four dimensions, and the errors of [`Region::prove`].
+    /// than four dimensions, [`CheckError::Halves`] if two entries of the matrix that mirror each other
+    /// are different steps, and the errors of [`Region::prove`].
     pub fn new(
         formula: &'c Formula<D>,
         sets: &'c [Shape<D>; 2],
         hi: f64,
         region: Region,
+    ) -> Result<Self, CheckError> {
+        Self::begin(formula, sets, hi, region, &Work::unlimited())
+    }
+
+    fn begin(
+        formula: &'c Formula<D>,
+        sets: &'c [Shape<D>; 2],
+        hi: f64,
+        region: Region,
+        work: &Work<'_>,
     ) -> Result<Self, CheckError> {
         if !(1..=crate::LARGEST_DIMENSION).contains(&D) {
             return Err(CheckError::Dimension { dimension: D });
@@ -117,7 +162,13 @@ impl<'c, const D: usize> Chain<'c, D> {
         if !(hi > 0.0 && hi.is_finite()) {
             return Err(CheckError::Bound { hi });
         }
-        region.prove(formula, sets.each_ref(), hi)?;
+        let mut pairs = (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j)));
+        if let Some((row, column)) =
+            pairs.find(|&(i, j)| formula.entry(i, j) != formula.entry(j, i))
+        {
+            return Err(CheckError::Halves { row, column });
+        }
+        region.prove_within(formula, sets.each_ref(), hi, work)?;
         Ok(Self { formula, sets, hi, region, lower: 0.0, kept: None, levels: Vec::new() })
     }
 
@@ -147,10 +198,19 @@ impl<'c, const D: usize> Chain<'c, D> {
     /// large, [`CheckError::Side`] and [`CheckError::Place`] if halves are out of range; for the first
     /// level the errors of [`Region::required`].
     pub fn required(&self, exponent: i32) -> Result<Cubes<D>, CheckError> {
+        self.required_within(exponent, MOST, &Work::unlimited())
+    }
+
+    fn required_within(
+        &self,
+        exponent: i32,
+        most: usize,
+        work: &Work<'_>,
+    ) -> Result<Cubes<D>, CheckError> {
         match &self.kept {
             None => {
                 let sets = self.sets.each_ref();
-                self.region.required(sets, self.hi, exponent)
+                self.region.required_within(sets, self.hi, exponent, most, work)
             }
             Some(kept) if exponent == kept.exponent() => Ok(kept.clone()),
             Some(kept) if exponent == kept.exponent() - 1 => kept.halved(),
@@ -171,8 +231,18 @@ impl<'c, const D: usize> Chain<'c, D> {
     /// the errors of [`required`](Chain::required), and [`CheckError::Exit`] if curves may leave the
     /// first level.
     pub fn add(&mut self, level: &Level<D>, keep: f64) -> Result<(), CheckError> {
+        self.add_within(level, keep, MOST, &Work::unlimited())
+    }
+
+    fn add_within(
+        &mut self,
+        level: &Level<D>,
+        keep: f64,
+        most: usize,
+        work: &Work<'_>,
+    ) -> Result<(), CheckError> {
         let cubes = level.cubes();
-        let required = self.required(cubes.exponent())?;
+        let required = self.required_within(cubes.exponent(), most.min(MOST), work)?;
         if let Some(place) = cubes.first_missing(required.places()) {
             return Err(CheckError::Missing { level: self.levels.len(), place: place.to_vec() });
         }
@@ -180,11 +250,11 @@ impl<'c, const D: usize> Chain<'c, D> {
             return Err(CheckError::Empty);
         }
         let sets = self.sets.each_ref();
-        let sweep = Sweep::new(self.formula, sets, level);
+        let sweep = Sweep::new(self.formula, sets, level, work)?;
         if self.kept.is_none() {
-            self.region.prove_exit(sets, self.hi, &sweep)?;
+            self.region.prove_exit(sets, self.hi, &sweep, work)?;
         }
-        let swept = sweep.shorter_than(self.hi.max(keep));
+        let swept = sweep.shorter_than(self.hi.max(keep), work)?;
         let kept: Vec<Place<D>> = swept.kept;
         self.lower = self.lower.max(swept.lower.min(self.hi));
         self.kept = Some(Cubes::new(cubes.exponent(), kept)?);

@@ -112,7 +112,7 @@ pub enum CheckError {
     /// Neither set is bounded, or the region needs a bounded one.
     #[error("the region of this kind needs bounded sets")]
     Unbounded,
-    /// The region has more cubes than can be checked.
+    /// The region has more cubes than can be checked, or far more than the first level.
     #[error("the region has more than {most} cubes")]
     TooLarge {
         /// The limit.
@@ -126,11 +126,29 @@ pub enum CheckError {
         /// The length that it has to reach.
         hi: f64,
     },
-    /// An end of the curve is not proved to lie in its set.
-    #[error("the {end} point of the curve is not proved to lie in its set")]
+    /// Two entries of the matrix that mirror each other are different steps. They might differ, or one
+    /// might be undefined where the other is not.
+    #[error(
+        "the entries ({}, {}) and ({}, {}) of the matrix are different steps",
+        row + 1, column + 1, column + 1, row + 1
+    )]
+    Halves {
+        /// The row, from 0.
+        row: usize,
+        /// The column, from 0.
+        column: usize,
+    },
+    /// An end of the curve does not lie in its set.
+    #[error("the {end} point of the curve does not lie in its set")]
     CurveEnd {
         /// `first` or `last`.
         end: &'static str,
+    },
+    /// The curve is not proved to stay where the metric is defined and positive definite.
+    #[error("on chord {chord} of the curve, H is not proved to be defined and positive definite")]
+    CurveDomain {
+        /// The chord, from 0. A curve without chords has chord 0, its only point.
+        chord: usize,
     },
     /// The curve has no proved length below `hi`.
     #[error("the curve has length at most {length}, which is not below {hi}")]
@@ -139,6 +157,22 @@ pub enum CheckError {
         length: f64,
         /// The bound of the certificate.
         hi: f64,
+    },
+    /// The check would take longer than a file of this size is worth.
+    #[error("the check needs more than {budget} units of work, the most for a file of this size")]
+    Work {
+        /// The most units.
+        budget: u64,
+    },
+    /// The check was stopped. The certificate is neither proved nor refused.
+    #[error(
+        "stopped after {levels} of {of} levels: what follows is not checked, and nothing is proved"
+    )]
+    Stopped {
+        /// The number of levels that were checked, after the region and the curve.
+        levels: usize,
+        /// The number of levels.
+        of: usize,
     },
     /// The proof contradicts the curve. One of the two is wrong, and nothing is proved.
     #[error(

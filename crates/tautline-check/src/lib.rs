@@ -42,6 +42,7 @@ mod set;
 mod sweep;
 mod verdict;
 mod vertex_test;
+mod work;
 mod writer;
 
 pub use certificate::{Certificate, Chain, Proved};

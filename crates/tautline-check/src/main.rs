@@ -1,39 +1,54 @@
-//! Checks a certificate: `tautline-check FILE`. Exit codes: 0 proved, 1 refused, 2 not read.
+//! Checks a certificate: `tautline-check [--time-limit SECONDS] FILE`.
+//!
+//! Exit codes: 0 proved, 1 refused, 2 neither: not read, not written, or not checked in the time.
 
 use std::{
+    fmt::Display,
     io::{self, Write},
     process::ExitCode,
+    time::{Duration, Instant},
 };
 
-use tautline_check::AnyCertificate;
+use tautline_check::{AnyCertificate, CheckError};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [file] = &arguments[..] else {
-        eprintln!("usage: tautline-check FILE");
-        return ExitCode::from(2);
-    };
-    let text = match std::fs::read_to_string(file) {
-        Ok(text) => text,
-        Err(error) => {
-            eprintln!("{file}: {error}");
-            return ExitCode::from(2);
-        }
-    };
-    match AnyCertificate::read(&text).and_then(|certificate| certificate.check()) {
-        Ok(verdict) => {
-            // A reader that has seen enough closes the pipe.
-            match write!(io::stdout(), "{}{verdict}", verdict.statement) {
-                Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-                    eprintln!("{file}: proved, but not written: {error}");
-                    ExitCode::from(2)
-                }
-                _ => ExitCode::SUCCESS,
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let (file, limit) = match words[..] {
+        [file] if !file.starts_with('-') => (file, None),
+        ["--time-limit", seconds, file] | [file, "--time-limit", seconds] => {
+            let limit = seconds.parse().ok().and_then(|s| Duration::try_from_secs_f64(s).ok());
+            match limit {
+                Some(limit) => (file, Some(limit)),
+                None => return ended(2, format_args!("{seconds:?} is no number of seconds")),
             }
         }
-        Err(error) => {
-            eprintln!("{file}: refused: {error}");
-            ExitCode::from(1)
+        _ => return ended(2, "usage: tautline-check [--time-limit SECONDS] FILE"),
+    };
+    let begun = Instant::now();
+    let text = match std::fs::read_to_string(file) {
+        Ok(text) => text,
+        Err(error) => return ended(2, format_args!("{file}: {error}")),
+    };
+    let go_on = || limit.is_none_or(|limit| begun.elapsed() < limit);
+    match AnyCertificate::read(&text).and_then(|certificate| certificate.check_while(&go_on)) {
+        // A reader that has seen enough closes the pipe.
+        Ok(verdict) => match write!(io::stdout(), "{}{verdict}", verdict.statement) {
+            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+                ended(2, format_args!("{file}: proved, but not written: {error}"))
+            }
+            _ => ExitCode::SUCCESS,
+        },
+        Err(error @ CheckError::Stopped { .. }) => {
+            ended(2, format_args!("{file}: not checked in the time: {error}"))
         }
+        Err(error) => ended(1, format_args!("{file}: refused: {error}")),
     }
+}
+
+/// Tells why, if anybody listens, and returns the exit code.
+fn ended(code: u8, why: impl Display) -> ExitCode {
+    // `eprintln!` panics if nobody does.
+    let _ = writeln!(io::stderr(), "{why}");
+    ExitCode::from(code)
 }

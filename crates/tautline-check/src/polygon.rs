@@ -1,12 +1,17 @@
 //! The length of a polygon, from above.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Jet2, Scalar};
 use tautline_sets::Shape;
 
-use crate::{CheckError, rounding::add_up, set::contains, vertex_test::gram};
+use crate::{
+    CheckError,
+    rounding::{add_up, mul_up, sqrt_up},
+    vertex_test::{Decomposed, symmetric},
+    work::Work,
+};
 
 /// How often a chord may be halved.
 const HALVINGS: u32 = 12;
@@ -14,85 +19,129 @@ const HALVINGS: u32 = 12;
 /// A part of a chord is halved if its length is not known better than this, relative to itself.
 const LOOSE: f64 = 1e-3;
 
-/// Returns an upper bound on the length of a polygon that is proved to run from set to set, in `m`.
+/// Returns an upper bound on the length of a polygon that is proved to run from set to set, where the
+/// metric is defined and positive definite, in `m`.
 ///
 /// # Errors
 ///
-/// [`CheckError::CurveEnd`] if an end is not proved to lie in its set. If the length of a chord is
-/// not bounded, or the metric is undefined at the only point, the result is infinite.
+/// [`CheckError::CurveEnd`] if an end does not lie in its set, [`CheckError::CurveDomain`] if a chord is
+/// not proved to stay where the metric is one. The result may be infinite.
 pub fn length_above<const D: usize>(
     formula: &Formula<D>,
     sets: [&Shape<D>; 2],
     points: &[SVector<f64, D>],
 ) -> Result<f64, CheckError> {
-    if !points.first().is_some_and(|x| contains(sets[0], x)) {
+    length_within(formula, sets, points, &Work::unlimited())
+}
+
+/// Does the same, for no more than this work.
+pub(crate) fn length_within<const D: usize>(
+    formula: &Formula<D>,
+    sets: [&Shape<D>; 2],
+    points: &[SVector<f64, D>],
+    work: &Work<'_>,
+) -> Result<f64, CheckError> {
+    if !points.first().is_some_and(|x| sets[0].contains(x)) {
         return Err(CheckError::CurveEnd { end: "first" });
     }
-    if !points.last().is_some_and(|x| contains(sets[1], x)) {
+    if !points.last().is_some_and(|x| sets[1].contains(x)) {
         return Err(CheckError::CurveEnd { end: "last" });
     }
-    // Equal points make no chord, but the metric has to be defined there.
-    let is_defined =
-        gram(formula, &points[0].map(Interval::point)).iter().all(|entry| entry.is_finite());
-    let mut length = if is_defined { 0.0 } else { f64::INFINITY };
-    for pair in points.windows(2).filter(|pair| pair[0] != pair[1]) {
-        let from = pair[0].map(Interval::point);
-        let chord = pair[1].map(Interval::point) - from;
-        length = add_up(length, part_above(formula, &from, &chord, [0.0, 1.0], HALVINGS));
+    let mut length = None;
+    for (chord, pair) in points.windows(2).enumerate().filter(|(_, pair)| pair[0] != pair[1]) {
+        let part = Chord::new(formula, [&pair[0], &pair[1]]).above([0.0, 1.0], HALVINGS, work)?;
+        let part = part.ok_or(CheckError::CurveDomain { chord })?;
+        length = Some(add_up(length.unwrap_or(0.0), part));
+    }
+    // Equal points make no chord, but the metric has to be one there.
+    if length.is_none() && !is_metric(&formula.gram(&points[0].map(Interval::point))) {
+        return Err(CheckError::CurveDomain { chord: 0 });
     }
     // A sum with an infinite term is NaN.
-    Ok(if length.is_nan() { f64::INFINITY } else { length })
+    Ok(length.map_or(0.0, |length| if length.is_nan() { f64::INFINITY } else { length }))
 }
 
-/// Returns an upper bound on the length of the part of a chord between two parameters.
-///
-/// With `g(s) = (dᵀ H(x + s d) d)^{1/2}`, the integral over `[a, b]` with the middle `m` is
-/// `(b − a)(g(m) + (b − a)² g''(ξ)/24)` for some `ξ`.
-fn part_above<const D: usize>(
-    formula: &Formula<D>,
-    from: &SVector<Interval, D>,
-    chord: &SVector<Interval, D>,
-    [a, b]: [f64; 2],
-    halvings: u32,
-) -> f64 {
-    // The parameters are multiples of a power of two.
-    let (middle, width) = (0.5 * (a + b), b - a);
-    let whole = Interval::point(a).hull(Interval::point(b));
-    let curvature = speed(formula, from, chord, whole).second(0, 0);
-    let speed = speed(formula, from, chord, Interval::point(middle)).value();
-    let length = (speed + curvature * (width * width) / 24.0) * width;
-    if length.radius() <= LOOSE * length.midpoint() || halvings == 0 {
-        return length.hi();
-    }
-    let first = part_above(formula, from, chord, [a, middle], halvings - 1);
-    // One part without a bound is enough. The others may be thousands.
-    if !(first < f64::INFINITY) {
-        return f64::INFINITY;
-    }
-    add_up(first, part_above(formula, from, chord, [middle, b], halvings - 1))
+/// Returns whether a matrix of intervals is defined, also below the diagonal, and positive definite.
+fn is_metric<const D: usize>(h: &SMatrix<Interval, D, D>) -> bool {
+    h.iter().all(|entry| entry.is_finite())
+        && Decomposed::new(symmetric(h), Interval::point(0.0)).is_some()
 }
 
-/// Returns `g` and its derivatives at the parameters in `s`.
-fn speed<const D: usize>(
-    formula: &Formula<D>,
-    from: &SVector<Interval, D>,
-    chord: &SVector<Interval, D>,
-    s: Interval,
-) -> Jet2<Interval, 1> {
-    let variable = |at: Interval| Jet2::variables(&[at])[0];
-    let (s, zero) = (variable(s), variable(Interval::point(0.0)));
-    let constant = |c: Interval| variable(c) - zero;
-    let d = chord.map(constant);
-    let x = SVector::from_fn(|i, _| constant(from[i]) + s * d[i]);
-    let h = formula.gram(&x);
-    let mut square = constant(Interval::point(0.0));
-    for i in 0..D {
-        for j in i..D {
-            let term = d[i] * d[j] * h[(i, j)];
-            square += if i == j { term } else { term * 2.0 };
+/// The points `x + s d` with `s` from 0 to 1, under a metric.
+struct Chord<'f, const D: usize> {
+    formula: &'f Formula<D>,
+    from: SVector<Interval, D>,
+    step: SVector<Interval, D>,
+    /// The box between the ends.
+    hull: SVector<Interval, D>,
+}
+
+impl<'f, const D: usize> Chord<'f, D> {
+    fn new(formula: &'f Formula<D>, ends: [&SVector<f64, D>; 2]) -> Self {
+        let [from, to] = ends.map(|x| x.map(Interval::point));
+        Self { formula, from, step: to - from, hull: from.zip_map(&to, Interval::hull) }
+    }
+
+    /// Returns an upper bound on the length between two parameters; `None` if that part is not proved
+    /// to stay where the metric is one.
+    ///
+    /// With the speed `g(s) = (dᵀ H(x + s d) d)^{1/2}`, the integral over `[a, b]` with the middle `m`
+    /// is `(b − a)(g(m) + (b − a)² g''(ξ)/24)` for some `ξ`.
+    fn above(
+        &self,
+        [a, b]: [f64; 2],
+        halvings: u32,
+        work: &Work<'_>,
+    ) -> Result<Option<f64>, CheckError> {
+        work.spend_part()?;
+        // The parameters are multiples of a power of two.
+        let (middle, width) = (0.5 * (a + b), b - a);
+        let whole = self.gram(Interval::point(a).hull(Interval::point(b)));
+        let values = whole.map(|entry| entry.value());
+        if is_metric(&values) {
+            let square = self.square(&whole);
+            let curvature = square.sqrt().second(0, 0);
+            let speed = self.square(&self.gram(Interval::point(middle))).sqrt().value();
+            let length = (speed + curvature * (width * width) / 24.0) * width;
+            let is_sharp = length.radius() <= LOOSE * length.midpoint();
+            if length.is_finite() && (is_sharp || halvings == 0) {
+                return Ok(Some(length.hi()));
+            }
+            if halvings == 0 {
+                return Ok(Some(mul_up(sqrt_up(square.value().hi()), width)));
+            }
+        } else if halvings == 0 {
+            return Ok(None);
         }
+        let Some(first) = self.above([a, middle], halvings - 1, work)? else { return Ok(None) };
+        let second = self.above([middle, b], halvings - 1, work)?;
+        Ok(second.map(|second| add_up(first, second)))
     }
-    square.sqrt()
+
+    /// Returns `H` and its derivatives at the parameters in `s`.
+    fn gram(&self, s: Interval) -> SMatrix<Jet2<Interval, 1>, D, D> {
+        let zero = Interval::point(0.0);
+        let x = SVector::from_fn(|i, _| {
+            // Rounding does not lead beyond the ends: a table may be known up to there only.
+            let at = (self.from[i] + s * self.step[i]).intersection(self.hull[i]);
+            Jet2::new(at.unwrap_or(self.hull[i]), [self.step[i]], |_, _| zero)
+        });
+        self.formula.gram(&x)
+    }
+
+    /// Returns `dᵀHd`.
+    fn square(&self, h: &SMatrix<Jet2<Interval, 1>, D, D>) -> Jet2<Interval, 1> {
+        let sum = |of: fn(&Jet2<Interval, 1>) -> Interval| {
+            let pairs = (0..D).flat_map(|i| (i..D).map(move |j| (i, j)));
+            pairs.fold(Interval::point(0.0), |sum, (i, j)| {
+                let (d, e) = (self.step[i], self.step[j]);
+                sum + of(&h[(i, j)]) * if i == j { d.sqr() } else { d * e * 2.0 }
+            })
+        };
+        let [value, first, second] =
+            [sum(|h| h.value()), sum(|h| h.first(0)), sum(|h| h.second(0, 0))];
+        Jet2::new(value, [first], |_, _| second)
+    }
 }
 
 #[cfg(test)]

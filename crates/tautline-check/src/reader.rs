@@ -51,6 +51,9 @@ impl AnyCertificate {
     }
 }
 
+/// The most tables.
+const TABLES: usize = 1024;
+
 /// A table and the name by which the formula calls it.
 type Named = (String, Arc<dyn Table>);
 
@@ -163,6 +166,10 @@ impl<'t> Lines<'t> {
         let mut tables: Vec<Named> = Vec::new();
         while self.begins("table") {
             let shape: Vec<&str> = self.next(expected)?.split(' ').skip(1).collect();
+            // Each call of the formula is compared with all tables.
+            if tables.len() == TABLES {
+                return Err(self.error("at most 1024 tables"));
+            }
             let shape: Vec<usize> =
                 shape.iter().map(|word| self.integer(word, expected)).collect::<Result<_, _>>()?;
             let Some((&last, others)) = shape.split_last() else {

@@ -9,13 +9,14 @@ use crate::{
     CheckError, Cubes, Place,
     lattice::{self, halves},
     rounding::{add_down, div_up, mul_down, sqrt_down},
-    set::{Piece, bounding_box, distance_below},
+    set::{Piece, Spot, bounding_box, distance_below},
     sweep::Sweep,
     vertex_test::{Decomposed, gram},
+    work::Work,
 };
 
 /// The most cubes of the first level.
-const MOST: usize = 1 << 23;
+pub(crate) const MOST: usize = 1 << 23;
 
 /// The most boxes on which `c₁` is proved.
 const BOXES: usize = 1 << 18;
@@ -61,8 +62,19 @@ impl Region {
         sets: [&Shape<D>; 2],
         hi: f64,
     ) -> Result<(), CheckError> {
+        self.prove_within(formula, sets, hi, &Work::unlimited())
+    }
+
+    /// Does the same, for no more than this work.
+    pub(crate) fn prove_within<const D: usize>(
+        &self,
+        formula: &Formula<D>,
+        sets: [&Shape<D>; 2],
+        hi: f64,
+        work: &Work<'_>,
+    ) -> Result<(), CheckError> {
         match *self {
-            Region::Tubes { radius, c1 } => prove_tubes(formula, sets, hi, radius, c1),
+            Region::Tubes { radius, c1 } => prove_tubes(formula, sets, hi, [radius, c1], work),
             Region::Declared { c1 } if !(c1 > 0.0 && c1.is_finite()) => {
                 Err(CheckError::Declared { c1 })
             }
@@ -83,14 +95,27 @@ impl Region {
         hi: f64,
         exponent: i32,
     ) -> Result<Cubes<D>, CheckError> {
+        self.required_within(sets, hi, exponent, MOST, &Work::unlimited())
+    }
+
+    /// Does the same, if there are no more than `most` cubes, also of those that are larger.
+    pub(crate) fn required_within<const D: usize>(
+        &self,
+        sets: [&Shape<D>; 2],
+        hi: f64,
+        exponent: i32,
+        most: usize,
+        work: &Work<'_>,
+    ) -> Result<Cubes<D>, CheckError> {
+        let limits = (exponent, most, work);
         let meets = |set: usize| {
             move |cube: &SVector<Interval, D>| !(distance_below(sets[set], cube) > 0.0)
         };
         let cubes = match *self {
-            Region::ExitOne => cubes_in(sets[0], 0.0, exponent, meets(0))?,
+            Region::ExitOne => cubes_in(sets[0], 0.0, limits, meets(0))?,
             Region::ExitTwo => {
-                let mut cubes = cubes_in(sets[0], 0.0, exponent, meets(0))?;
-                cubes.extend(cubes_in(sets[1], 0.0, exponent, meets(1))?);
+                let mut cubes = cubes_in(sets[0], 0.0, limits, meets(0))?;
+                cubes.extend(cubes_in(sets[1], 0.0, limits, meets(1))?);
                 cubes
             }
             Region::Tubes { c1, .. } | Region::Declared { c1 } => {
@@ -101,7 +126,7 @@ impl Region {
                     !(mul_down(sqrt_down(c1), both) >= hi)
                 };
                 let bounded = sets.into_iter().find(|set| bounding_box(set).is_some());
-                cubes_in(bounded.ok_or(CheckError::Unbounded)?, reach, exponent, near)?
+                cubes_in(bounded.ok_or(CheckError::Unbounded)?, reach, limits, near)?
             }
         };
         Cubes::new(exponent, cubes)
@@ -114,15 +139,18 @@ impl Region {
         sets: [&Shape<D>; 2],
         hi: f64,
         sweep: &Sweep<'_, D>,
+        work: &Work<'_>,
     ) -> Result<(), CheckError> {
         let least = match self {
             Region::Tubes { .. } | Region::Declared { .. } => return Ok(()),
             Region::ExitOne => {
-                let pieces = Piece::of(sets[1]);
-                sweep.to_the_boundary(|spot, k| pieces.iter().any(|p| p.holds_facet(spot, k)))[0]
+                let in_set = |near: &[&Piece<D>], spot: Spot<'_, D>, k| {
+                    near.iter().any(|piece| piece.holds_facet(spot, k))
+                };
+                sweep.to_the_boundary(Some(sets[1]), in_set, work)?[0]
             }
             Region::ExitTwo => {
-                let [first, second] = sweep.to_the_boundary(|_, _| false);
+                let [first, second] = sweep.to_the_boundary(None, |_, _, _| false, work)?;
                 add_down(first, second)
             }
         };
@@ -135,7 +163,7 @@ impl Region {
 fn cubes_in<const D: usize>(
     set: &Shape<D>,
     reach: f64,
-    exponent: i32,
+    (exponent, most, work): (i32, usize, &Work<'_>),
     counts: impl Fn(&SVector<Interval, D>) -> bool,
 ) -> Result<Vec<Place<D>>, CheckError> {
     let around = bounding_box(set).ok_or(CheckError::Unbounded)?;
@@ -151,7 +179,7 @@ fn cubes_in<const D: usize>(
     while lattice::side(largest) < width {
         largest += 1;
         if largest > exponent + 28 {
-            return Err(CheckError::TooLarge { most: MOST });
+            return Err(CheckError::TooLarge { most });
         }
     }
     let first = |i: usize| (around[i].lo() / lattice::side(largest)).floor() - 1.0;
@@ -171,12 +199,18 @@ fn cubes_in<const D: usize>(
         .collect();
     while largest > exponent {
         largest -= 1;
-        // No more are kept in memory than are needed to know that they are too many.
-        let smaller = left.iter().flat_map(halves).filter(|place| required(largest, place));
-        left = smaller.take(MOST + 1).collect();
-        if left.len() > MOST {
-            return Err(CheckError::TooLarge { most: MOST });
+        let mut smaller = Vec::new();
+        for place in left.iter().flat_map(halves) {
+            work.go_on()?;
+            if required(largest, &place) {
+                smaller.push(place);
+            }
+            // No more are kept in memory than are needed to know that they are too many.
+            if smaller.len() > most {
+                return Err(CheckError::TooLarge { most });
+            }
         }
+        left = smaller;
     }
     Ok(left)
 }
@@ -186,8 +220,8 @@ fn prove_tubes<const D: usize>(
     formula: &Formula<D>,
     sets: [&Shape<D>; 2],
     hi: f64,
-    radius: f64,
-    c1: f64,
+    [radius, c1]: [f64; 2],
+    work: &Work<'_>,
 ) -> Result<(), CheckError> {
     let tubes: Vec<&Shape<D>> =
         sets.into_iter().filter(|set| bounding_box(set).is_some()).collect();
@@ -202,6 +236,7 @@ fn prove_tubes<const D: usize>(
         let mut left = vec![around];
         for _ in 0..BOXES {
             let Some(part) = left.pop() else { break };
+            work.spend_box()?;
             if distance_below(tube, &part) > radius || is_at_least(formula, &part, c1) {
                 continue;
             }

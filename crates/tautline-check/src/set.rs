@@ -31,18 +31,6 @@ pub(crate) fn distance_below<const D: usize>(set: &Shape<D>, x: &SVector<Interva
     distance.lo().max(0.0)
 }
 
-/// Returns whether a point is proved to belong to a set.
-pub(crate) fn contains<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> bool {
-    match set {
-        Shape::Point(point) => point.position() == x,
-        Shape::Union(shapes) => shapes.iter().any(|shape| contains(shape, x)),
-        piece => {
-            let x = x.map(Interval::point);
-            constraints(piece).iter().all(|constraint| constraint.at(&x).hi() <= 0.0)
-        }
-    }
-}
-
 /// Returns the smallest box that contains a set, rounded outward; `None` if the set is unbounded.
 pub(crate) fn bounding_box<const D: usize>(set: &Shape<D>) -> Option<SVector<Interval, D>> {
     match set {
@@ -102,10 +90,6 @@ fn constraints<const D: usize>(piece: &Shape<D>) -> Vec<Constraint<D>> {
 }
 
 impl<const D: usize> Constraint<D> {
-    fn at(&self, x: &SVector<Interval, D>) -> Interval {
-        self.polar(x, x)
-    }
-
     /// Returns the coefficient of the Bernstein form for the vertices `x` and `y`.
     fn polar(&self, x: &SVector<Interval, D>, y: &SVector<Interval, D>) -> Interval {
         let linear = (dot(&self.normal, x) + dot(&self.normal, y)) * 0.5 - self.offset;

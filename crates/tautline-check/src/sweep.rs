@@ -8,7 +8,7 @@ use tautline_scalar::Interval;
 use tautline_sets::Shape;
 
 use crate::{
-    Level, Place,
+    CheckError, Level, Place,
     kuhn::{Simplex, simplices},
     lattice::{self, numbers},
     level_sets::{Growth, LevelSets, least_sum},
@@ -16,6 +16,7 @@ use crate::{
     rounding::mul_up,
     set::{Piece, Spot, distance_below},
     vertex_test::{Decomposed, curvature, gram},
+    work::Work,
 };
 
 /// How often the functions of the level sets are made from the simplices that are left.
@@ -60,20 +61,30 @@ pub(crate) struct Swept<const D: usize> {
 }
 
 impl<'l, const D: usize> Sweep<'l, D> {
-    /// Tests every simplex.
-    pub(crate) fn new(formula: &Formula<D>, sets: [&Shape<D>; 2], level: &'l Level<D>) -> Self {
+    /// Tests every simplex, for no more than this work.
+    pub(crate) fn new(
+        formula: &Formula<D>,
+        sets: [&Shape<D>; 2],
+        level: &'l Level<D>,
+        work: &Work<'_>,
+    ) -> Result<Self, CheckError> {
         let simplices = simplices(D);
         let cubes = level.cubes();
+        work.spend_cubes::<D>(cubes.places().len())?;
         let corners = cubes.corners();
         let exponent = cubes.exponent();
         let grams: Vec<SMatrix<Interval, D, D>> = corners
             .par_iter()
-            .map(|place| gram(formula, &lattice::point(exponent, place).map(Interval::point)))
-            .collect();
-        let tested: Vec<Vec<Tested>> = cubes
+            .map(|place| {
+                work.go_on()?;
+                Ok(gram(formula, &lattice::point(exponent, place).map(Interval::point)))
+            })
+            .collect::<Result<_, CheckError>>()?;
+        let tested = cubes
             .places()
             .par_iter()
             .map_init(Scratch::default, |scratch, place| {
+                work.go_on()?;
                 let shift = shift(formula, exponent, place);
                 numbers(&corners, place, 1, &mut scratch.numbers);
                 let mut decomposed: Vec<_> = corner_order(D)
@@ -86,21 +97,25 @@ impl<'l, const D: usize> Sweep<'l, D> {
                 }
                 let values = scratch.values(level, place);
                 let test = |simplex| tested(simplex, &values, &decomposed, 1.0 / cubes.side());
-                simplices.iter().map(test).collect()
+                Ok(simplices.iter().map(test).collect())
             })
-            .collect();
-        let meetings = [0, 1].map(|set| meetings(&simplices, sets[set], set, level));
-        Self { level, simplices, tested: tested.concat(), meetings }
+            .collect::<Result<Vec<Vec<Tested>>, CheckError>>()?;
+        let meetings = [
+            meetings(&simplices, (sets[0], 0), level, work)?,
+            meetings(&simplices, (sets[1], 1), level, work)?,
+        ];
+        Ok(Self { level, simplices, tested: tested.concat(), meetings })
     }
 
     /// Returns a lower bound on the length of the curves from set to set that stay in the cubes and
     /// are shorter than `hi`, and the cubes that they may meet.
-    pub(crate) fn shorter_than(&self, hi: f64) -> Swept<D> {
+    pub(crate) fn shorter_than(&self, hi: f64, work: &Work<'_>) -> Result<Swept<D>, CheckError> {
         let mut kept = vec![true; self.tested.len()];
         let mut lower = 0.0_f64;
         for _ in 0..ROUNDS {
+            work.go_on()?;
             let Some([start, end]) = self.ends(&kept) else {
-                return Swept { lower: hi, kept: Vec::new() };
+                return Ok(Swept { lower: hi, kept: Vec::new() });
             };
             let sets = [0, 1].map(|i| {
                 let left = self.tested.iter().zip(&kept).filter(|&(_, &kept)| kept);
@@ -128,7 +143,7 @@ impl<'l, const D: usize> Sweep<'l, D> {
         let kept = places.filter(|(_, kept)| kept.contains(&true)).map(|(place, _)| *place);
         let kept: Vec<_> = kept.collect();
         let lower = if kept.is_empty() { hi } else { lower.min(hi) };
-        Swept { lower, kept }
+        Ok(Swept { lower, kept })
     }
 
     /// Returns, for `φ` and for `ψ`, an upper bound on its own set and a lower bound on the other
@@ -150,8 +165,14 @@ impl<'l, const D: usize> Sweep<'l, D> {
     }
 
     /// Returns lower bounds on the lengths of curves in the cubes from the first set to a boundary
-    /// facet of the cubes, and from the second set. `ignored` tells which facets do not count.
-    pub(crate) fn to_the_boundary(&self, ignored: impl Fn(Spot<'_, D>, usize) -> bool) -> [f64; 2] {
+    /// facet of the cubes, and from the second set. Facets do not count that are `ignored`, given the
+    /// pieces of a set, if there is one, that the cube may meet.
+    pub(crate) fn to_the_boundary(
+        &self,
+        set: Option<&Shape<D>>,
+        ignored: impl Fn(&[&Piece<D>], Spot<'_, D>, usize) -> bool,
+        work: &Work<'_>,
+    ) -> Result<[f64; 2], CheckError> {
         // If the second set does not meet the cubes, no level is 0 on it, and its function is 0.
         let start = self.meetings.each_ref().map(|meetings| {
             meetings.iter().fold(f64::NEG_INFINITY, |start, meeting| start.max(meeting.own))
@@ -163,10 +184,15 @@ impl<'l, const D: usize> Sweep<'l, D> {
             let end = finite.fold(start[i], f64::max);
             LevelSets::new(growths, start[i], end)
         });
+        let pieces = set.map(pieces_of).unwrap_or_default();
         let mut scratch = Scratch::default();
         let mut least = [f64::INFINITY; 2];
         for place in cubes.places() {
+            work.go_on()?;
             let low = lattice::point(exponent, place);
+            let cube = lattice::cube(exponent, place);
+            let is_near = |(shape, _): &&(&Shape<D>, _)| !(distance_below(shape, &cube) > 0.0);
+            let near: Vec<&Piece<D>> = pieces.iter().filter(is_near).map(|(_, p)| p).collect();
             let values = scratch.values(self.level, place);
             for simplex in &self.simplices {
                 for (k, outward) in [(D, simplex.axes[D - 1]), (0, simplex.axes[0])] {
@@ -175,7 +201,7 @@ impl<'l, const D: usize> Sweep<'l, D> {
                     let mut beside = *place;
                     beside[outward] += if k == 0 { 1 } else { -1 };
                     let spot = Spot { simplex, low: &low, side: cubes.side() };
-                    if cubes.contains(&beside) || ignored(spot, k) {
+                    if cubes.contains(&beside) || ignored(&near, spot, k) {
                         continue;
                     }
                     for i in [0, 1] {
@@ -185,7 +211,7 @@ impl<'l, const D: usize> Sweep<'l, D> {
                 }
             }
         }
-        least
+        Ok(least)
     }
 }
 
@@ -222,20 +248,29 @@ fn tested<const D: usize>(
     Tested { growths, sum: forms[0].plus(&forms[1]).range().lo() }
 }
 
+/// Returns the pieces of a set, with what they are on simplices.
+fn pieces_of<const D: usize>(set: &Shape<D>) -> Vec<(&Shape<D>, Piece<D>)> {
+    set.pieces().into_iter().zip(Piece::of(set)).collect()
+}
+
 /// Returns the simplices that a set may meet.
 fn meetings<const D: usize>(
     simplices: &[Simplex],
-    set: &Shape<D>,
-    own: usize,
+    (set, own): (&Shape<D>, usize),
     level: &Level<D>,
-) -> Vec<Meeting> {
-    let pieces = Piece::of(set);
+    work: &Work<'_>,
+) -> Result<Vec<Meeting>, CheckError> {
+    let pieces = pieces_of(set);
     let cubes = level.cubes();
     let of_cube = |scratch: &mut Scratch, (n, place): (usize, &Place<D>)| {
+        work.go_on()?;
         let cube = lattice::cube(cubes.exponent(), place);
-        if distance_below(set, &cube) > 0.0 {
-            return Vec::new();
+        let is_near = |(shape, _): &&(&Shape<D>, _)| !(distance_below(shape, &cube) > 0.0);
+        let near: Vec<_> = pieces.iter().filter(is_near).collect();
+        if near.is_empty() {
+            return Ok(Vec::new());
         }
+        near.iter().try_for_each(|(shape, _)| work.spend_meeting(shape))?;
         let low = lattice::point(cubes.exponent(), place);
         let values = scratch.values(level, place);
         let mut meetings = Vec::new();
@@ -243,17 +278,21 @@ fn meetings<const D: usize>(
             let spot = Spot { simplex, low: &low, side: cubes.side() };
             let forms = values.map(|values| Bernstein::<D>::of(simplex, values));
             let values = |piece: &Piece<D>| piece.values(spot, [&forms[own], &forms[1 - own]]);
-            let found = pieces.iter().filter_map(values).map(|[a, b]| (a.hi(), b.lo()));
+            let found = near
+                .iter()
+                .map(|(_, piece)| piece)
+                .filter_map(values)
+                .map(|[a, b]| (a.hi(), b.lo()));
             // One for all pieces, of which there may be as many as cubes.
             if let Some((own, other)) = found.reduce(|a, b| (a.0.max(b.0), a.1.min(b.1))) {
                 meetings.push(Meeting { simplex: n * simplices.len() + s, own, other });
             }
         }
-        meetings
+        Ok(meetings)
     };
-    let found: Vec<Vec<Meeting>> =
-        cubes.places().par_iter().enumerate().map_init(Scratch::default, of_cube).collect();
-    found.concat()
+    let places = cubes.places().par_iter().enumerate();
+    let found = places.map_init(Scratch::default, of_cube);
+    Ok(found.collect::<Result<Vec<Vec<Meeting>>, CheckError>>()?.concat())
 }
 
 /// Memory for one cube.

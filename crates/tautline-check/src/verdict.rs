@@ -38,6 +38,10 @@ impl<const D: usize> Certificate<D> {
             levels: proved.levels.clone(),
         }
     }
+
+    fn judged(&self, go_on: &(dyn Fn() -> bool + Sync)) -> Result<Verdict, CheckError> {
+        Ok(self.verdict(&self.check_while(go_on)?))
+    }
 }
 
 impl AnyCertificate {
@@ -47,11 +51,20 @@ impl AnyCertificate {
     ///
     /// As for [`Certificate::check`].
     pub fn check(&self) -> Result<Verdict, CheckError> {
+        self.check_while(&|| true)
+    }
+
+    /// Does the same as long as `go_on`, which is often asked, returns true.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Certificate::check_while`].
+    pub fn check_while(&self, go_on: &(dyn Fn() -> bool + Sync)) -> Result<Verdict, CheckError> {
         match self {
-            Self::Line(certificate) => Ok(certificate.verdict(&certificate.check()?)),
-            Self::Plane(certificate) => Ok(certificate.verdict(&certificate.check()?)),
-            Self::Space(certificate) => Ok(certificate.verdict(&certificate.check()?)),
-            Self::Four(certificate) => Ok(certificate.verdict(&certificate.check()?)),
+            Self::Line(certificate) => certificate.judged(go_on),
+            Self::Plane(certificate) => certificate.judged(go_on),
+            Self::Space(certificate) => certificate.judged(go_on),
+            Self::Four(certificate) => certificate.judged(go_on),
         }
     }
 }

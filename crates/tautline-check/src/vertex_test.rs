@@ -25,7 +25,8 @@ pub(crate) fn gram<const D: usize>(
     symmetric(&formula.gram(x))
 }
 
-fn symmetric<S: Scalar, const D: usize>(h: &SMatrix<S, D, D>) -> SMatrix<S, D, D> {
+/// Returns the matrix with the entries on and above the diagonal.
+pub(crate) fn symmetric<S: Scalar, const D: usize>(h: &SMatrix<S, D, D>) -> SMatrix<S, D, D> {
     SMatrix::from_fn(|i, j| h[(i.min(j), i.max(j))])
 }
 

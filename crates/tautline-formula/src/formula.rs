@@ -57,6 +57,21 @@ impl<const D: usize> Formula<D> {
         Ok(Self { operations, entries, tables })
     }
 
+    /// Returns the formula whose entries below the diagonal are the steps of those above it, without
+    /// the steps that only the former ones read.
+    ///
+    /// The matrix of a metric is symmetric, so the values are the same. But its halves may be written
+    /// in two ways, and one may be undefined where the other is not: then the result is defined at
+    /// more points.
+    #[must_use]
+    pub fn of_upper_half(&self) -> Self {
+        let at = |i: usize, j: usize| self.entry(i.min(j), i.max(j));
+        let entries: Vec<Step> = (0..D * D).map(|place| at(place % D, place / D)).collect();
+        let (mut operations, entries) = without_idle(&self.operations, &entries, D);
+        let tables = called(&mut operations, &self.tables);
+        Self { operations, entries, tables }
+    }
+
     pub(crate) fn tape(&self) -> Tape<'_> {
         let Self { operations, entries, tables } = self;
         Tape { dimension: D, operations, entries, tables }
@@ -185,4 +200,22 @@ fn without_idle(
         kept.push(operation.with_reads(|step| moved[step as usize]));
     }
     (kept, entries.iter().map(|&entry| moved[entry as usize]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Formula;
+
+    #[test]
+    fn the_upper_half_leaves_nothing_of_the_lower_one() {
+        let of = |text: &str| Formula::<2>::parse(text, &[]).expect("a formula");
+        let typed = of("[2 + x1, x1*x2; x2*x1 + 0/x1, 3]");
+        assert_eq!(typed.of_upper_half(), of("b = x1*x2; [2 + x1, b; b, 3]"));
+        let pole = of("[1, 0; 1/x1, 1]").of_upper_half();
+        assert_eq!(pole.operations().len(), 4, "{pole}");
+        assert_eq!(pole.of_upper_half(), pole);
+        // Both functions of a pair stay.
+        let pair = of("s, c = sin_cos(x1); [2 + s, s; s + c, 2]").of_upper_half();
+        assert_eq!(Formula::parse(&pair.to_string(), &[]), Ok(pair));
+    }
 }

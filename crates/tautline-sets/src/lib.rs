@@ -73,6 +73,7 @@ mod proved_common_point;
 mod segment;
 mod set_error;
 mod shape;
+mod sign;
 mod sphere;
 mod union;
 

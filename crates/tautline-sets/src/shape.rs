@@ -70,3 +70,71 @@ impl<const D: usize> Shape<D> {
         sets.iter().map(|set| set.shape()).collect::<Option<_>>().map(Shape::Union)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SVector, vector};
+    use tautline_chance::{Random, cases, seed};
+
+    use super::Shape;
+    use crate::{
+        AxisBox, Ball, HalfSpace, Point,
+        exact::{Exact, least_product, square, squared_distances},
+        proof::point,
+    };
+
+    /// The end of the ball `|x| ≤ 0.1` is its last point, and so is (3, 4) of the ball of radius 5.
+    #[test]
+    fn points_of_the_boundary_belong_to_a_set_and_their_neighbours_outside_do_not() {
+        let ball = Shape::Ball(Ball::new([0.0], 0.1).expect("finite"));
+        let wall = Shape::HalfSpace(HalfSpace::new([3.0], 0.3).expect("a normal"));
+        let side = Shape::AxisBox(AxisBox::from_corners([-0.1], [0.1]).expect("ordered"));
+        let spot = Shape::Point(Point::new([0.1]).expect("finite"));
+        // 3 · 0.1 exceeds 0.3 as doubles.
+        let lasts = [(&ball, 0.1), (&wall, 0.1_f64.next_down()), (&side, 0.1), (&spot, 0.1)];
+        for (set, last) in lasts {
+            assert!(set.contains(&vector![last]), "{set:?}");
+            assert!(!set.contains(&vector![last.next_up()]), "{set:?}");
+        }
+        let unit = 2.0_f64.powi(-700);
+        let ball = Shape::Ball(Ball::new([1.0 * unit, 2.0 * unit], 5.0 * unit).expect("finite"));
+        let corner = vector![4.0 * unit, 6.0 * unit];
+        assert!(ball.contains(&corner));
+        assert!(!ball.contains(&vector![corner[0], corner[1].next_up()]));
+        let spot = Shape::Point(Point::new([9.0, 9.0]).expect("finite"));
+        let both = Shape::Union(vec![spot, ball]);
+        assert!(both.contains(&corner) && both.contains(&vector![9.0, 9.0]));
+        assert!(!both.contains(&vector![9.0, 6.0]));
+    }
+
+    #[test]
+    fn a_point_that_is_not_finite_belongs_to_no_set() {
+        let wall = Shape::HalfSpace(HalfSpace::new([1.0], 0.0).expect("a normal"));
+        for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!wall.contains(&vector![x]), "{x}");
+        }
+    }
+
+    /// Points within a few roundings of the boundary, against long numbers.
+    #[test]
+    fn members_are_those_of_long_numbers() {
+        let mut random = Random(seed(62));
+        let mut members = 0;
+        for _ in 0..cases(2000) {
+            let mut vector = || SVector::<f64, 3>::from_fn(|_, _| random.between(-2.0, 2.0));
+            let (c, n) = (vector(), vector());
+            let (r, b) = (random.between(0.1, 2.0), random.between(-1.0, 1.0));
+            let onto_ball = c + n.normalize() * r;
+            let onto_wall = c - n * ((n.dot(&c) - b) / n.norm_squared());
+            let ball = Shape::Ball(Ball::new(c, r).expect("finite"));
+            let in_ball = squared_distances(&point(&onto_ball), &c).0.at_most(&square(r));
+            assert_eq!(ball.contains(&onto_ball), in_ball, "{onto_ball} {ball:?}");
+            let wall = Shape::HalfSpace(HalfSpace::new(n, b).expect("a normal"));
+            let in_wall = least_product(&n, &point(&onto_wall)).at_most(&Exact::new(b));
+            assert_eq!(wall.contains(&onto_wall), in_wall, "{onto_wall} {wall:?}");
+            members += usize::from(in_ball) + usize::from(in_wall);
+        }
+        let share = members as f64 / (2.0 * f64::from(cases(2000)));
+        assert!((0.3..0.7).contains(&share), "{share}");
+    }
+}
