@@ -87,7 +87,11 @@ impl<const D: usize> Certificate<D> {
     }
 
     /// Checks for no more than this work, and counts the levels.
-    fn check_within(&self, work: &Work<'_>, checked: &mut usize) -> Result<Proved<D>, CheckError> {
+    pub(crate) fn check_within(
+        &self,
+        work: &Work<'_>,
+        checked: &mut usize,
+    ) -> Result<Proved<D>, CheckError> {
         let mut chain = Chain::begin(&self.formula, &self.sets, self.hi, self.region, work)?;
         let upper = match &self.curve {
             None => None,
@@ -106,10 +110,14 @@ impl<const D: usize> Certificate<D> {
             if chain.is_closed() {
                 break;
             }
-            // If many more cubes are required, the level lacks one. Larger cubes are seldom more than
-            // the smaller ones.
-            let most = 4 * level.cubes().places().len() + 4_usize.pow(D as u32);
-            chain.add_within(level, self.hi, most, work)?;
+            // If many more cubes are required, the level lacks one. The larger cubes, in which the search
+            // finds them, are hardly more than they are.
+            let cubes = level.cubes().places().len();
+            let most = MOST.min(4 * cubes + 4_usize.pow(D as u32));
+            chain.add_within(level, self.hi, most, work).map_err(|error| match error {
+                CheckError::TooLarge { .. } => CheckError::TooFew { cubes, required: most },
+                error => error,
+            })?;
             *checked += 1;
         }
         chain.proved(upper)
@@ -242,7 +250,7 @@ impl<'c, const D: usize> Chain<'c, D> {
         work: &Work<'_>,
     ) -> Result<(), CheckError> {
         let cubes = level.cubes();
-        let required = self.required_within(cubes.exponent(), most.min(MOST), work)?;
+        let required = self.required_within(cubes.exponent(), most, work)?;
         if let Some(place) = cubes.first_missing(required.places()) {
             return Err(CheckError::Missing { level: self.levels.len(), place: place.to_vec() });
         }

@@ -151,6 +151,7 @@ mod tests {
     use tautline_sets::{Point, Shape};
 
     use super::length_above;
+    use crate::CheckError;
 
     /// The second derivative of the speed is large at the bump, and the chord is long.
     #[test]
@@ -167,18 +168,23 @@ mod tests {
 
     /// No curve runs through a place where the metric is undefined, not even one of length 0.
     #[test]
-    fn a_curve_where_the_metric_is_undefined_has_no_bound() {
+    fn a_curve_where_the_metric_is_undefined_is_refused() {
         let formula = Formula::<1>::parse("[1 + (1/x1)^0]", &[]).expect("a formula");
-        let at = |x: f64| Shape::Point(Point::new([x]).expect("finite"));
-        let length = |points: &[f64]| {
-            let points: Vec<_> = points.iter().map(|&x| vector![x]).collect();
-            let ends = [points[0][0], points[points.len() - 1][0]].map(at);
-            length_above(&formula, ends.each_ref(), &points).expect("ends in their sets")
-        };
-        for points in [&[0.0][..], &[0.0, 0.0], &[-1.0, 2.0], &[0.0, 1.0]] {
-            assert_eq!(length(points), f64::INFINITY, "{points:?}");
+        for (points, chord) in
+            [(&[0.0][..], 0), (&[0.0, 0.0], 0), (&[-1.0, 2.0], 0), (&[1.0, 1.0, 0.5, 0.0], 2)]
+        {
+            let refused = on_the_line(&formula, points);
+            assert_eq!(refused, Err(CheckError::CurveDomain { chord }), "{points:?}");
         }
-        assert!((length(&[1.0, 2.0]) - 2.0_f64.sqrt()).abs() < 1e-12);
-        assert_eq!(length(&[1.0]), 0.0);
+        let length = on_the_line(&formula, &[1.0, 2.0]).expect("defined");
+        assert!((length - 2.0_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(on_the_line(&formula, &[1.0]), Ok(0.0));
+    }
+
+    fn on_the_line(formula: &Formula<1>, points: &[f64]) -> Result<f64, CheckError> {
+        let points: Vec<_> = points.iter().map(|&x| vector![x]).collect();
+        let ends = [points[0], points[points.len() - 1]]
+            .map(|x| Shape::Point(Point::new(x).expect("finite")));
+        length_above(formula, ends.each_ref(), &points)
     }
 }

@@ -31,7 +31,7 @@ impl AnyCertificate {
     /// [`CheckError::Line`] with the place and what should be there; [`CheckError::Dimension`];
     /// the errors of cubes and levels.
     pub fn read(text: &str) -> Result<Self, CheckError> {
-        let mut lines = Lines { text: text.split('\n').collect(), at: 0 };
+        let mut lines = Lines { text: text.split('\n').collect(), at: 0, bytes: text.len() };
         // What follows the last line feed is no line.
         let is_whole = lines.text.pop() == Some("");
         lines.expect("tautline-distance 1", "\"tautline-distance 1\"")?;
@@ -61,6 +61,8 @@ type Named = (String, Arc<dyn Table>);
 struct Lines<'t> {
     text: Vec<&'t str>,
     at: usize,
+    /// The length of the whole file.
+    bytes: usize,
 }
 
 impl<'t> Lines<'t> {
@@ -287,8 +289,9 @@ impl<'t> Lines<'t> {
         let exponent = self.integer(words[0], expected)?;
         let (runs, nodes): (usize, usize) =
             (self.integer(words[1], expected)?, self.integer(words[2], expected)?);
-        // Every node has a line of its own, and there are more nodes than cubes.
-        if nodes > self.text.len() - self.at {
+        // Every node has a line of two doubles, and there are more nodes than cubes: no more memory is
+        // taken than the file is long.
+        if nodes > (self.text.len() - self.at).min(self.bytes / 34) {
             return Err(self.error("no more nodes than lines"));
         }
         let expected = "a run of cubes after the one before";

@@ -73,12 +73,9 @@ impl<'g> Work<'g> {
 
     fn spend(&self, units: u64) -> Result<(), CheckError> {
         self.go_on()?;
-        let spent = self.spent.fetch_add(units, Relaxed);
-        // A sum of few terms of at most the budget each does not wrap around.
-        if units > self.budget || spent.saturating_add(units) > self.budget {
-            return Err(CheckError::Work { budget: self.budget });
-        }
-        Ok(())
+        let within = |spent: u64| spent.checked_add(units).filter(|&sum| sum <= self.budget);
+        let paid = self.spent.fetch_update(Relaxed, Relaxed, within);
+        paid.map(|_| ()).map_err(|_| CheckError::Work { budget: self.budget })
     }
 
     /// Asks whether to go on.
@@ -129,4 +126,115 @@ fn weight<const D: usize>(formula: &Formula<D>) -> u64 {
         Operation::Table(call) => 1 << (2 * (call.axes + 1)),
     };
     formula.operations().iter().map(of).sum::<u64>() + 1
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+    use tautline_formula::Formula;
+    use tautline_sets::{AxisBox, Ball, Point, Shape};
+
+    use super::{ALWAYS, FOR_A_NUMBER, Work, size, weight};
+    use crate::{Certificate, CheckError, Cubes, Level, Region};
+
+    fn certificate() -> Certificate<2> {
+        let point = Shape::Point(Point::new([0.5, 0.5]).expect("finite"));
+        let ball = Shape::Ball(Ball::new([1.5, 0.5], 0.25).expect("a ball"));
+        let far = AxisBox::from_corners([9.0, 9.0], [9.5, 9.5]).expect("a box");
+        let to = Shape::Union(vec![ball, Shape::AxisBox(far)]);
+        let formula = Formula::parse("s, c = sin_cos(0*x1); (c + s^5) I", &[]).expect("a formula");
+        // The sets and what curves up to 0.85 between them may meet.
+        let places = (-1..3).flat_map(|i| (-1..2).map(move |j| [i, j])).collect();
+        let cubes = Cubes::new(0, places).expect("in range");
+        let values = vec![0.0; cubes.nodes().len()];
+        let level = Level::new(0, cubes, [values.clone(), values]).expect("finite");
+        Certificate {
+            formula,
+            sets: [point, to],
+            hi: 0.85,
+            region: Region::Declared { c1: 1.0 },
+            curve: Some([0.5, 0.75, 1.25].map(|x| vector![x, 0.5]).to_vec()),
+            levels: vec![level],
+        }
+    }
+
+    /// Counted by hand, as `FORMAT.md` says.
+    #[test]
+    fn work_is_counted_as_the_format_says() {
+        let certificate = certificate();
+        // number(0), 0·x1, the pair, s^5, the sum, and the matrix.
+        let formula = certificate.formula.to_string();
+        assert_eq!(weight(&certificate.formula), 1 + 1 + 4 + 3 + 1 + 1, "{formula}");
+        // 6 lines; points, ball and box; hi; c1; 3 points; 9 · 7 nodes.
+        assert_eq!(size(&certificate), 6 + 2 + 3 + 4 + 1 + 1 + 6 + 126, "{formula}");
+        let work = Work::limited(&certificate, &|| true);
+        assert_eq!(work.budget, ALWAYS + FOR_A_NUMBER * 149);
+        certificate.check_within(&work, &mut 0).expect("all cubes are there");
+        let spent = work.spent.into_inner();
+        // Two chords; 12 cubes with 10 evaluations and 3 pieces; the point meets one cube, and the ball
+        // has no positive distance from three.
+        assert_eq!(spent, 2 * 6 * 11 + 12 * (10 * 11 + 3) + 128 * (1 + 3));
+    }
+
+    /// The budget counts, and so does the last unit of it.
+    #[test]
+    fn a_check_that_costs_more_than_its_budget_is_refused() {
+        let certificate = certificate();
+        let spent = {
+            let work = Work::limited(&certificate, &|| true);
+            certificate.check_within(&work, &mut 0).expect("all cubes are there");
+            work.spent.into_inner()
+        };
+        for (budget, is_enough) in [(spent, true), (spent - 1, false), (1, false)] {
+            let work = Work { budget, ..Work::limited(&certificate, &|| true) };
+            let checked = certificate.check_within(&work, &mut 0);
+            assert_eq!(checked.is_ok(), is_enough, "{budget} of {spent}");
+            assert!(is_enough || checked == Err(CheckError::Work { budget }));
+        }
+        // Tubes.
+        let sets = certificate.sets.each_ref();
+        let tubes = Region::Tubes { radius: 1.0, c1: 0.9 };
+        let work = Work::limited(&certificate, &|| true);
+        tubes.prove_within(&certificate.formula, sets, 0.85, &work).expect("a constant metric");
+        let (spent, box_) = (work.spent.into_inner(), 11 + 3);
+        assert!(spent >= 2 * box_ && spent % box_ == 0, "{spent}");
+        let work = Work { budget: spent - 1, ..Work::limited(&certificate, &|| true) };
+        let refused = tubes.prove_within(&certificate.formula, sets, 0.85, &work);
+        assert_eq!(refused, Err(CheckError::Work { budget: spent - 1 }));
+    }
+
+    /// Whenever it is stopped, the levels that it says it checked are those before.
+    #[test]
+    fn a_check_that_is_stopped_says_how_far_it_came() {
+        use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+        let mut certificate = certificate();
+        certificate.levels.push(certificate.levels[0].clone());
+        let mut before = 0;
+        for allowed in 0..10_000 {
+            let asked = AtomicU32::new(0);
+            let go_on = || asked.fetch_add(1, Relaxed) < allowed;
+            match certificate.check_while(&go_on) {
+                Err(CheckError::Stopped { levels, of: 2 }) => {
+                    assert!((before..2).contains(&levels), "{allowed}: {levels}");
+                    before = levels;
+                }
+                checked => {
+                    assert_eq!(checked, certificate.check());
+                    assert!(before == 1 && allowed > 20, "{allowed}");
+                    return;
+                }
+            }
+        }
+        panic!("the check never ends");
+    }
+
+    /// No sum of units wraps around.
+    #[test]
+    fn so_much_work_that_it_overflows_is_refused() {
+        let certificate = certificate();
+        let work = Work { formula: u64::MAX / 2, ..Work::limited(&certificate, &|| true) };
+        for _ in 0..9 {
+            assert!(work.spend_part().is_err() && work.spend_cubes::<2>(usize::MAX).is_err());
+        }
+    }
 }

@@ -53,6 +53,10 @@ pub(crate) struct Search<'f, const D: usize> {
 ///
 /// If the first set is unbounded, the certificate has the sets in the other order.
 ///
+/// The formula of the certificate is that of [`Formula::of_upper_half`]. If only the half below the
+/// diagonal is undefined somewhere, the lower bound is about more curves than those under the formula
+/// that was given, and so about those as well; the curve stays where both halves are defined.
+///
 /// `observe` is told about every level, and may stop the search.
 ///
 /// ```
@@ -110,6 +114,8 @@ pub fn search<const D: usize>(
     if !(length > 0.0 && length.is_finite()) {
         return Err(DistanceError::Length { length });
     }
+    // The file has one half of the matrix. That the other one is defined on the curve was proved above.
+    let formula = &formula.of_upper_half();
     let steps = (STEPS * (1e-6 / wanted.gap).powf(0.25)).clamp(400.0, 4000.0) as usize;
     let pencil = |curve: &Vec<SVector<f64, D>>| {
         let geodesic = Geodesic::near(formula, curve)?;

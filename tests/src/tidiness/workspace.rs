@@ -15,7 +15,7 @@ const BELOW: [(&str, &str); 28] = [
     ("sets", "chance scalar"),
     ("bounds", "chance metrics scalar"),
     ("discretizations", "chance formula metrics scalar"),
-    ("certify", "chance discretizations formula metrics scalar sets"),
+    ("certify", "chance discretizations formula metrics scalar sets spline"),
     ("check", "chance formula metrics scalar sets spline"),
     ("distance", "chance check formula metrics scalar sets"),
     ("lattice", "chance discretizations formula metrics sets"),

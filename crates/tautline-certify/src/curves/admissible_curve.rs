@@ -59,6 +59,15 @@ pub enum CurveError {
         /// The number of chords.
         chords: usize,
     },
+    /// The metric is not positive definite somewhere on a chord, or so nearly indefinite that 8192 parts
+    /// cannot decide. A curve has a length only where the metric is one.
+    #[error("H is not proved to be positive definite on chord {chord} of {chords}, counted from 0")]
+    Indefinite {
+        /// The index of the chord, from 0.
+        chord: usize,
+        /// The number of chords.
+        chords: usize,
+    },
     /// The formula of the metric cannot be recorded: it has too many steps, or it has branches, of
     /// which intervals would follow only one.
     #[error("a formula that cannot be recorded proves nothing: {0}")]
@@ -77,6 +86,7 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
     ///
     /// [`CurveError::NoMember`] if a set cannot prove a member, which is the default for your own
     /// sets; [`CurveError::Undefined`] if the metric is undefined somewhere on the curve;
+    /// [`CurveError::Indefinite`] if it is not proved to be positive definite there;
     /// [`CurveError::NotRecorded`] if its formula cannot be recorded.
     pub fn new(
         metric: &impl Metric<D>,
@@ -91,9 +101,10 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
         let last = member("second", &**ends.second(), sequence.last())?;
         let polygon = Polygon::new(sequence).with_ends(first, last);
         let chords = sequence.n().get();
-        let (energy, length) = polygon.enclosures(metric).map_err(|why| match why {
+        let (energy, length) = polygon.enclosures_of_a_curve(metric).map_err(|why| match why {
             NotEnclosed::NotRecorded(error) => CurveError::NotRecorded(error),
             NotEnclosed::Undefined { chord } => CurveError::Undefined { chord, chords },
+            NotEnclosed::Indefinite { chord } => CurveError::Indefinite { chord, chords },
         })?;
         Ok(Self { polygon, energy, length })
     }
@@ -131,12 +142,15 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use nalgebra::{SMatrix, SVector, vector};
     use tautline_discretizations::{LeftEndpoint, PointSequence};
-    use tautline_formula::RecordError;
+    use tautline_formula::{Formula, RecordError};
     use tautline_metrics::gallery::{Constant, Hyperbolic, Valleys};
-    use tautline_scalar::{Interval, Scalar};
+    use tautline_scalar::{Interval, Scalar, Table};
     use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace, Point, Sphere};
+    use tautline_spline::Spline;
 
     use super::{AdmissibleCurve, CurveError, Polygon};
     use crate::testing::Branch;
@@ -180,6 +194,64 @@ mod tests {
         let error = AdmissibleCurve::new(&Hyperbolic, &curve, &ends).expect_err("leaves the ball");
         // The boundary is at 1, where the second chord ends.
         assert_eq!(error, CurveError::Undefined { chord: 1, chords: 4 });
+    }
+
+    /// Along the chord `dᵀHd` is 0.1 and more, but at the origin `H₂₂ = −2`.
+    #[test]
+    fn a_chord_through_a_pocket_where_the_metric_is_indefinite_is_reported() {
+        let text = "b = exp(-50*(x1^2 + x2^2)); [1 - 0.9*b, 0; 0, 1 - 3*b]";
+        let pocket = Formula::<2>::parse(text, &[]).expect("a formula");
+        let through = line([-1.0, 0.0], [1.0, 0.0], 4);
+        let ends = Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite");
+        let error = AdmissibleCurve::new(&pocket, &through, &ends).expect_err("no metric");
+        assert_eq!(error, CurveError::Indefinite { chord: 1, chords: 4 });
+        // The pocket has the radius √(ln 3/50) = 0.1482. Chords that touch it come nearer than their ends.
+        let tent = |height: f64| {
+            let points = vec![vector![-1.0, 0.0], vector![0.0, height], vector![1.0, 0.0]];
+            PointSequence::new(points).expect("finite")
+        };
+        let error = AdmissibleCurve::new(&pocket, &tent(0.149), &ends).expect_err("no metric");
+        assert_eq!(error, CurveError::Indefinite { chord: 0, chords: 2 });
+        let above = tent(0.151);
+        let proved = AdmissibleCurve::new(&pocket, &above, &ends).expect("a metric");
+        // No curve on which H is a metric is shorter than 1.935.
+        assert!((1.935..2.0).contains(&proved.length().hi()), "{:?}", proved.length());
+        // A constant curve has a length only where the metric is one.
+        let rest = line([0.0, 0.0], [0.0, 0.0], 2);
+        let ends = Ends::points([0.0, 0.0], [0.0, 0.0]).expect("finite");
+        let error = AdmissibleCurve::new(&pocket, &rest, &ends).expect_err("no metric");
+        assert_eq!(error, CurveError::Indefinite { chord: 0, chords: 2 });
+    }
+
+    /// Every pivot counts, also one that is only known to be positive or negative.
+    #[test]
+    fn a_metric_that_degenerates_at_a_point_of_the_curve_is_reported() {
+        let of = |text: &str| Formula::<2>::parse(text, &[]).expect("a formula");
+        let ends = Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite");
+        let curve = line([-1.0, 0.0], [1.0, 0.0], 3);
+        for text in ["[1, 0; 0, x1^2]", "[1, 1; 1, 1 + x1]", "[2 - x2, 0; 0, sqr(x1 - 0.1)]"] {
+            let error = AdmissibleCurve::new(&of(text), &curve, &ends).expect_err("no metric");
+            assert!(matches!(error, CurveError::Indefinite { .. }), "{text}: {error}");
+        }
+        let pole = "[1, 0; 0*x2/(x1 + 0.5), 1]";
+        let error = AdmissibleCurve::new(&of(pole), &curve, &ends).expect_err("undefined");
+        assert!(matches!(error, CurveError::Indefinite { chord: 0, .. }), "{error}");
+    }
+
+    /// The second derivative of a table is no function's second derivative at a knot, where a chord may
+    /// end.
+    #[test]
+    fn a_chord_that_ends_at_a_knot_of_a_table_lies_in_one_cell() {
+        let table = Arc::new(Spline::new(&[4], vec![0.0, 1.0, 0.0, 1.0]).expect("a table"));
+        let tables: [(&str, Arc<dyn Table>); 1] = [("t", table)];
+        let metric = Formula::<1>::parse_with("[1 + 0.05*t_2(x1)]", &[], &tables);
+        let metric = metric.expect("a formula");
+        // The ends of chords are rounded, and 1 is a knot.
+        let points: Vec<_> = [0.1, 0.7, 1.0, 1.3].map(|x| vector![x]).to_vec();
+        let curve = PointSequence::new(points).expect("finite");
+        let ends = Ends::points([0.1], [1.3]).expect("finite");
+        let proved = AdmissibleCurve::new(&metric, &curve, &ends).expect("a metric");
+        assert!(proved.length().width() < 1e-12, "{:?}", proved.length());
     }
 
     /// Intervals would follow only one branch.

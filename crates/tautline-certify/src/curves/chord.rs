@@ -1,6 +1,6 @@
 //! `Chord`: rigorous bounds on the energy and the length of a line segment.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
 use tautline_scalar::{Enclosure, Kernel, Scalar};
 
@@ -24,6 +24,8 @@ const PANELS: usize = 8192;
 pub(super) struct Chord<K, const D: usize> {
     start: SVector<Enclosure<K>, D>,
     step: SVector<Enclosure<K>, D>,
+    /// The box between the ends, which rounding does not lead out of.
+    hull: SVector<Enclosure<K>, D>,
 }
 
 /// Enclosures of `∫₀¹ f ds` and `∫₀¹ √f ds`, where `f(s) = dᵀ H(x + s d) d`, in `m²` and `m`.
@@ -47,7 +49,8 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         y: &SVector<Enclosure<K>, D>,
     ) -> Chord<K, D> {
         // Intervals, since the difference of two doubles is rounded.
-        Chord { start: *x, step: SVector::from_fn(|i, _| y[i] - x[i]) }
+        let step = SVector::from_fn(|i, _| y[i] - x[i]);
+        Chord { start: *x, step, hull: x.zip_map(y, Enclosure::hull) }
     }
 
     /// Returns the first point, in `ℓ`.
@@ -106,13 +109,40 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         centre: Enclosure<K>,
         width: f64,
     ) -> Taylor<Enclosure<K>, M> {
-        let (x, d) = (&self.start, &self.step);
-        let at = SVector::from_fn(|i, _| Taylor::line(x[i] + d[i] * centre, d[i] * width));
+        let d = &self.step;
+        let at = self.at(centre).zip_map(d, |x, d| Taylor::line(x, d * width));
         let h = metric.gram(&at);
         Taylor::combination((0..D).flat_map(|i| (i..D).map(move |j| (i, j))).map(|(i, j)| {
             let product = if i == j { d[i].sqr() } else { d[i] * d[j] * 2.0 };
             (h[(i, j)], product)
         }))
+    }
+
+    /// Returns the points `x + s d`, which do not lie beyond the ends: a table may be smooth up to there
+    /// only.
+    fn at(&self, s: Enclosure<K>) -> SVector<Enclosure<K>, D> {
+        SVector::from_fn(|i, _| {
+            let x = self.start[i] + self.step[i] * s;
+            x.intersection(self.hull[i]).unwrap_or(self.hull[i])
+        })
+    }
+
+    /// Returns whether `H` is proved to be defined and positive definite on all of the chord: the part
+    /// that is not is bisected, as often as for the integrals.
+    pub(super) fn is_definite(&self, metric: &impl Metric<D>) -> bool {
+        let mut left = vec![Panel { centre: 0.5, width: 1.0 }];
+        let least = 0.5_f64.powi(DEPTH as i32);
+        for _ in 0..PANELS {
+            let Some(panel) = left.pop() else { return true };
+            if is_positive_definite(metric.gram(&self.at(panel.range()))) {
+                continue;
+            }
+            if panel.width <= least {
+                return false;
+            }
+            left.extend(panel.halves());
+        }
+        left.is_empty()
     }
 
     /// Returns the value `dᵀ H(x + s d) d`. At `s = 0` nothing is added to `x`.
@@ -139,9 +169,7 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         if value.is_undefined() {
             return (Integrals::undefined(), true);
         }
-        let half = 0.5 * width;
-        let range = Enclosure::new(centre - half, centre + half).expect("a panel has its ends");
-        let all: Taylor<_, 5> = self.square(metric, range, width);
+        let all: Taylor<_, 5> = self.square(metric, panel.range(), width);
         let squares = nonnegative(all.coefficient(0));
         let square = bound(squares, &middle, &all);
         let root = bound(squares.sqrt(), &middle.sqrt(), &all.sqrt());
@@ -151,10 +179,34 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
 }
 
 impl Panel {
+    /// Returns its parameters.
+    fn range<K: Kernel>(self) -> Enclosure<K> {
+        let half = 0.5 * self.width;
+        Enclosure::point(self.centre - half).hull(Enclosure::point(self.centre + half))
+    }
+
     fn halves(self) -> [Panel; 2] {
         let width = 0.5 * self.width;
         [-0.5, 0.5].map(|side| Panel { centre: self.centre + side * width, width })
     }
+}
+
+/// Returns whether every symmetric matrix within these entries is positive definite, and all entries
+/// are defined: whether the pivots of the elimination are positive.
+fn is_positive_definite<K: Kernel, const D: usize>(mut h: SMatrix<Enclosure<K>, D, D>) -> bool {
+    let is_defined = h.iter().all(|entry| entry.is_finite());
+    is_defined
+        && (0..D).all(|k| {
+            let pivot = h[(k, k)];
+            for i in k + 1..D {
+                for j in i..D {
+                    // The entries above the diagonal stand for both.
+                    let product = if i == j { h[(k, i)].sqr() } else { h[(k, i)] * h[(k, j)] };
+                    h[(i, j)] -= product / pivot;
+                }
+            }
+            pivot.lo() > 0.0
+        })
 }
 
 /// Encloses the mean of a function on a panel, given its range there and its coefficients.

@@ -40,6 +40,8 @@ pub(super) enum NotEnclosed {
     NotRecorded(RecordError),
     /// The metric is undefined somewhere on this chord; chords are counted from 0.
     Undefined { chord: usize },
+    /// The metric is not proved to be positive definite on this chord.
+    Indefinite { chord: usize },
 }
 
 /// Returns the point as a box.
@@ -133,6 +135,19 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
             root.add(integrals.root);
         }
         Ok((square.value() * self.n(), root.value()))
+    }
+
+    /// Returns the energy and the length of a curve on which the metric is one: positive definite.
+    pub(super) fn enclosures_of_a_curve(
+        &self,
+        metric: &impl Metric<D>,
+    ) -> Result<(Enclosure<K>, Enclosure<K>), NotEnclosed> {
+        let enclosures = self.enclosures(metric)?;
+        let metric = AnyMetric::new(metric);
+        match self.chords().position(|chord| !chord.is_definite(&metric)) {
+            Some(chord) => Err(NotEnclosed::Indefinite { chord }),
+            None => Ok(enclosures),
+        }
     }
 
     /// Encloses the discrete energy `E_N = N Σ Σᵢ wᵢ dᵀ H(x + θᵢ d) d` of a rule, in `m²`.

@@ -5,7 +5,7 @@ use tautline_chance::{Random, cases, seed};
 use tautline_scalar::Interval;
 use tautline_sets::{AxisBox, Ball, ClosedSet, HalfSpace, Point, Shape};
 
-use super::{Piece, Spot, bounding_box, contains, distance_below};
+use super::{Piece, Spot, bounding_box, distance_below};
 use crate::{kuhn::simplices, quadratic::Bernstein};
 
 fn set(random: &mut Random) -> Shape<2> {
@@ -45,11 +45,11 @@ fn distances_are_lower_bounds_and_nearly_exact() {
         assert!(bound <= exact + 1e-14, "{bound} > {exact}: {set:?}");
         // The cube has a diagonal of √2 sides; intervals at most double the dependence.
         assert!(bound >= exact - 3.0 * side - 1e-14, "{bound} {exact} {side}: {set:?}");
-        if contains(&set, &x) {
+        if set.contains(&x) {
             assert!(exact <= 1e-14 && bound == 0.0);
         }
         if let Some(around) = bounding_box(&set)
-            && contains(&set, &x)
+            && set.contains(&x)
         {
             assert!((0..2).all(|i| around[i].contains(x[i])));
         }
@@ -86,7 +86,7 @@ fn values_on_a_set_hold_all_samples() {
                     x[simplex.axes[0]] - x[simplex.axes[1]],
                     x[simplex.axes[1]],
                 ];
-                if !contains(&set, &x) || weights.iter().any(|&w| w < 0.0) {
+                if !set.contains(&x) || weights.iter().any(|&w| w < 0.0) {
                     continue;
                 }
                 let exact = form.at(&weights.map(Interval::point)).midpoint();

@@ -1,11 +1,13 @@
 //! One level, with numbers that are known by hand.
 
 use nalgebra::SVector;
+use tautline_chance::{Random, cases, seed};
 use tautline_formula::Formula;
-use tautline_sets::{Point, Shape};
+use tautline_scalar::Interval;
+use tautline_sets::{AxisBox, Ball, HalfSpace, Point, Shape};
 
 use super::{Sweep, Swept};
-use crate::{Cubes, Level, lattice};
+use crate::{Cubes, Level, lattice, quadratic::Bernstein, set::Spot, work::Work};
 
 type Function<'f> = &'f dyn Fn(&SVector<f64, 2>) -> f64;
 
@@ -24,15 +26,24 @@ fn points(ends: [[f64; 2]; 2]) -> [Shape<2>; 2] {
     ends.map(|x| Shape::Point(Point::new(x).expect("finite")))
 }
 
+fn tested<'l>(formula: &Formula<2>, sets: [&Shape<2>; 2], level: &'l Level<2>) -> Sweep<'l, 2> {
+    Sweep::new(formula, sets, level, &Work::unlimited()).expect("nothing stops it")
+}
+
+fn shorter(formula: &Formula<2>, sets: [&Shape<2>; 2], level: &Level<2>, hi: f64) -> Swept<2> {
+    let work = Work::unlimited();
+    tested(formula, sets, level).shorter_than(hi, &work).expect("nothing stops it")
+}
+
 fn swept(text: &str, ends: [[f64; 2]; 2], level: &Level<2>, hi: f64) -> Swept<2> {
     let sets = points(ends);
-    Sweep::new(&formula(text), sets.each_ref(), level).shorter_than(hi)
+    shorter(&formula(text), sets.each_ref(), level, hi)
 }
 
 /// Returns the bounds on the squared gradients of `φ`, simplex by simplex.
 fn squares(text: &str, level: &Level<2>) -> Vec<f64> {
     let sets = points([[0.0, 0.0]; 2]);
-    let sweep = Sweep::new(&formula(text), sets.each_ref(), level);
+    let sweep = tested(&formula(text), sets.each_ref(), level);
     sweep.tested.iter().map(|tested| tested.growths[0].q).collect()
 }
 
@@ -125,7 +136,7 @@ fn levels_begin_at_the_largest_value_on_the_set() {
     let places: Vec<[i32; 2]> = (0..8).flat_map(|i| [[i, 0], [i, 1]]).collect();
     let level = level(-1, &places, [&|x| x[0], &|x| -x[0]]);
     let to = points([ends[1]; 2])[1].clone();
-    let found = Sweep::new(&formula("1 I"), [&from, &to], &level).shorter_than(2.5);
+    let found = shorter(&formula("1 I"), [&from, &to], &level, 2.5);
     assert!(found.lower <= 2.0 + 1e-15 && found.lower > 2.0 - 1e-12, "{}", found.lower);
 }
 
@@ -134,16 +145,21 @@ fn levels_begin_at_the_largest_value_on_the_set() {
 fn every_facet_of_the_boundary_counts_once() {
     let level = level(0, &[[0, 0], [1, 0]], [&|x| x[0], &|x| 4.0 * x[1]]);
     let sets = points([[0.0, 0.5], [1.0, 0.0]]);
-    let sweep = Sweep::new(&formula("1 I"), sets.each_ref(), &level);
+    let sweep = tested(&formula("1 I"), sets.each_ref(), &level);
+    let to_the_boundary = |ignored: &dyn Fn(Spot<'_, 2>, usize) -> bool| {
+        let work = Work::unlimited();
+        let found = sweep.to_the_boundary(None, |_, spot, k| ignored(spot, k), &work);
+        found.expect("nothing stops it")
+    };
     // All facets: the left wall has the value 0, and so has the bottom for the other function.
-    assert_eq!(sweep.to_the_boundary(|_, _| false), [0.0, 0.0]);
+    assert_eq!(to_the_boundary(&|_, _| false), [0.0, 0.0]);
     // Without the first vertex of a simplex, the facet is the right or the upper wall.
-    let least = sweep.to_the_boundary(|spot, k| k != 0 || spot.simplex.axes[0] != 0);
+    let least = to_the_boundary(&|spot, k| k != 0 || spot.simplex.axes[0] != 0);
     assert!((least[0] - 2.0).abs() < 1e-12, "{least:?}");
-    let least = sweep.to_the_boundary(|spot, k| k != 0 || spot.simplex.axes[0] != 1);
+    let least = to_the_boundary(&|spot, k| k != 0 || spot.simplex.axes[0] != 1);
     assert!((least[1] - 1.0).abs() < 1e-12, "{least:?}");
     let counted = std::cell::Cell::new(0);
-    sweep.to_the_boundary(|_, _| {
+    to_the_boundary(&|_, _| {
         counted.set(counted.get() + 1);
         false
     });
@@ -159,4 +175,85 @@ fn where_the_metric_is_undefined_nothing_is_proved() {
     assert!(found.kept.contains(&[0, 0]) && found.lower < 0.5, "{found:?}");
     let q = squares("(0.1 + sqrt(x1)) I", &level);
     assert_eq!(q[..2], [f64::INFINITY; 2], "{q:?}");
+}
+
+/// One to four pieces, as large as a simplex or smaller.
+fn union(random: &mut Random) -> Shape<2> {
+    let piece = |random: &mut Random| {
+        let mut vector = |size: f64| SVector::<f64, 2>::from_fn(|_, _| random.between(-size, size));
+        let (x, y) = (vector(1.0), vector(0.5));
+        match (random.unit() * 4.0) as usize {
+            0 => Shape::Point(Point::new(x).expect("finite")),
+            1 => Shape::Ball(Ball::new(x, y.norm()).expect("a ball")),
+            2 => Shape::AxisBox(AxisBox::from_corners(x - y.abs(), x + y.abs()).expect("a box")),
+            _ => Shape::HalfSpace(HalfSpace::new(y, -0.3 * y.norm()).expect("a wall")),
+        }
+    };
+    let count = 1 + (random.unit() * 4.0) as usize;
+    Shape::Union((0..count).map(|_| piece(random)).collect())
+}
+
+/// Of all pieces in a simplex, the greatest value of the set's own function and the least one of the
+/// other count.
+#[test]
+fn the_values_at_all_points_of_a_union_are_within_those_of_its_simplices() {
+    let mut random = Random(seed(81));
+    let places: Vec<[i32; 2]> = (-1..1).flat_map(|i| (-1..1).map(move |j| [i, j])).collect();
+    let (mut seen, mut sharp) = (0, 0);
+    for _ in 0..cases(300) {
+        let sets = [union(&mut random), union(&mut random)];
+        let cubes = Cubes::new(0, places.clone()).expect("in range");
+        let count = cubes.nodes().len();
+        let values = [0, 1].map(|_| (0..count).map(|_| random.between(-1.0, 1.0)).collect());
+        let level = Level::new(0, cubes, values).expect("finite");
+        let formula = formula("1 I");
+        let sweep = tested(&formula, sets.each_ref(), &level);
+        for set in [0, 1] {
+            // Points of the set: its own ones, and those of a square.
+            let spots = sets[set].pieces().into_iter().filter_map(|piece| match piece {
+                Shape::Point(point) => Some(*point.position()),
+                _ => None,
+            });
+            let mut samples: Vec<SVector<f64, 2>> = spots.collect();
+            samples.extend((0..60).map(|_| SVector::from_fn(|_, _| random.between(-1.0, 1.0))));
+            for x in samples.iter().filter(|x| sets[set].contains(x)) {
+                let place = [0, 1].map(|i| x[i].floor() as i32);
+                let cube = level.cubes().places().binary_search(&place).expect("a cube");
+                let y = [0, 1].map(|i| Interval::point(x[i]) - f64::from(place[i]));
+                let axes = if y[0].midpoint() >= y[1].midpoint() { [0, 1] } else { [1, 0] };
+                let number = sweep.simplices.iter().position(|s| s.axes == axes).expect("one");
+                let weights =
+                    [Interval::point(1.0) - y[axes[0]], y[axes[0]] - y[axes[1]], y[axes[1]]];
+                let mut scratch = super::Scratch::default();
+                let values = scratch.values(&level, &place);
+                let value = values.map(|values| {
+                    Bernstein::<2>::of(&sweep.simplices[number], values).at(&weights)
+                });
+                let simplex = 2 * cube + number;
+                let found = sweep.meetings[set].iter().find(|found| found.simplex == simplex);
+                let found = found.unwrap_or_else(|| panic!("{x} of {:?} is missed", sets[set]));
+                assert!(value[set].lo() <= found.own, "{x} {:?} {found:?}", sets[set]);
+                assert!(found.other <= value[1 - set].hi(), "{x} {:?} {found:?}", sets[set]);
+                seen += 1;
+                sharp += usize::from(value[set].hi() > found.own - 1e-12);
+            }
+        }
+    }
+    // At a point that is the only one of its set in a simplex, the values are those of the point.
+    assert!(seen > 1000 && sharp > 20, "{seen} {sharp}");
+}
+
+/// The two functions of a facet are the greatest ones of their sets, also if a set has several pieces.
+#[test]
+fn a_facet_counts_from_the_largest_value_on_the_set() {
+    let level = level(0, &[[0, 0]], [&|x| x[0], &|_| 0.0]);
+    let from = Shape::Union([0.125, 0.5, 0.25].map(|x| points([[x, 0.5]; 2])[0].clone()).to_vec());
+    let to = points([[0.5, 0.5]; 2])[0].clone();
+    let formula = formula("1 I");
+    let sweep = tested(&formula, [&from, &to], &level);
+    let work = Work::unlimited();
+    // Only the right wall counts.
+    let ignored = |_: &[&_], spot: Spot<'_, 2>, k| k != 0 || spot.simplex.axes[0] != 0;
+    let least = sweep.to_the_boundary(None, ignored, &work).expect("nothing stops it");
+    assert!(least[0] <= 0.5 && least[0] > 0.5 - 1e-3, "{least:?}");
 }

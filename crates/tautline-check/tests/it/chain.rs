@@ -1,7 +1,9 @@
 //! Levels, the curve and the hypothesis, where a condition less would prove something false.
 
-use nalgebra::vector;
+use nalgebra::{SVector, vector};
 use tautline_check::{Certificate, Chain, CheckError, Cubes, Region, length_above};
+
+use tautline_scalar::Interval;
 
 use crate::helpers::{Function, formula, level, one_level, point, proves_at_most};
 
@@ -65,4 +67,51 @@ fn a_declared_constant_is_printed_as_a_hypothesis() {
         let text = certificate.verdict(&proved).to_string();
         assert!(text.contains("hypothesis   H >= 1e0 I everywhere"), "{text}");
     }
+}
+
+/// Each further chord is less than half a unit in the last place of the sum.
+#[test]
+fn lengths_of_chords_are_added_upward() {
+    let (count, step) = (1 << 12, 2.0_f64.powi(-54));
+    let mut points = vec![vector![-1.0]];
+    points.extend((0..=count).map(|k| vector![f64::from(k) * step]));
+    let exact = 1.0 + f64::from(count) * step;
+    for _ in 0..2 {
+        let ends = [points[0], points[points.len() - 1]].map(|x| point([x[0]]));
+        let length = length_above(&formula::<1>("1 I"), ends.each_ref(), &points);
+        assert!(length.as_ref().is_ok_and(|&length| length >= exact), "{length:?} {exact}");
+        points.reverse();
+    }
+}
+
+/// The distance from the centre of a ball rounds to its radius from both sides.
+#[test]
+fn an_end_lies_in_its_set_or_it_does_not() {
+    use tautline_sets::{Ball, HalfSpace, Shape};
+    let to = point([3.0, 4.0]);
+    let ends_in = |set: &Shape<2>, x: [f64; 2]| {
+        let curve = [SVector::from(x), vector![3.0, 4.0]];
+        length_above(&formula::<2>("1 I"), [set, &to], &curve).is_ok()
+    };
+    let ball = Shape::Ball(Ball::new([0.1, 0.2], 0.3).expect("finite"));
+    // 0.1 + 0.3 as doubles, and its neighbours: |x − c| is 0.3 only up to rounding.
+    let within = |x: f64| Interval::point(x) - 0.1;
+    let mut x = 0.1 + 0.3;
+    assert!(within(x).contains(0.3));
+    while within(x).hi() > 0.3 {
+        x = x.next_down();
+    }
+    assert!(ends_in(&ball, [x, 0.2]));
+    while within(x).lo() <= 0.3 {
+        x = x.next_up();
+    }
+    assert!(!ends_in(&ball, [x, 0.2]));
+    let ball = Shape::Ball(Ball::new([0.0, 0.0], 0.1).expect("finite"));
+    assert!(ends_in(&ball, [0.1, 0.0]) && !ends_in(&ball, [0.1_f64.next_up(), 0.0]));
+    assert!(!ends_in(&ball, [0.1, 1e-300]) && ends_in(&ball, [0.1_f64.next_down(), 1e-300]));
+    // 3 · 0.1 > 0.3, and 0.1 + 0.2 > 0.3, in exact numbers.
+    let wall = Shape::HalfSpace(HalfSpace::new([3.0, 0.0], 0.3).expect("a normal"));
+    assert!(!ends_in(&wall, [0.1, 0.0]) && ends_in(&wall, [0.1_f64.next_down(), 0.0]));
+    let wall = Shape::HalfSpace(HalfSpace::new([1.0, 1.0], 0.3).expect("a normal"));
+    assert!(!ends_in(&wall, [0.1, 0.2]) && ends_in(&wall, [0.1, 0.2_f64.next_down()]));
 }

@@ -1,14 +1,18 @@
 //! Tests of the checker through its public interface.
 
+mod budget;
 mod chain;
+mod domain;
 mod extreme_numbers;
 mod helpers;
 mod hostile_values;
 mod invariances;
 mod known_distances;
 mod pieces;
+mod program;
 mod regions;
 mod tampering;
 mod threads;
 mod unbounded_sets;
+mod unions;
 mod wave;
