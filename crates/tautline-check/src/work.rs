@@ -171,9 +171,9 @@ mod tests {
         assert_eq!(work.budget, ALWAYS + FOR_A_NUMBER * 149);
         certificate.check_within(&work, &mut 0).expect("all cubes are there");
         let spent = work.spent.into_inner();
-        // Two chords; 12 cubes with 10 evaluations and 3 pieces; the point meets one cube, and the ball
-        // has no positive distance from three.
-        assert_eq!(spent, 2 * 6 * 11 + 12 * (10 * 11 + 3) + 128 * (1 + 3));
+        // Two chords; 12 cubes with 10 evaluations and 3 pieces; the point is in one cube, and the ball
+        // in another.
+        assert_eq!(spent, 2 * 6 * 11 + 12 * (10 * 11 + 3) + 128 * (1 + 1));
     }
 
     /// The budget counts, and so does the last unit of it.

@@ -41,7 +41,7 @@ fn with_curve<const D: usize>(
 ) -> Certificate<D> {
     // Any bound above the length of the curve will do.
     let hi = 16.0;
-    let region = Region::Declared { c1: 64.0 };
+    let region = Region::Declared { c1: 4.0 };
     let cubes = region.required(sets.each_ref(), hi, 0).expect("bounded sets");
     let values = vec![0.0; cubes.nodes().len()];
     let levels = vec![Level::new(0, cubes, [values.clone(), values]).expect("finite")];
@@ -111,7 +111,7 @@ fn curves_through_a_pocket_are_refused() {
 fn no_curve_leads_across_a_line_where_there_is_no_metric() {
     let walls = [
         "[1, 0; 0, 1 + 0/(x1 - w)]",
-        "p = (x1 - w)^(-1); [1, 0*p; 0*p, 1]",
+        "p = (x1 - w)^-1; [1, 0*p; 0*p, 1]",
         "[1 + (1/(x1 - w))^0, 0; 0, 1]",
         "p = 0*ln(sqr(x1 - w)); [1, p; p, 1]",
         "[1, 0; 0, sqr(x1 - w)]",
@@ -160,7 +160,7 @@ fn curves_over_the_cells_of_a_table_are_as_long_as_they_are() {
     for number in 0..cases(120) as usize {
         let c: Vec<f64> = (0..6).map(|_| random.between(-1.0, 1.0)).collect();
         let spline = Spline::new(&[6], c).expect("finite");
-        let s = random.between(0.05, 0.8);
+        let s = random.between(0.05, 1.5);
         let h = |x: f64| 1.0 + s * spline.value(&[x], [2, 0, 0]);
         let table: [(&str, Arc<dyn Table>); 1] = [("t", Arc::new(spline.clone()))];
         let metric = Formula::<1>::parse_with("[1 + s*t_2(x1)]", &[("s", s)], &table);
