@@ -5,8 +5,11 @@ use tautline_formula::Formula;
 use tautline_sets::Shape;
 
 use crate::{
-    CheckError, Cubes, Level, Place, Region, polygon::length_within, region::MOST, sweep::Sweep,
-    work::Work,
+    CheckError, Cubes, Level, Place, Region,
+    polygon::length_within,
+    region::MOST,
+    sweep::Sweep,
+    work::{UNLIMITED, Work},
 };
 
 /// A certificate of the distance between two sets under a metric.
@@ -76,23 +79,12 @@ impl<const D: usize> Certificate<D> {
     /// [`CheckError::Stopped`] if it returned false, with what was checked until then; the others of
     /// [`check`](Certificate::check).
     pub fn check_while(&self, go_on: &(dyn Fn() -> bool + Sync)) -> Result<Proved<D>, CheckError> {
-        let work = Work::limited(self, go_on);
-        let mut checked = 0;
-        self.check_within(&work, &mut checked).map_err(|error| match error {
-            CheckError::Stopped { .. } => {
-                CheckError::Stopped { levels: checked, of: self.levels.len() }
-            }
-            error => error,
-        })
+        self.check_within(&Work::limited(self, go_on))
     }
 
-    /// Checks for no more than this work, and counts the levels.
-    pub(crate) fn check_within(
-        &self,
-        work: &Work<'_>,
-        checked: &mut usize,
-    ) -> Result<Proved<D>, CheckError> {
-        let mut chain = Chain::begin(&self.formula, &self.sets, self.hi, self.region, work)?;
+    /// Checks for no more than this work.
+    pub(crate) fn check_within(&self, work: &Work<'_>) -> Result<Proved<D>, CheckError> {
+        let mut chain = Chain::within(&self.formula, &self.sets, self.hi, self.region, work)?;
         let upper = match &self.curve {
             None => None,
             Some(points) => {
@@ -110,15 +102,8 @@ impl<const D: usize> Certificate<D> {
             if chain.is_closed() {
                 break;
             }
-            // If many more cubes are required, the level lacks one. The larger cubes, in which the search
-            // finds them, are hardly more than they are.
-            let cubes = level.cubes().places().len();
-            let most = MOST.min(4 * cubes + 4_usize.pow(D as u32));
-            chain.add_within(level, self.hi, most, work).map_err(|error| match error {
-                CheckError::TooLarge { .. } => CheckError::TooFew { cubes, required: most },
-                error => error,
-            })?;
-            *checked += 1;
+            chain.add(level, self.hi)?;
+            work.count_level();
         }
         chain.proved(upper)
     }
@@ -134,6 +119,7 @@ pub struct Chain<'c, const D: usize> {
     sets: &'c [Shape<D>; 2],
     hi: f64,
     region: Region,
+    work: &'c Work<'c>,
     lower: f64,
     /// The cubes kept by the last level.
     kept: Option<Cubes<D>>,
@@ -154,15 +140,15 @@ impl<'c, const D: usize> Chain<'c, D> {
         hi: f64,
         region: Region,
     ) -> Result<Self, CheckError> {
-        Self::begin(formula, sets, hi, region, &Work::unlimited())
+        Self::within(formula, sets, hi, region, &UNLIMITED)
     }
 
-    fn begin(
+    fn within(
         formula: &'c Formula<D>,
         sets: &'c [Shape<D>; 2],
         hi: f64,
         region: Region,
-        work: &Work<'_>,
+        work: &'c Work<'c>,
     ) -> Result<Self, CheckError> {
         if !(1..=crate::LARGEST_DIMENSION).contains(&D) {
             return Err(CheckError::Dimension { dimension: D });
@@ -171,13 +157,12 @@ impl<'c, const D: usize> Chain<'c, D> {
             return Err(CheckError::Bound { hi });
         }
         let mut pairs = (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j)));
-        if let Some((row, column)) =
-            pairs.find(|&(i, j)| formula.entry(i, j) != formula.entry(j, i))
-        {
+        let differ = pairs.find(|&(i, j)| formula.entry(i, j) != formula.entry(j, i));
+        if let Some((row, column)) = differ {
             return Err(CheckError::Halves { row, column });
         }
         region.prove_within(formula, sets.each_ref(), hi, work)?;
-        Ok(Self { formula, sets, hi, region, lower: 0.0, kept: None, levels: Vec::new() })
+        Ok(Self { formula, sets, hi, region, work, lower: 0.0, kept: None, levels: Vec::new() })
     }
 
     /// Returns the lower bound proved so far, in `m`.
@@ -206,19 +191,14 @@ impl<'c, const D: usize> Chain<'c, D> {
     /// large, [`CheckError::Side`] and [`CheckError::Place`] if halves are out of range; for the first
     /// level the errors of [`Region::required`].
     pub fn required(&self, exponent: i32) -> Result<Cubes<D>, CheckError> {
-        self.required_within(exponent, MOST, &Work::unlimited())
+        self.required_of(exponent, MOST)
     }
 
-    fn required_within(
-        &self,
-        exponent: i32,
-        most: usize,
-        work: &Work<'_>,
-    ) -> Result<Cubes<D>, CheckError> {
+    fn required_of(&self, exponent: i32, most: usize) -> Result<Cubes<D>, CheckError> {
         match &self.kept {
             None => {
-                let sets = self.sets.each_ref();
-                self.region.required_within(sets, self.hi, exponent, most, work)
+                let limits = (exponent, most, self.work);
+                self.region.required_within(self.sets.each_ref(), self.hi, limits)
             }
             Some(kept) if exponent == kept.exponent() => Ok(kept.clone()),
             Some(kept) if exponent == kept.exponent() - 1 => kept.halved(),
@@ -239,18 +219,9 @@ impl<'c, const D: usize> Chain<'c, D> {
     /// the errors of [`required`](Chain::required), and [`CheckError::Exit`] if curves may leave the
     /// first level.
     pub fn add(&mut self, level: &Level<D>, keep: f64) -> Result<(), CheckError> {
-        self.add_within(level, keep, MOST, &Work::unlimited())
-    }
-
-    fn add_within(
-        &mut self,
-        level: &Level<D>,
-        keep: f64,
-        most: usize,
-        work: &Work<'_>,
-    ) -> Result<(), CheckError> {
         let cubes = level.cubes();
-        let required = self.required_within(cubes.exponent(), most, work)?;
+        let most = self.work.most_cubes::<D>(cubes.places().len());
+        let required = self.required_of(cubes.exponent(), most)?;
         if let Some(place) = cubes.first_missing(required.places()) {
             return Err(CheckError::Missing { level: self.levels.len(), place: place.to_vec() });
         }
@@ -258,11 +229,11 @@ impl<'c, const D: usize> Chain<'c, D> {
             return Err(CheckError::Empty);
         }
         let sets = self.sets.each_ref();
-        let sweep = Sweep::new(self.formula, sets, level, work)?;
+        let sweep = Sweep::new(self.formula, sets, level, self.work)?;
         if self.kept.is_none() {
-            self.region.prove_exit(sets, self.hi, &sweep, work)?;
+            self.region.prove_exit(sets, self.hi, &sweep)?;
         }
-        let swept = sweep.shorter_than(self.hi.max(keep), work)?;
+        let swept = sweep.shorter_than(self.hi.max(keep))?;
         let kept: Vec<Place<D>> = swept.kept;
         self.lower = self.lower.max(swept.lower.min(self.hi));
         self.kept = Some(Cubes::new(cubes.exponent(), kept)?);

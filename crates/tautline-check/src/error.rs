@@ -112,19 +112,11 @@ pub enum CheckError {
     /// Neither set is bounded, or the region needs a bounded one.
     #[error("the region of this kind needs bounded sets")]
     Unbounded,
-    /// The region has more cubes than can be checked.
+    /// The region has more cubes than can be checked, or far more than the first level has.
     #[error("the region has more than {most} cubes")]
     TooLarge {
         /// The limit.
         most: usize,
-    },
-    /// The region has far more cubes than the first level.
-    #[error("level 0 has {cubes} cubes, and the region more than {required}")]
-    TooFew {
-        /// The number of cubes of the level.
-        cubes: usize,
-        /// What the region exceeds.
-        required: usize,
     },
     /// Short curves may leave the cubes of the first level.
     #[error("a curve of length {least} may leave the cubes, which is less than {hi}")]

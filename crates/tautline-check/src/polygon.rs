@@ -10,7 +10,7 @@ use crate::{
     CheckError,
     rounding::{add_up, mul_up, sqrt_up},
     vertex_test::{Decomposed, symmetric},
-    work::Work,
+    work::{UNLIMITED, Work},
 };
 
 /// How often a chord may be halved.
@@ -31,7 +31,7 @@ pub fn length_above<const D: usize>(
     sets: [&Shape<D>; 2],
     points: &[SVector<f64, D>],
 ) -> Result<f64, CheckError> {
-    length_within(formula, sets, points, &Work::unlimited())
+    length_within(formula, sets, points, &UNLIMITED)
 }
 
 /// Does the same, for no more than this work.
@@ -93,7 +93,7 @@ impl<'f, const D: usize> Chord<'f, D> {
         halvings: u32,
         work: &Work<'_>,
     ) -> Result<Option<f64>, CheckError> {
-        work.spend_part()?;
+        work.spend(6 * work.formula)?;
         // The parameters are multiples of a power of two.
         let (middle, width) = (0.5 * (a + b), b - a);
         let whole = self.gram(Interval::point(a).hull(Interval::point(b)));

@@ -12,7 +12,7 @@ use crate::{
     set::{Piece, Spot, bounding_box, distance_below},
     sweep::Sweep,
     vertex_test::{Decomposed, gram},
-    work::Work,
+    work::{UNLIMITED, Work},
 };
 
 /// The most cubes of the first level.
@@ -62,7 +62,7 @@ impl Region {
         sets: [&Shape<D>; 2],
         hi: f64,
     ) -> Result<(), CheckError> {
-        self.prove_within(formula, sets, hi, &Work::unlimited())
+        self.prove_within(formula, sets, hi, &UNLIMITED)
     }
 
     /// Does the same, for no more than this work.
@@ -95,19 +95,18 @@ impl Region {
         hi: f64,
         exponent: i32,
     ) -> Result<Cubes<D>, CheckError> {
-        self.required_within(sets, hi, exponent, MOST, &Work::unlimited())
+        self.required_within(sets, hi, (exponent, MOST, &UNLIMITED))
     }
 
-    /// Does the same, if there are no more than `most` cubes, also of those that are larger.
+    /// Does the same, given the exponent, if there are no more than so many cubes, also of those that
+    /// are larger.
     pub(crate) fn required_within<const D: usize>(
         &self,
         sets: [&Shape<D>; 2],
         hi: f64,
-        exponent: i32,
-        most: usize,
-        work: &Work<'_>,
+        limits: (i32, usize, &Work<'_>),
     ) -> Result<Cubes<D>, CheckError> {
-        let limits = (exponent, most, work);
+        let exponent = limits.0;
         let meets = |set: usize| {
             move |cube: &SVector<Interval, D>| !(distance_below(sets[set], cube) > 0.0)
         };
@@ -139,7 +138,6 @@ impl Region {
         sets: [&Shape<D>; 2],
         hi: f64,
         sweep: &Sweep<'_, D>,
-        work: &Work<'_>,
     ) -> Result<(), CheckError> {
         let least = match self {
             Region::Tubes { .. } | Region::Declared { .. } => return Ok(()),
@@ -147,10 +145,10 @@ impl Region {
                 let in_set = |near: &[&Piece<D>], spot: Spot<'_, D>, k| {
                     near.iter().any(|piece| piece.holds_facet(spot, k))
                 };
-                sweep.to_the_boundary(Some(sets[1]), in_set, work)?[0]
+                sweep.to_the_boundary(Some(sets[1]), in_set)?[0]
             }
             Region::ExitTwo => {
-                let [first, second] = sweep.to_the_boundary(None, |_, _, _| false, work)?;
+                let [first, second] = sweep.to_the_boundary(None, |_, _, _| false)?;
                 add_down(first, second)
             }
         };
@@ -236,7 +234,7 @@ fn prove_tubes<const D: usize>(
         let mut left = vec![around];
         for _ in 0..BOXES {
             let Some(part) = left.pop() else { break };
-            work.spend_box()?;
+            work.spend(work.formula + work.pieces)?;
             if distance_below(tube, &part) > radius || is_at_least(formula, &part, c1) {
                 continue;
             }

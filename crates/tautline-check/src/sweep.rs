@@ -1,7 +1,7 @@
 //! One level of the proof: a lower bound on the distance, and the simplices that short curves may
 //! meet.
 
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
 use tautline_formula::Formula;
 use tautline_scalar::Interval;
@@ -44,6 +44,7 @@ struct Meeting {
 #[derive(Debug)]
 pub(crate) struct Sweep<'l, const D: usize> {
     level: &'l Level<D>,
+    work: &'l Work<'l>,
     simplices: Vec<Simplex>,
     /// Cube by cube, the simplices of each in order.
     tested: Vec<Tested>,
@@ -66,7 +67,7 @@ impl<'l, const D: usize> Sweep<'l, D> {
         formula: &Formula<D>,
         sets: [&Shape<D>; 2],
         level: &'l Level<D>,
-        work: &Work<'_>,
+        work: &'l Work<'l>,
     ) -> Result<Self, CheckError> {
         let simplices = simplices(D);
         let cubes = level.cubes();
@@ -104,16 +105,16 @@ impl<'l, const D: usize> Sweep<'l, D> {
             meetings(&simplices, (sets[0], 0), level, work)?,
             meetings(&simplices, (sets[1], 1), level, work)?,
         ];
-        Ok(Self { level, simplices, tested: tested.concat(), meetings })
+        Ok(Self { level, work, simplices, tested: tested.concat(), meetings })
     }
 
     /// Returns a lower bound on the length of the curves from set to set that stay in the cubes and
     /// are shorter than `hi`, and the cubes that they may meet.
-    pub(crate) fn shorter_than(&self, hi: f64, work: &Work<'_>) -> Result<Swept<D>, CheckError> {
+    pub(crate) fn shorter_than(&self, hi: f64) -> Result<Swept<D>, CheckError> {
         let mut kept = vec![true; self.tested.len()];
         let mut lower = 0.0_f64;
         for _ in 0..ROUNDS {
-            work.go_on()?;
+            self.work.go_on()?;
             let Some([start, end]) = self.ends(&kept) else {
                 return Ok(Swept { lower: hi, kept: Vec::new() });
             };
@@ -171,7 +172,6 @@ impl<'l, const D: usize> Sweep<'l, D> {
         &self,
         set: Option<&Shape<D>>,
         ignored: impl Fn(&[&Piece<D>], Spot<'_, D>, usize) -> bool,
-        work: &Work<'_>,
     ) -> Result<[f64; 2], CheckError> {
         // If the second set does not meet the cubes, no level is 0 on it, and its function is 0.
         let start = self.meetings.each_ref().map(|meetings| {
@@ -188,11 +188,10 @@ impl<'l, const D: usize> Sweep<'l, D> {
         let mut scratch = Scratch::default();
         let mut least = [f64::INFINITY; 2];
         for place in cubes.places() {
-            work.go_on()?;
+            self.work.go_on()?;
             let low = lattice::point(exponent, place);
             let cube = lattice::cube(exponent, place);
-            let is_near = |(shape, _): &&(&Shape<D>, _)| !(distance_below(shape, &cube) > 0.0);
-            let near: Vec<&Piece<D>> = pieces.iter().filter(is_near).map(|(_, p)| p).collect();
+            let near: Vec<&Piece<D>> = near(&pieces, &cube).map(|(_, piece)| piece).collect();
             let values = scratch.values(self.level, place);
             for simplex in &self.simplices {
                 for (k, outward) in [(D, simplex.axes[D - 1]), (0, simplex.axes[0])] {
@@ -248,9 +247,19 @@ fn tested<const D: usize>(
     Tested { growths, sum: forms[0].plus(&forms[1]).range().lo() }
 }
 
-/// Returns the pieces of a set, with what they are on simplices.
-fn pieces_of<const D: usize>(set: &Shape<D>) -> Vec<(&Shape<D>, Piece<D>)> {
+/// A piece of a set, with what it is on simplices.
+type Both<'s, const D: usize> = (&'s Shape<D>, Piece<D>);
+
+fn pieces_of<const D: usize>(set: &Shape<D>) -> Vec<Both<'_, D>> {
     set.pieces().into_iter().zip(Piece::of(set)).collect()
+}
+
+/// Returns the pieces that a cube may meet.
+fn near<'p, const D: usize>(
+    pieces: &'p [Both<'_, D>],
+    cube: &SVector<Interval, D>,
+) -> impl Iterator<Item = &'p Both<'p, D>> {
+    pieces.iter().filter(move |(shape, _)| !(distance_below(shape, cube) > 0.0))
 }
 
 /// Returns the simplices that a set may meet.
@@ -265,8 +274,7 @@ fn meetings<const D: usize>(
     let of_cube = |scratch: &mut Scratch, (n, place): (usize, &Place<D>)| {
         work.go_on()?;
         let cube = lattice::cube(cubes.exponent(), place);
-        let is_near = |(shape, _): &&(&Shape<D>, _)| !(distance_below(shape, &cube) > 0.0);
-        let near: Vec<_> = pieces.iter().filter(is_near).collect();
+        let near: Vec<_> = near(&pieces, &cube).collect();
         if near.is_empty() {
             return Ok(Vec::new());
         }

@@ -5,14 +5,15 @@
 
 use std::{
     any::Any,
-    sync::atomic::{AtomicU64, Ordering::Relaxed},
+    fmt::{self, Debug, Formatter},
+    sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed},
 };
 
 use tautline_formula::{Formula, Function, Operation};
 use tautline_sets::Shape;
 use tautline_spline::Spline;
 
-use crate::{Certificate, CheckError, Region};
+use crate::{Certificate, CheckError, Region, region::MOST};
 
 /// The units that every certificate may cost, and those for each of its numbers.
 const ALWAYS: u64 = 1 << 24;
@@ -21,57 +22,60 @@ const FOR_A_NUMBER: u64 = 1 << 16;
 /// What a check has cost and may cost, and whether it is to go on.
 pub(crate) struct Work<'g> {
     /// The weight of the formula.
-    formula: u64,
+    pub(crate) formula: u64,
     /// The number of pieces of both sets.
-    pieces: u64,
+    pub(crate) pieces: u64,
     budget: u64,
     spent: AtomicU64,
+    /// How many levels there are, and how many of them are checked.
+    levels: usize,
+    checked: AtomicUsize,
     go_on: &'g (dyn Fn() -> bool + Sync),
 }
 
-impl<'g> Work<'g> {
-    /// Returns the work of a check that may cost what it likes.
-    pub(crate) fn unlimited() -> Work<'static> {
-        let spent = AtomicU64::new(0);
-        Work { formula: 0, pieces: 0, budget: u64::MAX, spent, go_on: &|| true }
-    }
+/// The work of a check that may cost what it likes.
+pub(crate) static UNLIMITED: Work<'static> = Work {
+    formula: 0,
+    pieces: 0,
+    budget: u64::MAX,
+    spent: AtomicU64::new(0),
+    levels: 0,
+    checked: AtomicUsize::new(0),
+    go_on: &|| true,
+};
 
+impl<'g> Work<'g> {
     /// Returns the work that a certificate may cost, as long as `go_on` is true.
     pub(crate) fn limited<const D: usize>(
         certificate: &Certificate<D>,
         go_on: &'g (dyn Fn() -> bool + Sync),
     ) -> Self {
-        let pieces = certificate.sets.iter().map(|set| set.pieces().len() as u64).sum();
-        let budget = FOR_A_NUMBER.saturating_mul(size(certificate)).saturating_add(ALWAYS);
-        let formula = weight(&certificate.formula);
-        Self { formula, pieces, budget, spent: AtomicU64::new(0), go_on }
-    }
-
-    /// Pays for a box of a tube.
-    pub(crate) fn spend_box(&self) -> Result<(), CheckError> {
-        self.spend(self.formula.saturating_add(self.pieces))
-    }
-
-    /// Pays for a part of a chord.
-    pub(crate) fn spend_part(&self) -> Result<(), CheckError> {
-        self.spend(self.formula.saturating_mul(6))
+        Self {
+            formula: weight(&certificate.formula),
+            pieces: certificate.sets.iter().map(|set| set.pieces().len() as u64).sum(),
+            budget: FOR_A_NUMBER.saturating_mul(size(certificate)).saturating_add(ALWAYS),
+            spent: AtomicU64::new(0),
+            levels: certificate.levels.len(),
+            checked: AtomicUsize::new(0),
+            go_on,
+        }
     }
 
     /// Pays for the cubes of a level.
     pub(crate) fn spend_cubes<const D: usize>(&self, count: usize) -> Result<(), CheckError> {
-        let evaluations = (1 << D) + (D + 1) * (D + 2) / 2;
-        let cube = self.formula.saturating_mul(evaluations as u64).saturating_add(self.pieces);
+        let evaluations = (1 << D) + (D as u64 + 1) * (D as u64 + 2) / 2;
+        let cube = evaluations * self.formula + self.pieces;
         self.spend(cube.saturating_mul(count as u64))
     }
 
     /// Pays for a piece of a set that may meet a cube.
     pub(crate) fn spend_meeting<const D: usize>(&self, piece: &Shape<D>) -> Result<(), CheckError> {
         let functions = if matches!(piece, Shape::AxisBox(_)) { 2 * D } else { 1 };
-        let simplices = (1..=D).product::<usize>();
-        self.spend((64 * simplices * functions) as u64)
+        self.spend((64 * (1..=D).product::<usize>() * functions) as u64)
     }
 
-    fn spend(&self, units: u64) -> Result<(), CheckError> {
+    /// Pays so many units, if it is to go on.
+    pub(crate) fn spend(&self, units: u64) -> Result<(), CheckError> {
         self.go_on()?;
         let within = |spent: u64| spent.checked_add(units).filter(|&sum| sum <= self.budget);
         let paid = self.spent.fetch_update(Relaxed, Relaxed, within);
@@ -80,7 +84,26 @@ impl<'g> Work<'g> {
 
     /// Asks whether to go on.
     pub(crate) fn go_on(&self) -> Result<(), CheckError> {
-        if (self.go_on)() { Ok(()) } else { Err(CheckError::Stopped { levels: 0, of: 0 }) }
+        let (levels, of) = (self.checked.load(Relaxed), self.levels);
+        if (self.go_on)() { Ok(()) } else { Err(CheckError::Stopped { levels, of }) }
+    }
+
+    /// Counts one more level as checked.
+    pub(crate) fn count_level(&self) {
+        self.checked.fetch_add(1, Relaxed);
+    }
+
+    /// Returns how many cubes are searched for that a first level of so many cubes has to contain. If
+    /// many more are required, it lacks one. The larger cubes, in which the search finds them, are hardly
+    /// more than they are.
+    pub(crate) fn most_cubes<const D: usize>(&self, cubes: usize) -> usize {
+        if self.budget == u64::MAX { MOST } else { MOST.min(4 * cubes + (1 << (2 * D))) }
+    }
+}
+
+impl Debug for Work<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "Work({:?} of {})", self.spent, self.budget)
     }
 }
 
@@ -169,7 +192,7 @@ mod tests {
         assert_eq!(size(&certificate), 6 + 2 + 3 + 4 + 1 + 1 + 6 + 126, "{formula}");
         let work = Work::limited(&certificate, &|| true);
         assert_eq!(work.budget, ALWAYS + FOR_A_NUMBER * 149);
-        certificate.check_within(&work, &mut 0).expect("all cubes are there");
+        certificate.check_within(&work).expect("all cubes are there");
         let spent = work.spent.into_inner();
         // Two chords; 12 cubes with 10 evaluations and 3 pieces; the point is in one cube, and the ball
         // in another.
@@ -182,12 +205,12 @@ mod tests {
         let certificate = certificate();
         let spent = {
             let work = Work::limited(&certificate, &|| true);
-            certificate.check_within(&work, &mut 0).expect("all cubes are there");
+            certificate.check_within(&work).expect("all cubes are there");
             work.spent.into_inner()
         };
         for (budget, is_enough) in [(spent, true), (spent - 1, false), (1, false)] {
             let work = Work { budget, ..Work::limited(&certificate, &|| true) };
-            let checked = certificate.check_within(&work, &mut 0);
+            let checked = certificate.check_within(&work);
             assert_eq!(checked.is_ok(), is_enough, "{budget} of {spent}");
             assert!(is_enough || checked == Err(CheckError::Work { budget }));
         }
@@ -232,9 +255,10 @@ mod tests {
     #[test]
     fn so_much_work_that_it_overflows_is_refused() {
         let certificate = certificate();
-        let work = Work { formula: u64::MAX / 2, ..Work::limited(&certificate, &|| true) };
+        let work = Work::limited(&certificate, &|| true);
         for _ in 0..9 {
-            assert!(work.spend_part().is_err() && work.spend_cubes::<2>(usize::MAX).is_err());
+            assert!(work.spend(u64::MAX).is_err() && work.spend_cubes::<2>(usize::MAX).is_err());
         }
+        assert_eq!(work.spend(1), Ok(()));
     }
 }

@@ -141,3 +141,22 @@ fn facets_in_a_set_are_found_and_no_others() {
     assert!(ball.holds_facet(spot, 0) && !ball.holds_facet(spot, 1));
     assert!(!Piece::<2>::Point(SVector::repeat(Interval::point(0.0))).holds_facet(spot, 0));
 }
+
+/// At a point a linear function is the product of two doubles, which is exact in a fused operation up
+/// to its last rounding.
+#[test]
+fn values_at_points_are_rounded_outward() {
+    let mut random = Random(seed(53));
+    for _ in 0..cases(200) {
+        let (slope, x) = (random.between(0.1, 9.0), random.unit());
+        let simplex = &simplices(1)[0];
+        let low = SVector::zeros();
+        let form = Bernstein::<1>::of(simplex, &[0.0, 0.5 * slope, slope]);
+        let piece = Piece::of(&Shape::Point(Point::new([x]).expect("finite"))).remove(0);
+        let spot = Spot { simplex, low: &low, side: 1.0 };
+        let [range] = piece.values(spot, [&form]).expect("a point of the cube");
+        assert!(slope.mul_add(x, -range.lo()) >= 0.0, "{slope} {x}");
+        assert!(slope.mul_add(x, -range.hi()) <= 0.0, "{slope} {x}");
+        assert!(range.width() < 1e-14, "{range:?}");
+    }
+}

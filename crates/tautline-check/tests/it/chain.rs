@@ -115,3 +115,20 @@ fn an_end_lies_in_its_set_or_it_does_not() {
     let wall = Shape::HalfSpace(HalfSpace::new([1.0, 1.0], 0.3).expect("a normal"));
     assert!(!ends_in(&wall, [0.1, 0.2]) && ends_in(&wall, [0.1, 0.2_f64.next_down()]));
 }
+
+/// A chord is one also if some coordinates of its ends are equal.
+#[test]
+fn chords_along_all_axes_have_their_lengths() {
+    let mut points = vec![SVector::<f64, 3>::zeros()];
+    for axis in [0, 1, 2, 1, 0, 2] {
+        let mut next = points[points.len() - 1];
+        points.push(next);
+        next[axis] += 0.5;
+        points.push(next);
+    }
+    let ends = [points[0], points[points.len() - 1]].map(|x| point(x.into()));
+    // Two chords of half a unit along each axis have the lengths 2, 4 and 8.
+    let metric = formula::<3>("[4, 1, 0; 1, 16, 0; 0, 0, 64]");
+    let length = length_above(&metric, ends.each_ref(), &points).expect("a metric");
+    assert!((14.0..14.0 + 1e-13).contains(&length), "{length}");
+}

@@ -292,3 +292,45 @@ fn curves_end_in_their_sets_and_nowhere_else() {
     }
     assert!(accepted > 10 && refused > 10, "{accepted} {refused}");
 }
+
+/// Rounding does not lead a part of a chord beyond its end: there the root would be undefined.
+#[test]
+fn a_curve_may_end_where_the_domain_ends() {
+    let metric = || formula::<1>("[1 + sqrt(1 - x1)]");
+    // ∫ √(1 + √t) dt from 0
+    let primitive = |t: f64| {
+        let y = 1.0 + t.sqrt();
+        2.0 * (0.4 * y.powf(2.5) - y.powf(1.5) / 1.5) + 8.0 / 15.0
+    };
+    for number in 0..20 {
+        let x = 0.05 * f64::from(number) + 1e-3;
+        let curve = vec![vector![x], vector![1.0]];
+        let sets = [point([x]), point([1.0])];
+        let upper = checked("root", number as usize, &with_curve(metric(), sets, curve));
+        let exact = primitive(1.0 - x);
+        let is_bound = |upper: f64| upper >= exact * (1.0 - 1e-12) && upper <= exact * 1.003;
+        assert!(upper.as_ref().is_ok_and(|&upper| is_bound(upper)), "{x}: {upper:?} {exact}");
+    }
+    // One unit in the last place farther there is none.
+    let far = 1.0_f64.next_up();
+    let certificate =
+        with_curve(metric(), [point([0.5]), point([far])], vec![vector![0.5], vector![far]]);
+    let checked = checked("root", 20, &certificate);
+    assert_eq!(checked, Err(CheckError::CurveDomain { chord: 0 }));
+}
+
+/// Intervals do not see that `x₁ − x₁` is 0, so that no part is known to lie in one cell, and `T″` has a
+/// peak at the knot 2: what counts on each part is the greatest speed there.
+#[test]
+fn without_a_second_derivative_the_greatest_speed_counts() {
+    let spline = Spline::new(&[4], vec![0.0, 1.0, 0.0, 1.0]).expect("finite");
+    assert_eq!(spline.value(&[2.0], [2, 0, 0]), 2.0);
+    let table: [(&str, Arc<dyn Table>); 1] = [("t", Arc::new(spline))];
+    let metric = Formula::<1>::parse_with("[1 + 0.4*t_2(2 + (x1 - x1))]", &[], &table);
+    let metric = metric.expect("a formula");
+    let exact = 1.8_f64.sqrt();
+    let curve = vec![vector![0.0], vector![1.0]];
+    let certificate = with_curve(metric, [0.0, 1.0].map(|x| point([x])), curve);
+    let upper = checked("peak", 0, &certificate).expect("a metric everywhere");
+    assert!(upper >= exact * (1.0 - 1e-15) && upper <= exact * 1.001, "{upper} {exact}");
+}

@@ -46,10 +46,13 @@ fn the_width_of_tubes_is_measured_by_the_root_of_the_constant() {
 /// A facet in the planes of two sides of a box lies in the box only if it is between all of them.
 #[test]
 fn a_facet_beside_a_box_counts() {
-    let sets = [point([0.5, 0.5]), axis_box([3.0, 3.0], [10.0, 10.0])];
-    let zero = [&|_: &SVector<f64, 2>| 0.0; 2];
-    let refused = on_cubes("1 I", sets, 100.0, Region::ExitOne, 0, &[[0, 0]], [zero[0], zero[1]]);
-    assert!(matches!(refused, Err(CheckError::Exit { .. })), "{refused:?}");
+    // The second one touches the cube, and the third one holds half of a side.
+    for lower in [[3.0, 3.0], [1.0, 1.0], [1.0, 0.5]] {
+        let sets = [point([0.5, 0.5]), axis_box(lower, [10.0, 10.0])];
+        let zero = [&|_: &SVector<f64, 2>| 0.0; 2];
+        let found = on_cubes("1 I", sets, 100.0, Region::ExitOne, 0, &[[0, 0]], [zero[0], zero[1]]);
+        assert!(matches!(found, Err(CheckError::Exit { .. })), "{lower:?}: {found:?}");
+    }
 }
 
 /// The curve from 0 to 1.2 leaves the cubes near 0 and ends outside of those near 10.

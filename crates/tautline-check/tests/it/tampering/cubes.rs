@@ -83,7 +83,7 @@ fn an_intermediate_level_cannot_be_left_out() {
     let mut certificate = BASE.certificate.clone();
     certificate.levels.remove(0);
     let refused = certificate.check();
-    assert!(matches!(refused, Err(CheckError::TooFew { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(CheckError::TooLarge { .. })), "{refused:?}");
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn two_levels_cannot_change_places() {
         certificate.levels.swap(a, b);
         let refused = certificate.check();
         let is_refused =
-            matches!(refused, Err(CheckError::Sides { .. } | CheckError::TooFew { .. }));
+            matches!(refused, Err(CheckError::Sides { .. } | CheckError::TooLarge { .. }));
         assert!(is_refused, "{a} {b}: {refused:?}");
     }
 }
@@ -142,7 +142,7 @@ fn the_last_level_alone_is_refused() {
     let mut certificate = BASE.certificate.clone();
     certificate.levels.drain(..3);
     let refused = certificate.check();
-    assert!(matches!(refused, Err(CheckError::TooFew { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(CheckError::TooLarge { .. })), "{refused:?}");
     certificate.levels.clear();
     assert_eq!(certificate.check(), Err(CheckError::Empty));
 }

@@ -57,7 +57,7 @@ fn a_declared_constant_that_bounds_nothing_is_refused() {
         assert!(matches!(error, CheckError::Declared { .. }), "{c1}: {error}");
     }
     // So small a constant asks for cubes without end.
-    assert!(matches!(refused(1e-300), CheckError::TooFew { .. }), "{}", refused(1e-300));
+    assert!(matches!(refused(1e-300), CheckError::TooLarge { .. }), "{}", refused(1e-300));
 }
 
 /// Below the distance, `hi` itself is what is proved.
