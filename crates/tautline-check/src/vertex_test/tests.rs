@@ -163,6 +163,13 @@ fn the_curvature_counts_each_axis_by_itself() {
     assert_eq!(of("[9 + 2*x1*x2, 0; 0, 9]"), 4.0);
     // Where the second derivative is unknown, so is the bound.
     assert!(of("sqrt(x1) I").is_nan() && of("(4 + sqrt(sqr(x1))) I").is_nan());
+    // A maximum would ignore an unknown number, in whatever row.
+    for rows in ["[s, 0; 0, 4]", "[4, 0; 0, s]", "[4, s; s, 4]"] {
+        let formula = Formula::<2>::parse(&format!("s = 1 + sqrt(sqr(x1)); {rows}"), &[]);
+        let formula = formula.expect("a formula");
+        let cube = SVector::repeat(Interval::new(-0.5, 0.5).expect("a side"));
+        assert!(curvature(&formula, &cube).is_nan(), "{rows}");
+    }
 }
 
 /// A matrix that is not proved to be definite has no factors, and no square is negative.
