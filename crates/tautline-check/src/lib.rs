@@ -2,8 +2,12 @@
 //!
 //! A [`Certificate`] holds a metric, two sets, a curve between them, and values of two functions on
 //! cubes. [`Certificate::check`] proves two numbers from it: the curve has at most the one length,
-//! and *every* curve between the sets has at least the other. Nothing is assumed of the values: they
-//! are proposals, made by whatever program, and wrong ones only prove less.
+//! and *every* curve between the sets has at least the other. Curves stay where the metric is defined
+//! and positive definite. Nothing is assumed of the values: they are proposals, made by whatever
+//! program, and wrong ones only prove less.
+//!
+//! A file may come from anywhere: the work of a check is limited by the size of the certificate, and
+//! [`Certificate::check_while`] can be stopped.
 //!
 //! # The proof
 //!

@@ -57,7 +57,7 @@ impl<const D: usize> Search<'_, D> {
             let mut exponent = (self.euclidean() / ALONG[D - 1]).log2().floor() as i32;
             let cubes = loop {
                 let cubes = region
-                    .required(self.sets.each_ref(), self.hi, exponent)
+                    .required(self.sets.each_ref(), self.hi * (1.0 + KEPT), exponent)
                     .map_err(DistanceError::Refused)?;
                 if cubes.places().len() >= few {
                     break cubes;

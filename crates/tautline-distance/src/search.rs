@@ -230,3 +230,47 @@ impl<const D: usize> Search<'_, D> {
         best.ok_or(DistanceError::Stopped)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+
+    use nalgebra::vector;
+    use tautline_check::{AnyCertificate, CheckError};
+    use tautline_formula::Formula;
+    use tautline_sets::{Point, Shape};
+
+    use super::search;
+    use crate::{DistanceError, Found, Wanted};
+
+    fn between(text: &str, ends: [[f64; 2]; 2]) -> Result<Found<2>, DistanceError> {
+        let formula = Formula::<2>::parse(text, &[]).expect("a formula");
+        let sets = ends.map(|x| Shape::Point(Point::new(x).expect("finite")));
+        let [x, y] = ends.map(|x| vector![x[0], x[1]]);
+        let line = (0..=64).map(|n| x.lerp(&y, f64::from(n) / 64.0)).collect();
+        search(&formula, &sets, &[line], Wanted::gap(0.1), &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// The halves of the matrix are different steps, of which the file has one.
+    #[test]
+    fn a_matrix_whose_halves_are_written_in_two_ways_has_a_certificate() {
+        let text = "[2 + x1^2, 0.5*x1*x2; x2*x1/2, 3]";
+        let found = between(text, [[-0.5, 0.1], [0.5, 0.2]]).expect("a certificate");
+        let read = AnyCertificate::read(&found.certificate.to_string());
+        let verdict = read.and_then(|certificate| certificate.check()).expect("proved");
+        assert_eq!((verdict.lower, verdict.upper), (found.proved.lower, found.proved.upper));
+        assert!(verdict.gap.expect("a curve") < 0.1 && !verdict.statement.contains("/ 2"));
+    }
+
+    /// A half that is undefined on the curve is no half that the file may leave out.
+    #[test]
+    fn a_curve_where_only_the_lower_half_is_undefined_has_no_certificate() {
+        let text = "[1, 0; 0/x1, 1]";
+        let refused = between(text, [[-1.0, 0.0], [1.0, 0.0]]).expect_err("no curve");
+        let on_a_chord = matches!(refused, DistanceError::Curve(CheckError::CurveDomain { .. }));
+        assert!(on_a_chord, "{refused}");
+        let found = between(text, [[0.5, 0.0], [1.0, 0.25]]).expect("a certificate");
+        let d = 0.3125_f64.sqrt();
+        assert!(found.proved.lower <= d && found.proved.upper.expect("a curve") >= d);
+    }
+}

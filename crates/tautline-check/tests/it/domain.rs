@@ -42,7 +42,9 @@ fn with_curve<const D: usize>(
     // Any bound above the length of the curve will do.
     let hi = 16.0;
     let region = Region::Declared { c1: 4.0 };
-    let cubes = region.required(sets.each_ref(), hi, 0).expect("bounded sets");
+    // A checker that rounds more needs those that are just far enough away.
+    let wide = hi * (1.0 + 1e-12);
+    let cubes = region.required(sets.each_ref(), wide, 0).expect("bounded sets");
     let values = vec![0.0; cubes.nodes().len()];
     let levels = vec![Level::new(0, cubes, [values.clone(), values]).expect("finite")];
     Certificate { formula, sets, hi, region, curve: Some(curve), levels }
