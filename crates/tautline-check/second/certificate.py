@@ -4,7 +4,6 @@ import hashlib
 import itertools
 import math
 import re
-import struct
 
 import numpy as np
 
@@ -48,7 +47,7 @@ def integer(word):
 def doubles(words):
     for word in words:
         require(re.fullmatch("[0-9a-f]{16}", word), f"{word[:60]!r} is not the bits of a double")
-    values = np.array([struct.unpack(">d", bytes.fromhex(word))[0] for word in words])
+    values = np.frombuffer(bytes.fromhex("".join(words)), ">f8").astype(float)
     require(np.isfinite(values).all(), "a number is not finite")
     return values
 
@@ -58,7 +57,9 @@ class Certificate:
         lines = Lines(text)
         lines.next("tautline-distance 1")
         self.dimension = integer(lines.next(r"dimension (\S+)")[0])
-        require(1 <= self.dimension <= 3, f"dimension {self.dimension}: only 1 to 3 can be checked")
+        require(1 <= self.dimension <= 4, f"dimension {self.dimension}: only 1 to 4 can be checked")
+        # The number of doubles and of lines of the formula, by which the work is limited.
+        self.size = 0
         tables, self.statement = [], []
         while lines.peek().startswith("table "):
             tables.append(self.read_table(lines))
@@ -69,6 +70,7 @@ class Certificate:
         count = integer(lines.word("metric"))
         require(1 <= count <= len(lines.lines), "the formula has no lines")
         self.formula = Formula([lines.next("(.*)")[0] for _ in range(count)], self.dimension, tables)
+        self.size += count
         self.sets = [self.read_set(lines, name) for name in ("from", "to")]
         self.hi = doubles([lines.word("hi")])[0]
         (kind, *bits), numbers = (
@@ -77,6 +79,7 @@ class Certificate:
         )
         require(numbers.get(kind) == len(bits), "the region is none that the format names")
         self.region = (kind, *doubles(bits))
+        self.size += 1 + len(bits)
         self.statement += lines.lines[start + 1 : start + 1 + count]
         self.curve = None
         if lines.peek().startswith("curve "):
@@ -88,13 +91,15 @@ class Certificate:
         lines.next("end")
         require(lines.at == len(lines.lines), "there are lines after the end")
 
-    @staticmethod
-    def rows(lines, count, width):
+    def rows(self, lines, count, width):
         require(0 <= count <= len(lines.lines) - lines.at, "there are fewer lines than announced")
-        rows = [line.split(" ") for line in lines.lines[lines.at : lines.at + count]]
+        rows = lines.lines[lines.at : lines.at + count]
+        # A line of another length has another number of numbers, whatever they are.
+        good = all(len(row) == 17 * width - 1 for row in rows)
+        require(good, f"a row does not have {width} numbers")
         lines.at += count
-        require(all(len(row) == width for row in rows), f"a row does not have {width} numbers")
-        return doubles([word for row in rows for word in row]).reshape(count, width)
+        self.size += count * width
+        return doubles([word for row in rows for word in row.split(" ")]).reshape(count, width)
 
     def read_table(self, lines):
         shape = [integer(word) for word in lines.words("table")]
@@ -109,6 +114,7 @@ class Certificate:
         while lines.peek().startswith(name + " "):
             kind, *bits = lines.words(name)
             x = doubles(bits)
+            self.size += len(x)
             sizes = {"point": n, "ball": n + 1, "box": 2 * n, "half-space": n + 1}
             valid = sizes.get(kind) == len(x)
             valid = (

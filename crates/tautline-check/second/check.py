@@ -1,11 +1,15 @@
-"""Checks a certificate of a distance: python3 check.py FILE.
+"""Checks a certificate of a distance: python3 check.py [--time-limit SECONDS] FILE.
 
 A second checker, written from the theorems and from `../FORMAT.md`, on other intervals: doubles of
 numpy rounded outward, and arb for elementary functions (pip install -r requirements.txt). It prints
-what is proved. If the file proves nothing, it says why and exits with 1.
+what is proved, and exits with 0. If the file proves nothing, it says why and exits with 1; if it was
+not read, or not checked in the time, with 2.
 """
 
 import itertools
+import math
+import os
+import signal
 import sys
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 
@@ -17,35 +21,45 @@ from refused import Refused, require
 from region import prove_exit, prove_tubes, required_cubes
 from sets import contains
 from sweep import Sweep
+from work import Work
+
+# The units of work that any certificate may cost, and those for each number in it.
+ALWAYS, FOR_A_NUMBER = 1 << 24, 1 << 16
+
+USAGE = "usage: python3 check.py [--time-limit SECONDS] FILE"
+
+
+class OutOfTime(Exception):
+    """The time is over, and the certificate neither proved nor refused."""
 
 
 def check(certificate, report=lambda line: None):
     """The lower and the upper bound, which is None without a curve."""
-    c = certificate
+    c, work = certificate, Work(ALWAYS + FOR_A_NUMBER * certificate.size)
     require(c.hi > 0, f"the bound hi is {c.hi}")
     require(c.levels, "the certificate has no levels")
     if c.region[0] == "tubes":
-        prove_tubes(c.formula, c.sets, c.hi, *c.region[1:])
+        prove_tubes(c.formula, c.sets, c.hi, *c.region[1:], work)
     upper_bound = None
     if c.curve is not None:
         require(len(c.curve), "the curve has no points")
         for name, pieces, x in (("first", c.sets[0], c.curve[0]), ("last", c.sets[1], c.curve[-1])):
             require(
                 contains(pieces, x),
-                f"the {name} point of the curve is not proved to lie in its set",
+                f"the {name} point of the curve does not lie in its set",
             )
-        upper_bound = float(length_above(c.formula, c.curve))
+        upper_bound = length_above(c.formula, c.curve, work)
         require(upper_bound < c.hi, f"the curve has length at most {upper_bound}, not below {c.hi}")
     lower, kept = 0.0, None
     for number, level in enumerate(c.levels):
         if number == 0:
             required = required_cubes(c.region, c.sets, c.hi, level.exponent, c.dimension)
         else:
-            required = following(kept, c.levels[number - 1].exponent - level.exponent)
-        missing = required[~level.holds(required)]
-        lacks = f"level {number} lacks {len(missing)} cubes, as at {missing[:1].tolist()}"
-        require(not len(missing), lacks)
-        sweep = Sweep(c.formula, c.sets, level)
+            required = [following(kept, c.levels[number - 1].exponent - level.exponent)]
+        for places in required:
+            missing = places[~level.holds(places)]
+            require(not len(missing), f"level {number} lacks the cube at {missing[:1].tolist()}")
+        sweep = Sweep(c.formula, c.sets, level, work)
         if number == 0:
             prove_exit(c.region, c.sets, c.hi, sweep)
         found, left = sweep.shorter_than(c.hi)
@@ -82,33 +96,92 @@ def test_rounding():
     )
 
 
-def main(path):
+def main(arguments):
+    if len(arguments) == 3 and "--time-limit" in arguments[:2]:
+        at = arguments.index("--time-limit")
+        limit, arguments = arguments[at + 1], arguments[:at] + arguments[at + 2 :]
+    else:
+        limit = None
+    if len(arguments) != 1 or arguments[0].startswith("-"):
+        return ended(2, USAGE)
+    (path,) = arguments
     try:
-        test_rounding()
-        with open(path, encoding="ascii", newline="") as file:
-            certificate = Certificate(file.read())
-        print("\n".join(certificate.statement))
-        for name, pieces in zip(("from", "to"), certificate.sets):
-            for kind, numbers in pieces:
-                print(name, kind, *map(float, numbers))
-        print(
-            "curves shorter than",
-            float(certificate.hi),
-            "stay in the cubes:",
-            *map(str, certificate.region),
-        )
-        if certificate.region[0] == "declared":
-            print("c1 is declared, not proved: a hypothesis")
-        lower, upper_bound = check(certificate, print)
-    except (Refused, OSError, ValueError) as reason:
-        print(f"refused: {reason}", file=sys.stderr)
-        return 1
-    print("lower", rounded(lower, ROUND_FLOOR))
-    if upper_bound is not None:
-        print("upper", rounded(upper_bound, ROUND_CEILING))
-        print("gap  ", f"{(upper_bound - lower) / upper_bound if upper_bound else 0.0:.6e}")
+        if limit is not None:
+            start_clock(limit)
+        with open(path, encoding="utf-8", newline="") as file:
+            text = file.read()
+    except (OSError, ValueError) as reason:
+        return ended(2, f"{path}: {reason}")
+    except OutOfTime:
+        return ended(2, "not checked in the time: nothing is proved")
+    said = []
+    try:
+        said += proved(text, said.append)
+    except OutOfTime:
+        levels = f"stopped after {len(said)} levels"
+        return ended(2, f"not checked in the time: {levels}, and nothing is proved")
+    except MemoryError:
+        return ended(2, "not checked: there is not enough memory")
+    except Refused as reason:
+        return ended(1, f"refused: {reason}")
+    except Exception as error:
+        # A mistake of this program proves nothing.
+        return ended(1, f"refused: an error in the checker: {type(error).__name__}: {error}")
+    try:
+        print("\n".join(said), flush=True)
+    except BrokenPipeError:
+        # A reader that has seen enough closes the pipe.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as reason:
+        return ended(2, f"proved, but not written: {reason}")
     return 0
 
 
+def start_clock(limit):
+    """Raises OutOfTime after so many seconds."""
+
+    def stop(*_):
+        raise OutOfTime
+
+    seconds = float(limit)
+    if not 0 < seconds < math.inf:
+        raise ValueError(f"{limit!r} is no number of seconds")
+    signal.signal(signal.SIGALRM, stop)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+
+
+def proved(text, report):
+    """What the text of a certificate proves, in lines; `report` gets one for each level."""
+    test_rounding()
+    c = Certificate(text)
+    lower, upper_bound = check(c, report)
+    lines = [*c.statement]
+    for name, pieces in zip(("from", "to"), c.sets):
+        lines += [" ".join([name, kind, *map(str, numbers.tolist())]) for kind, numbers in pieces]
+    lines.append(f"region {' '.join(map(str, c.region))}, for curves shorter than {c.hi}")
+    if c.region[0] == "declared":
+        lines.append("c1 is declared, not proved: a hypothesis")
+    lines.append(f"lower {rounded(lower, ROUND_FLOOR)}")
+    if upper_bound is not None:
+        lines.append(f"upper {rounded(upper_bound, ROUND_CEILING)}")
+        lines.append(f"gap   {gap_above(lower, upper_bound)}")
+    return lines
+
+
+def gap_above(lower, upper_bound):
+    context = Context(prec=7, rounding=ROUND_CEILING)
+    difference = context.subtract(Decimal(upper_bound), Decimal(lower))
+    return context.divide(difference, Decimal(upper_bound)) if upper_bound else 0
+
+
+def ended(code, why):
+    """Tells why, if anybody listens."""
+    try:
+        print(why, file=sys.stderr, flush=True)
+    except OSError:
+        pass
+    return code
+
+
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]) if len(sys.argv) == 2 else "usage: python3 check.py FILE")
+    sys.exit(main(sys.argv[1:]))

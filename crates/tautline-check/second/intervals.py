@@ -76,6 +76,10 @@ class Interval:
     def __getitem__(self, at):
         return Interval(self.lo[at], self.hi[at])
 
+    def within(self, lo, hi):
+        """The part between two numbers; NaN stays."""
+        return Interval(np.maximum(self.lo, lo), np.minimum(self.hi, hi))
+
     def scaled(self, factor):
         """The product with a power of two, which rounds only if it underflows or overflows."""
 
@@ -170,8 +174,8 @@ class Interval:
         return wave.where(np.isfinite(self.lo + self.hi))
 
     def increasing(self, name):
-        lo = at_doubles(name, self.lo)[0]
-        return Interval(lo, at_doubles(name, self.hi)[1])
+        lo, hi = at_doubles(name, self.lo)[0], at_doubles(name, self.hi)[1]
+        return Interval(lo, hi).where(~(np.isnan(lo) | np.isnan(hi)))
 
 
 def of(x):

@@ -8,7 +8,7 @@ from refused import require
 
 
 class Level:
-    """Cubes (rows of places), their side, and for each node of a cube two values."""
+    """Cubes (rows of places), their side, and two values at each of their nodes."""
 
     def __init__(self, exponent, cubes, values):
         self.exponent, self.side, self.cubes = exponent, 2.0**exponent, cubes
@@ -20,8 +20,12 @@ class Level:
         _, self.nodes = self.numbers(2)
         found = self.nodes.max(initial=-1) + 1
         require(found == len(values), f"{len(values)} pairs of values for {found} nodes")
-        self.values = [values[:, f][self.nodes] for f in (0, 1)]  # 3^D rows, a column for each cube
+        self.at_nodes = values
         self.keys = self.key(cubes, 1)
+
+    def values(self, cubes):
+        """The values of φ and of ψ at the 3^D nodes of some cubes, a column for each cube."""
+        return [self.at_nodes[:, f][self.nodes[:, cubes]] for f in (0, 1)]
 
     def key(self, places, n):
         """A number for each place of the lattice of side/n, increasing lexicographically."""

@@ -5,17 +5,19 @@ import itertools
 import numpy as np
 
 from intervals import INF, Interval, add_up, of, up
-from jets import Jet
+from jets import Jet, upper
+from work import batches
 
 
 def gram(formula, x):
     """H on boxes; NaN where it is not defined on all of a box."""
-    shape = np.broadcast(*(xi.lo for xi in x)).shape
-    h = formula(x, of)
-    return {
-        ij: Interval(np.broadcast_to(e.lo, shape), np.broadcast_to(e.hi, shape))
-        for ij, e in h.items()
-    }
+    count = x[0].lo.size
+    names = upper(formula.dimension)
+    lo, hi = ({ij: np.empty(count) for ij in names} for _ in range(2))
+    for part in batches(count, formula.batch(1)):
+        for ij, entry in formula([xi[part] for xi in x], of).items():
+            lo[ij][part], hi[ij][part] = entry.lo, entry.hi
+    return {ij: Interval(lo[ij], hi[ij]) for ij in names}
 
 
 def curvature(formula, x):
@@ -26,6 +28,13 @@ def curvature(formula, x):
     u ⊗ e. Mₖ is the largest sum of a diagonal entry and the magnitudes of the others in a row (i,k),
     or else the Frobenius norm.
     """
+    parts = (len(x) + 1) * (len(x) + 2) // 2
+    sizes = batches(x[0].lo.size, formula.batch(parts))
+    bounds = [curvature_of_batch(formula, [xi[part] for xi in x]) for part in sizes]
+    return np.concatenate(bounds)
+
+
+def curvature_of_batch(formula, x):
     n = len(x)
     unit = [[of(1.0) if i == j else None for j in range(n)] for i in range(n)]
     h = formula([Jet(xi, first) for xi, first in zip(x, unit)], lambda c: Jet(c, [None] * n))
@@ -36,12 +45,13 @@ def curvature(formula, x):
         row = zero
         for j, l in pairs:
             entry = h[min(i, j), max(i, j)]
-            second = zero + (entry.second.get((min(k, l), max(k, l))) or zero)
-            finite &= np.isfinite(second.lo + second.hi) & np.isfinite(
-                entry.value.lo + entry.value.hi
-            )
+            finite &= np.isfinite(entry.value.lo + entry.value.hi)
+            second = entry.second.get((min(k, l), max(k, l)))
+            if second is None:
+                continue
+            finite &= np.isfinite(second.lo + second.hi)
             squares += second.sqr()
-            row += second if (i, k) == (j, l) else Interval(second.magnitude())
+            row += second if (i, k) == (j, l) else of(second.magnitude())
         along[k] = np.maximum(along[k], row.hi)
     total = along[0]
     for m in along[1:]:

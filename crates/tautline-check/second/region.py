@@ -10,11 +10,13 @@ from jets import upper
 from metric import gram, positive
 from refused import require
 from sets import bounding_box, constraints, distance_below, polar
+from work import UNLIMITED, batches
 
-MOST_CUBES, MOST_BOXES = 1 << 23, 1 << 18
+# The most boxes on which c₁ is proved, and the most boxes or cubes that are looked at together.
+MOST_BOXES, BATCH = 1 << 18, 1 << 12
 
 
-def prove_tubes(formula, sets, hi, radius, c1):
+def prove_tubes(formula, sets, hi, radius, c1, work=UNLIMITED):
     """Proves H ≥ c₁ within the radius of each bounded set, in tubes that hold all short curves."""
     n = formula.dimension
     bounded = [pieces for pieces in sets if bounding_box(pieces, n)]
@@ -26,49 +28,50 @@ def prove_tubes(formula, sets, hi, radius, c1):
     for pieces in bounded:
         x = [side + Interval(-radius, radius) for side in bounding_box(pieces, n)]
         lo, hi_ = (np.array([[float(getattr(xi, end))] for xi in x]) for end in ("lo", "hi"))
-        seen = 0
-        while lo.size:
+        left, seen = [(lo, hi_)], 0
+        while left:
+            lo, hi_ = left.pop()
             seen += lo.shape[1]
+            work.spend((formula.weight + sum(map(len, sets))) * lo.shape[1])
             require(seen <= MOST_BOXES, f"c1 = {c1} is not proved within {radius} of the sets")
             box = [Interval(a, b) for a, b in zip(lo, hi_)]
-            open_ = ~(distance_below(pieces, box) > radius) & ~positive(
-                gram(formula, box), n, of(c1)
-            )
+            open_ = ~(distance_below(pieces, box) > radius)
+            open_[open_] = ~positive(gram(formula, [xi[open_] for xi in box]), n, of(c1))
             lo, hi_ = lo[:, open_], hi_[:, open_]
             longest, every = np.argmax(hi_ - lo, axis=0), np.arange(lo.shape[1])
             middle = 0.5 * lo[longest, every] + 0.5 * hi_[longest, every]
             above, below = lo.copy(), hi_.copy()
             above[longest, every], below[longest, every] = middle, middle
             lo, hi_ = np.hstack([lo, above]), np.hstack([below, hi_])
+            left += [(lo[:, part], hi_[:, part]) for part in batches(lo.shape[1], BATCH)]
 
 
 def required_cubes(region, sets, hi, exponent, n):
-    """The cubes that the first level has to contain."""
+    """The cubes that the first level has to contain, some at a time."""
     kind, *numbers = region
     if kind in ("exit-one", "exit-two"):
-
-        def at(pieces):
-            return cubes_near(
+        for pieces in sets[: 1 if kind == "exit-one" else 2]:
+            yield from cubes_near(
                 pieces, 0.0, exponent, n, lambda box: ~(distance_below(pieces, box) > 0)
             )
-
-        return np.concatenate([at(pieces) for pieces in sets[: 1 if kind == "exit-one" else 2]])
+        return
     root = of(numbers[-1]).sqrt()
     reach = (of(hi) / root).hi
 
     def near(box):
-        both = add_down(distance_below(sets[0], box), distance_below(sets[1], box))
+        both = add_down(*(distance_below(pieces, box) for pieces in sets))
         return ~((root * of(both)).lo >= hi)
 
     bounded = [pieces for pieces in sets if bounding_box(pieces, n)]
     require(bounded, "no set is bounded")
-    return cubes_near(bounded[0], reach, exponent, n, near)
+    yield from cubes_near(bounded[0], reach, exponent, n, near)
 
 
 def cubes_near(pieces, reach, exponent, n, near):
     """The cubes of side 2^exponent in the box within reach of a bounded set that are near.
 
-    Larger cubes are halved; one that is not near has no cube that is."""
+    Larger cubes are halved; one that is not near has no cube that is. Those found last are halved
+    first, so that a file that lacks cubes is soon found out."""
     around = bounding_box(pieces, n)
     require(around, "a set is unbounded that must be bounded")
     around = [side + Interval(-reach, reach) for side in around]
@@ -79,25 +82,28 @@ def cubes_near(pieces, reach, exponent, n, near):
         coarse += 1
     require(coarse - exponent <= 28, "the cubes of the first level are too small")
     # Four cubes as large as the box cover it along an axis.
-    first = [np.floor(side.lo / 2.0**coarse) - 1 for side in around]
+    first = [float(np.floor(side.lo / 2.0**coarse) - 1) for side in around]
     require(max(map(abs, first)) < FARTHEST, "the region is too far from the origin")
     places = np.array(
         list(itertools.product(*(range(int(f), int(f) + 4) for f in first))), np.int64
     )
     halves = np.array(list(itertools.product(range(2), repeat=n)))
-    while True:
+    left = [(coarse, places)]
+    while left:
+        coarse, places = left.pop()
         box = [
             Interval(places[:, i] * 2.0**coarse, (places[:, i] + 1) * 2.0**coarse) for i in range(n)
         ]
         meets = np.all([(a.lo <= b.hi) & (b.lo <= a.hi) for a, b in zip(box, around)], axis=0)
         places = places[meets & near(box)]
-        require(len(places) <= MOST_CUBES, f"the region has more than {MOST_CUBES} cubes")
         require(
             np.abs(places).max(initial=0) <= FARTHEST, "a required cube is too far from the origin"
         )
         if coarse == exponent:
-            return places
-        coarse, places = coarse - 1, (2 * places[:, None] + halves).reshape(-1, n)
+            yield places
+        else:
+            places = (2 * places[:, None] + halves).reshape(-1, n)
+            left += [(coarse - 1, places[part]) for part in batches(len(places), BATCH)]
 
 
 def prove_exit(region, sets, hi, sweep):

@@ -7,6 +7,10 @@ import numpy as np
 from intervals import INF, Interval, add_down, add_up, of
 from jets import upper
 from kuhn import bounds, least
+from work import batches
+
+# The most pairs of a piece and a box that are looked at together.
+MOST_PAIRS = 1 << 18
 
 
 def constraints(piece):
@@ -44,22 +48,28 @@ def norm(x):
     return sum((xi.sqr() for xi in x), of(0.0)).sqrt()
 
 
+def distances_below(kind, numbers, x):
+    """Lower bounds on the distance between each set of one kind, a row of numbers, and each box."""
+    n, columns = len(x), numbers.T[:, :, None]
+    if kind == "half-space":
+        height = sum((xi * c for xi, c in zip(x, columns)), of(0.0)) - columns[n]
+        distance = height.positive() / norm([of(c) for c in columns[:n]])
+    elif kind == "box":
+        gaps = zip(x, columns, columns[n:])
+        distance = norm([(of(a) - xi).positive() + (xi - b).positive() for xi, a, b in gaps])
+    else:
+        distance = norm([xi - c for xi, c in zip(x, columns)])
+        distance = distance - (columns[n] if kind == "ball" else 0.0)
+    return np.where(distance.lo > 0, distance.lo, 0)
+
+
 def distance_below(pieces, x):
     """A lower bound on the distance between a set and each box."""
-    found, n = INF, len(x)
-    for kind, s in pieces:
-        if kind == "half-space":
-            height = sum((xi * s[i] for i, xi in enumerate(x)), of(0.0)) - s[n]
-            distance = height.positive() / norm([of(c) for c in s[:n]])
-        elif kind == "box":
-            distance = norm(
-                [(of(s[i]) - xi).positive() + (xi - s[n + i]).positive() for i, xi in enumerate(x)]
-            )
-        else:
-            distance = norm([xi - s[i] for i, xi in enumerate(x)]) - (
-                s[n] if kind == "ball" else 0.0
-            )
-        found = np.minimum(found, np.where(distance.lo > 0, distance.lo, 0))
+    found = np.full(x[0].lo.shape, INF)
+    for kind in {kind for kind, _ in pieces}:
+        numbers = np.array([s for other, s in pieces if other == kind])
+        for rows in batches(len(numbers), max(1, MOST_PAIRS // max(1, found.size))):
+            found = np.minimum(found, distances_below(kind, numbers[rows], x).min(axis=0))
     return found
 
 

@@ -7,37 +7,58 @@ from kuhn import bounds, least, simplices
 from level_sets import LevelSets
 from metric import curvature, dual_square, eliminated, gram, positive
 from sets import distance_below, on_piece
+from work import UNLIMITED, batches
 
 # How often the level sets are made from the simplices that are left.
 ROUNDS = 10
 
+# The most cubes that are looked at together.
+MOST_CUBES = 1 << 12
+
 
 class Sweep:
-    def __init__(self, formula, sets, level):
+    def __init__(self, formula, sets, level, work=UNLIMITED):
         n, side = level.dimension, level.side
         self.level, self.simplices = level, simplices(n)
+        work.spend(self.units(formula, sets) * len(level.cubes))
         self.low = [level.cubes[:, i] * side for i in range(n)]
-        box = [Interval(low, low + side) for low in self.low]
-        shift = up(curvature(formula, box) * (side**2 / 8))
         points, numbers = level.numbers(1)
         h = gram(formula, [of(x * side) for x in points])
-        corners = [{ij: e[number] for ij, e in h.items()} for number in numbers]
-        # Where a shift is too large for the vertex test, H may still have bounds on the whole cube.
-        good = np.all([positive(h, n, of(shift)) for h in corners], axis=0)
-        whole = (
-            {ij: e.where(~good) for ij, e in gram(formula, box).items()} if not good.all() else None
-        )
-        shift = of(np.where(good, shift, 0))
-        if whole:
-            corners = [{ij: e.where(good, whole[ij]) for ij, e in h.items()} for h in corners]
-        tests = [eliminated(h, n, shift) for h in corners]
-        self.forms = [[s.bernstein(v) for v in level.values] for s in self.simplices]
-        self.ranges = [np.array([bounds(f[i]) for f in self.forms]) for i in (0, 1)]
-        self.q = [
-            np.array([self.largest(s, v, tests) for s in self.simplices]) for v in level.values
-        ]
-        self.sum = np.array([least({ij: f[0][ij] + f[1][ij] for ij in f[0]}) for f in self.forms])
-        self.meetings = [self.meet(pieces, own, box) for own, pieces in enumerate(sets)]
+        of_batches = []
+        for part in batches(len(level.cubes), MOST_CUBES):
+            box = [Interval(low[part], low[part] + side) for low in self.low]
+            shift = up(curvature(formula, box) * (side**2 / 8))
+            corners = [{ij: e[at] for ij, e in h.items()} for at in numbers[:, part]]
+            # Where a shift is too large for the vertex test, H may still have bounds on the whole
+            # cube.
+            good = np.all([positive(h, n, of(shift)) for h in corners], axis=0)
+            if not good.all():
+                bad, whole = np.flatnonzero(~good), gram(formula, [x[~good] for x in box])
+                shift = np.where(good, shift, 0)
+                for corner in corners:
+                    for ij, e in corner.items():
+                        e.lo[bad], e.hi[bad] = whole[ij].lo, whole[ij].hi
+            tests = [eliminated(h, n, of(shift)) for h in corners]
+            of_batches.append(self.tested(level.values(part), tests))
+        self.ranges, self.q, self.sum = (np.concatenate(found, -1) for found in zip(*of_batches))
+        self.meetings = [self.meet(pieces, own) for own, pieces in enumerate(sets)]
+
+    def units(self, formula, sets):
+        """The units of work for a cube."""
+        n, pieces = self.level.dimension, sum(map(len, sets))
+        evaluations = 2**n + (n + 1) * (n + 2) // 2
+        return evaluations * formula.weight + 16 * len(self.simplices) * pieces
+
+    def tested(self, values, tests):
+        """For φ and ψ on each simplex of some cubes their ranges, the largest squares of their
+        gradients, and the least values of the sum."""
+        ranges, q, sums = [], [], []
+        for simplex in self.simplices:
+            forms = [simplex.bernstein(v) for v in values]
+            ranges.append([bounds(form) for form in forms])
+            q.append([self.largest(simplex, v, tests) for v in values])
+            sums.append(least({ij: b + forms[1][ij] for ij, b in forms[0].items()}))
+        return np.moveaxis(ranges, 1, 0), np.moveaxis(q, 1, 0), np.array(sums)
 
     def largest(self, simplex, values, tests):
         q = 0
@@ -46,17 +67,27 @@ class Sweep:
             q = np.maximum(q, dual_square(tests[simplex.corner(k)], p))
         return q
 
-    def meet(self, pieces, own, box):
-        """The simplices that a set may meet, with an upper bound on the set's own function and a
-        lower bound on the other one, on the set."""
-        near = np.flatnonzero(~(distance_below(pieces, box) > 0))
-        low, found = [x[near] for x in self.low], []
-        for s, (simplex, forms) in enumerate(zip(self.simplices, self.forms)):
-            forms = [{ij: b[near] for ij, b in forms[i].items()} for i in (own, 1 - own)]
-            for piece in pieces:
-                meets, (mine, other) = on_piece(piece, simplex, low, self.level.side, forms)
-                found.append((s * len(box[0].lo) + near[meets], mine[1][meets], other[0][meets]))
-        return [np.concatenate(parts) for parts in zip(*found)]
+    def meet(self, pieces, own):
+        """For each simplex of each cube, whether a set may meet it, an upper bound on the set's own
+        function there and a lower bound on the other one."""
+        shape = self.sum.shape
+        met, most, least_ = np.zeros(shape, bool), np.full(shape, -INF), np.full(shape, INF)
+        for piece in pieces:
+            for part in batches(shape[1], MOST_CUBES):
+                box = [Interval(low[part], low[part] + self.level.side) for low in self.low]
+                near = part.start + np.flatnonzero(~(distance_below([piece], box) > 0))
+                if not near.size:
+                    continue
+                low, values = [x[near] for x in self.low], self.level.values(near)
+                for s, simplex in enumerate(self.simplices):
+                    forms = [simplex.bernstein(values[i]) for i in (own, 1 - own)]
+                    meets, (mine, other) = on_piece(piece, simplex, low, self.level.side, forms)
+                    # Of several pieces in a simplex all count.
+                    at = near[meets]
+                    met[s, at] = True
+                    most[s, at] = np.maximum(most[s, at], mine[1][meets])
+                    least_[s, at] = np.minimum(least_[s, at], other[0][meets])
+        return met, most, least_
 
     def functions(self, kept, start, end):
         def function(i):
@@ -71,8 +102,8 @@ class Sweep:
         kept, lower = np.ones(self.sum.shape, bool), 0.0
         for _ in range(ROUNDS):
             start, end = [0, 0], [0, 0]
-            for i, (simplex, own, other) in enumerate(self.meetings):
-                there = kept.ravel()[simplex]
+            for i, (met, own, other) in enumerate(self.meetings):
+                there = kept & met
                 if not there.any():
                     return hi, np.zeros(kept.shape[1], bool)
                 start[i], end[1 - i] = own[there].max(), other[there].min()
@@ -90,18 +121,24 @@ class Sweep:
     def to_the_boundary(self, ignored):
         """Lower bounds on the lengths from each set to a boundary facet of the cubes."""
         level = self.level
-        start = [own.max(initial=-INF) for _, own, _ in self.meetings]
+        start = [own[met].max(initial=-INF) for met, own, _ in self.meetings]
         ends = [r[:, 1][np.isfinite(r[:, 1])].max(initial=s) for r, s in zip(self.ranges, start)]
         functions = self.functions(np.ones(self.sum.shape, bool), start, ends)
         shortest = [INF, INF]
         n = level.dimension
-        for simplex, forms in zip(self.simplices, self.forms):
+        for simplex in self.simplices:
             # Without its last corner, a simplex lies in the low face of its last axis; without its
             # first one, in the high face of its first axis.
             for k, axis, step in ((n, simplex.axes[-1], -1), (0, simplex.axes[0], 1)):
-                facet = ~level.holds(level.cubes + step * np.eye(n, dtype=np.int64)[axis])
-                facet &= np.logical_not(ignored(simplex, k, self.low, level.side))
-                for i, function in enumerate(functions):
-                    lo = bounds({ij: b for ij, b in forms[i].items() if k not in ij})[0]
-                    shortest[i] = min(shortest[i], function.below(lo[facet]).min(initial=INF))
+                beside = level.cubes + step * np.eye(n, dtype=np.int64)[axis]
+                outer = np.flatnonzero(~level.holds(beside))
+                for part in batches(len(outer), MOST_CUBES):
+                    at = outer[part]
+                    low, values = [x[at] for x in self.low], level.values(at)
+                    counts = np.logical_not(ignored(simplex, k, low, level.side))
+                    for i, function in enumerate(functions):
+                        form = simplex.bernstein(values[i])
+                        lo = bounds({ij: b for ij, b in form.items() if k not in ij})[0]
+                        least_there = function.below(lo)[np.broadcast_to(counts, lo.shape)]
+                        shortest[i] = min(shortest[i], least_there.min(initial=INF))
         return shortest

@@ -62,7 +62,8 @@ def required(hi, ends, exponent, c1=1.0):
     sets = [[(kind, np.array(x))] for kind, *x in ends]
     sizes = {"point": 0, "ball": 1, "half-space": 1}
     dimension = min(len(x) - sizes[kind] for kind, *x in ends if kind in sizes)
-    return np.unique(required_cubes(("declared", c1), sets, hi, exponent, dimension), axis=0)
+    found = required_cubes(("declared", c1), sets, hi, exponent, dimension)
+    return np.unique(np.concatenate([*found]), axis=0)
 
 
 def along(x, y):
