@@ -40,6 +40,7 @@ def check(certificate, report=lambda line: None):
     require(c.levels, "the certificate has no levels")
     if c.region[0] == "tubes":
         prove_tubes(c.formula, c.sets, c.hi, *c.region[1:], work)
+        report("the constant of the tubes")
     upper_bound = None
     if c.curve is not None:
         require(len(c.curve), "the curve has no points")
@@ -50,6 +51,7 @@ def check(certificate, report=lambda line: None):
             )
         upper_bound = length_above(c.formula, c.curve, work)
         require(upper_bound < c.hi, f"the curve has length at most {upper_bound}, not below {c.hi}")
+        report("the curve")
     lower, kept = 0.0, None
     for number, level in enumerate(c.levels):
         if number == 0:
@@ -65,7 +67,7 @@ def check(certificate, report=lambda line: None):
         found, left = sweep.shorter_than(c.hi)
         lower, kept = max(lower, found), level.cubes[left]
         cubes = f"{len(level.cubes)} cubes, {len(kept)} kept"
-        report(f"level {number}: {cubes}, lower bound {rounded(lower, ROUND_FLOOR)}")
+        report(f"level {number} of {len(c.levels)}: {cubes}, lower bound {rounded(lower, ROUND_FLOOR)}")
         if not len(kept):
             break
     if upper_bound is not None:
@@ -114,12 +116,16 @@ def main(arguments):
         return ended(2, f"{path}: {reason}")
     except OutOfTime:
         return ended(2, "not checked in the time: nothing is proved")
-    said = []
+    checked = []
     try:
-        said += proved(text, said.append)
+        test_rounding()
+        certificate = Certificate(text)
+        lower, upper_bound = check(certificate, checked.append)
+        # What is proved is printed even if the time is over now.
+        signal.setitimer(signal.ITIMER_REAL, 0)
     except OutOfTime:
-        levels = f"stopped after {len(said)} levels"
-        return ended(2, f"not checked in the time: {levels}, and nothing is proved")
+        done = "".join(f"\nchecked: {line}" for line in checked)
+        return ended(2, f"not checked in the time: what follows is neither proved nor refused{done}")
     except MemoryError:
         return ended(2, "not checked: there is not enough memory")
     except Refused as reason:
@@ -127,6 +133,7 @@ def main(arguments):
     except Exception as error:
         # A mistake of this program proves nothing.
         return ended(1, f"refused: an error in the checker: {type(error).__name__}: {error}")
+    said = [*checked, *statement(certificate, lower, upper_bound)]
     try:
         print("\n".join(said), flush=True)
     except BrokenPipeError:
@@ -150,11 +157,9 @@ def start_clock(limit):
     signal.setitimer(signal.ITIMER_REAL, seconds)
 
 
-def proved(text, report):
-    """What the text of a certificate proves, in lines; `report` gets one for each level."""
-    test_rounding()
-    c = Certificate(text)
-    lower, upper_bound = check(c, report)
+def statement(certificate, lower, upper_bound):
+    """What is proved, in lines."""
+    c = certificate
     lines = [*c.statement]
     for name, pieces in zip(("from", "to"), c.sets):
         lines += [" ".join([name, kind, *map(str, numbers.tolist())]) for kind, numbers in pieces]
