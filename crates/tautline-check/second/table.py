@@ -6,9 +6,13 @@ import numpy as np
 
 from intervals import Interval, of
 from jets import Jet, jet, plus, times, upper
+from work import batches
 
 # A box over more cells gets the range of the coefficients that meet it.
 MOST_CELLS = 16
+
+# The most arguments of polar forms that are looked at together.
+MOST_ARGUMENTS = 1 << 14
 
 
 class Table:
@@ -56,24 +60,22 @@ class Table:
     def over_cells(self, orders, lo, hi, first, last):
         """The least and the greatest Bernstein coefficient on the parts of the cells."""
         low, high = np.full(lo.shape[1], np.inf), np.full(lo.shape[1], -np.inf)
-        counts = (last - first).max(axis=1, initial=0) + 1
-        for offset in itertools.product(*map(range, counts)):
-            cell = first + np.array(offset)[:, None]
-            meets = (cell <= last).all(axis=0)
-            at = cell[:, meets]
-            ends = [
-                [clamped(of(side) - c) for c, side in zip(at, sides[:, meets])]
-                for sides in (lo, hi)
-            ]
-            for ahead in itertools.product(*(range(4 - order) for order in orders)):
-                # As many arguments are the upper end.
-                t = [
-                    [ends[k >= 3 - order - a][axis] for k in range(3 - order)]
-                    for axis, (order, a) in enumerate(zip(orders, ahead))
-                ]
-                value = self.blossom(orders, at, t, ())
-                low[meets] = np.minimum(low[meets], value.lo)
-                high[meets] = np.maximum(high[meets], value.hi)
+        boxes, cells = meetings(first, last)
+        # Of the arguments along an axis, so many are the upper end, the others the lower one.
+        choices = [range(4 - order) for order in orders]
+        ahead = np.array(list(itertools.product(*choices))).T
+        for part in batches(len(boxes) * ahead.shape[1], MOST_ARGUMENTS):
+            at, choice = np.divmod(
+                np.arange(part.start, min(part.stop, len(boxes) * ahead.shape[1])), ahead.shape[1]
+            )
+            box, cell, t = boxes[at], cells[:, at], []
+            for axis, order in enumerate(orders):
+                ends = [clamped(of(side[axis, box]) - cell[axis]) for side in (lo, hi)]
+                lower = 3 - order - ahead[axis, choice]
+                t.append([ends[0].where(k < lower, ends[1]) for k in range(3 - order)])
+            value = self.blossom(orders, cell, t, ())
+            np.minimum.at(low, box, value.lo)
+            np.maximum.at(high, box, value.hi)
         return Interval(low, high)
 
     def blossom(self, orders, cell, t, known):
@@ -108,6 +110,18 @@ class Table:
             rows.append((all_.lo[box].min(), all_.hi[box].max()))
         rows = np.array(rows).reshape(-1, 2)
         return Interval(rows[:, 0], rows[:, 1])
+
+
+def meetings(first, last):
+    """The pairs of a box and a cell that it meets, by the first and the last cell of each box."""
+    counts = (last - first).max(axis=1, initial=-1) + 1
+    boxes, cells = [np.zeros(0, int)], [np.zeros((len(first), 0), int)]
+    for offset in itertools.product(*map(range, counts)):
+        cell = first + np.array(offset)[:, None]
+        meets = np.flatnonzero((cell <= last).all(axis=0))
+        boxes.append(meets)
+        cells.append(cell[:, meets])
+    return np.concatenate(boxes), np.concatenate(cells, axis=1)
 
 
 def cut(axis, start, end):
