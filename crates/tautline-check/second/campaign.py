@@ -318,6 +318,8 @@ def levels_of(chance, metric, sets, hi, region, c1):
                     parts.append(part)
                     if found > MOST[n]:
                         break
+                # Far from each other, the sets require no cube at all.
+                parts.append(np.zeros((0, n), np.int64))
                 cubes = np.unique(np.concatenate(parts), axis=0) if found <= MOST[n] else None
         except Refused:
             return []
