@@ -32,9 +32,10 @@ usage: cargo xtask <task>
                                                 (scale), the start-up of formulas (programs), and
                                                 certificates (certificate), to paper/tables; with
                                                 parts, only prints those of speed and scale
-  second-checker [PYTHON]                       lets the checker in Python check certificates of the
-                                                gallery: paper/tables/second_checker.csv; needs
-                                                Python 3 and, the first time, the network
+  second-checker [PYTHON]                       tests the checker in Python, and compares it with the
+                                                one in Rust on certificates by chance and on those
+                                                of the gallery: paper/tables/second_checker.csv;
+                                                needs Python 3 and, the first time, the network
   peers   [--problem ID | --n N | --distance] … other programs on the same problems, timed; needs
                                                 Python 3 and downloads what docs/comparison.md lists
   python  [speed | audit]                       makes the wheel of the Python module, and tests it in

@@ -1,22 +1,30 @@
-//! `cargo xtask second-checker`: lets the checker in Python check the certificates of the gallery.
+//! `cargo xtask second-checker`: tests the checker in Python, and lets it check the certificates of the
+//! gallery and others by chance.
 
-use std::{env, path::Path};
+use std::{env, path::Path, process::Command};
 
-use crate::{peers::install, run::cargo};
+use crate::{
+    peers::install,
+    run::{cargo, run},
+};
 
 /// Installs what the second checker needs into `target/second-checker`, unless a Python is named that
-/// has it, and compares the two checkers.
+/// has it, runs its tests, and compares the two checkers.
 pub(crate) fn second_checker(root: &Path, rest: &[&str]) -> Result<(), String> {
+    let second = root.join("crates/tautline-check/second");
     let python = match rest {
         [] => {
             let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into()));
             let environment = target.join("second-checker");
-            let requirements = root.join("crates/tautline-check/second/requirements.txt");
+            let requirements = second.join("requirements.txt");
             install(&environment, &requirements)?;
             environment.join("bin/python").display().to_string()
         }
         [python] => (*python).to_owned(),
         _ => return Err("second-checker needs at most one program, Python".to_owned()),
     };
+    let mut tests = Command::new(&python);
+    tests.args(["-m", "unittest"]).current_dir(&second).env("PYTHONDONTWRITEBYTECODE", "1");
+    run(&mut tests)?;
     cargo(&["run", "--package", "paper", "--", "second-checker", &python], &[])
 }

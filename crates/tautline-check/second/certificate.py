@@ -15,6 +15,8 @@ from table import Table
 # The greatest coordinate of a cube, in sides.
 FARTHEST = 1 << 28
 
+MOST_TABLES = 1024
+
 
 class Lines:
     def __init__(self, text):
@@ -62,6 +64,7 @@ class Certificate:
         self.size = 0
         tables, self.statement = [], []
         while lines.peek().startswith("table "):
+            require(len(tables) < MOST_TABLES, f"there are more than {MOST_TABLES} tables")
             tables.append(self.read_table(lines))
             shape, numbers = tables[-1].coefficients.shape, tables[-1].coefficients
             digest = hashlib.sha256(numbers.astype("<f8").tobytes()).hexdigest()

@@ -55,7 +55,9 @@ class Formula:
         _, (what, *rest) = named_step
         if what == "table":
             return 4 ** (len(rest[2]) + 1)
-        cheap = ("number", "power", "negative", "sqr", "recip", "+", "-", "*", "/")
+        if what == "power":
+            return max(1, abs(rest[1]).bit_length())
+        cheap = ("number", "negative", "sqr", "recip", "+", "-", "*", "/")
         return 1 if what in cheap else 4
 
     def drop_after_last_use(self):

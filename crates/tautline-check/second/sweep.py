@@ -20,7 +20,9 @@ class Sweep:
     def __init__(self, formula, sets, level, work=UNLIMITED):
         n, side = level.dimension, level.side
         self.level, self.simplices = level, simplices(n)
-        work.spend(self.units(formula, sets) * len(level.cubes))
+        evaluations = 2**n + (n + 1) * (n + 2) // 2
+        pieces = sum(map(len, sets))
+        work.spend((evaluations * formula.weight + pieces) * len(level.cubes))
         self.low = [level.cubes[:, i] * side for i in range(n)]
         points, numbers = level.numbers(1)
         h = gram(formula, [of(x * side) for x in points])
@@ -41,13 +43,7 @@ class Sweep:
             tests = [eliminated(h, n, of(shift)) for h in corners]
             of_batches.append(self.tested(level.values(part), tests))
         self.ranges, self.q, self.sum = (np.concatenate(found, -1) for found in zip(*of_batches))
-        self.meetings = [self.meet(pieces, own) for own, pieces in enumerate(sets)]
-
-    def units(self, formula, sets):
-        """The units of work for a cube."""
-        n, pieces = self.level.dimension, sum(map(len, sets))
-        evaluations = 2**n + (n + 1) * (n + 2) // 2
-        return evaluations * formula.weight + 16 * len(self.simplices) * pieces
+        self.meetings = [self.meet(pieces, own, work) for own, pieces in enumerate(sets)]
 
     def tested(self, values, tests):
         """For φ and ψ on each simplex of some cubes their ranges, the largest squares of their
@@ -67,7 +63,7 @@ class Sweep:
             q = np.maximum(q, dual_square(tests[simplex.corner(k)], p))
         return q
 
-    def meet(self, pieces, own):
+    def meet(self, pieces, own, work):
         """For each simplex of each cube, whether a set may meet it, an upper bound on the set's own
         function there and a lower bound on the other one."""
         shape = self.sum.shape
@@ -78,6 +74,8 @@ class Sweep:
                 near = part.start + np.flatnonzero(~(distance_below([piece], box) > 0))
                 if not near.size:
                     continue
+                sides = 2 * len(self.low) if piece[0] == "box" else 1
+                work.spend(64 * len(self.simplices) * sides * near.size)
                 low, values = [x[near] for x in self.low], self.level.values(near)
                 for s, simplex in enumerate(self.simplices):
                     forms = [simplex.bernstein(values[i]) for i in (own, 1 - own)]

@@ -168,24 +168,48 @@ class Budget(unittest.TestCase):
             self.assertEqual(Certificate(content).size, doubles + count)
 
     def test_cubes_parts_and_boxes_are_counted(self):
-        # Three lines, two pieces; the chord is one part.
+        # Three lines, two pieces, each in or beside two cubes; the chord is one part.
         file, cubes = certificate()
-        per_cube = (4 + 6) * 3 + 16 * 2 * 2
+        per_cube, near = (4 + 6) * 3 + 2, 2 * 2 * 64 * 2
         work = self.spent(text(file))
-        self.assertEqual(work.spent, cubes * per_cube + 6 * 3)
+        self.assertEqual(work.spent, cubes * per_cube + near + 6 * 3)
         self.assertEqual(work.budget, 2**24 + 2**16 * Certificate(text(file)).size)
         file, cubes = certificate(levels=2, curve=())
-        self.assertEqual(self.spent(text(file)).spent, 2 * cubes * per_cube)
+        self.assertEqual(self.spent(text(file)).spent, 2 * (cubes * per_cube + near))
         # H ≥ c1 on the whole box of each tube: one box each.
         file, cubes = certificate(region=f"tubes {bits(0.51, 0.999)}")
-        self.assertEqual(self.spent(text(file)).spent, cubes * per_cube + 6 * 3 + 2 * (3 + 2))
+        self.assertEqual(self.spent(text(file)).spent, cubes * per_cube + near + 6 * 3 + 2 * (3 + 2))
+
+    def test_each_near_piece_of_a_cube_is_counted_and_a_box_for_each_of_its_sides(self):
+        metric, one = flat(3), level(0, [(0, 0, 0)], [lambda x: 0.0] * 2)
+        box, ball = ("box", *[0.2] * 3, *[0.4] * 3), ("ball", 0.5, 0.5, 0.5, 0.1)
+        far = ("point", 5.0, 5.0, 5.0)
+        for ends, near in (((box, box), 12), ((ball, box), 7), ((ball, ball), 2), ((ball, far), 1)):
+            file = text(lines(metric, ends, 1e-3, f"declared {bits(9.0)}", [one]))
+            units = (8 + 10) * 3 + 2 + 64 * 6 * near
+            self.assertEqual(self.spent(file).spent, units, ends)
+
+    def test_there_are_at_most_1024_tables(self):
+        for count in (1024, 1025):
+            steps = [f"s{k} = table{k}(x1);" for k in range(1, count + 1)]
+            steps += [f"s{count + k} = s{count + k - 1 if k > 1 else 1} + s{k + 1};" for k in range(1, count)]
+            file = lines([*steps, f"[s{2 * count - 1}]"], [("point", 0.0)] * 2, 1.0, "exit-one")
+            file[2:2] = ["table 1", bits(1.0)] * count
+            if count == 1024:
+                Certificate(text(file))
+            else:
+                with self.assertRaises(Refused):
+                    Certificate(text(file))
 
     def test_functions_weigh_four_and_tables_more(self):
         for step, weight in (
             ("exp(x1)", 4),
             ("sqrt(x1)", 4),
             ("sqr(x1)", 1),
-            ("x1^3", 1),
+            ("x1^0", 1),
+            ("x1^3", 2),
+            ("x1^-3", 2),
+            ("x1^8", 4),
             ("-x1", 1),
             ("recip(x1)", 1),
             ("x1 / 2.0", 1),
