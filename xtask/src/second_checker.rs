@@ -11,20 +11,18 @@ use crate::{
 /// Installs what the second checker needs into `target/second-checker`, unless a Python is named that
 /// has it, runs its tests, and compares the two checkers.
 pub(crate) fn second_checker(root: &Path, rest: &[&str]) -> Result<(), String> {
-    let second = root.join("crates/tautline-check/second");
     let python = match rest {
         [] => {
             let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into()));
             let environment = target.join("second-checker");
-            let requirements = second.join("requirements.txt");
+            let requirements = root.join("crates/tautline-check/second/requirements.txt");
             install(&environment, &requirements)?;
             environment.join("bin/python").display().to_string()
         }
         [python] => (*python).to_owned(),
         _ => return Err("second-checker needs at most one program, Python".to_owned()),
     };
-    let mut tests = Command::new(&python);
-    tests.args(["-m", "unittest"]).current_dir(&second).env("PYTHONDONTWRITEBYTECODE", "1");
-    run(&mut tests)?;
+    let tests = ["-B", "-m", "unittest", "discover", "-s", "crates/tautline-check/second"];
+    run(Command::new(&python).args(tests), &format!("{python} {}", tests.join(" ")))?;
     cargo(&["run", "--package", "paper", "--", "second-checker", &python], &[])
 }

@@ -50,7 +50,8 @@ pub(crate) fn run(python: &Path) -> Result<(), Failure> {
     let folder = std::env::temp_dir().join(format!("tautline-second-{}", std::process::id()));
     let unwritten = |source| Failure::File { path: folder.clone(), source };
     fs::create_dir_all(&folder).map_err(unwritten)?;
-    let table = campaign(python, &folder).and_then(|()| compare(python, &folder.join("certificate")));
+    let table =
+        campaign(python, &folder).and_then(|()| compare(python, &folder.join("certificate")));
     fs::remove_dir_all(&folder).map_err(unwritten)?;
     Output::committed().write(FILE, &table?.to_csv(COMMENT)?)?;
     say(format!("wrote paper/{FILE}"));
@@ -80,8 +81,7 @@ fn campaign(python: &Path, folder: &Path) -> Result<(), Failure> {
             [_, "accepted", lower, kept, ..] => lower.parse().ok().zip(kept.parse().ok()),
             _ => return Err(Failure::Data(format!("the campaign says {line:?}"))),
         };
-        let text =
-            fs::read_to_string(folder.join(format!("{}.cert", words[0]))).map_err(unread)?;
+        let text = fs::read_to_string(folder.join(format!("{}.cert", words[0]))).map_err(unread)?;
         let first = first(&text);
         if !agree(first, second) {
             differences.push(format!("{first:?}, second checker: {line}"));
