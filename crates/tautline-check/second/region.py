@@ -1,6 +1,7 @@
 """Why curves shorter than hi stay in the cubes of the first level."""
 
 import itertools
+from fractions import Fraction
 
 import numpy as np
 
@@ -60,7 +61,12 @@ def required_cubes(region, sets, hi, exponent, n):
 
     def near(box):
         both = add_down(*(distance_below(pieces, box) for pieces in sets))
-        return ~((root * of(both)).lo >= hi)
+        length = root * of(both)
+        far = length.lo >= hi
+        # Rounded, a cube that just touches the region would count.
+        for at in np.flatnonzero(~far & (length.hi >= hi) & np.isfinite(both)):
+            far[at] = Fraction(numbers[-1]) * Fraction(both[at]) ** 2 >= Fraction(hi) ** 2
+        return ~far
 
     bounded = [pieces for pieces in sets if bounding_box(pieces, n)]
     require(bounded, "no set is bounded")

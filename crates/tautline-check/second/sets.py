@@ -45,7 +45,9 @@ def polar(constraint, x, y):
 
 
 def norm(x):
-    return sum((xi.sqr() for xi in x), of(0.0)).sqrt()
+    found = sum((xi.sqr() for xi in x), of(0.0)).sqrt()
+    # It is no less than any coordinate, which is exact where all others are 0.
+    return Interval(np.max([found.lo, *(xi.mignitude() for xi in x)], axis=0), found.hi)
 
 
 def distances_below(kind, numbers, x):

@@ -361,6 +361,13 @@ class Refusals(unittest.TestCase):
             levels = [level(-4, cubes, along(self.x, self.y))]
             self.refuses(lines(flat(2), self.ends, self.hi, self.region, levels))
 
+    def test_a_cube_that_just_touches_the_region_is_not_required(self):
+        # 2 (|x| + |x − 1|) < 6 from −1 to 2, and for the ball from −1.5 to 2, without the ends.
+        for first, cubes in ((("point", 0.0), [-1, 0, 1]), (("ball", -0.5, 0.5), [-2, -1, 0, 1])):
+            ends = [first, ("point", 1.0)]
+            self.assertEqual(required(6.0, ends, 0, 4.0).ravel().tolist(), cubes)
+            self.assertEqual(required(6.000001, ends, 0, 4.0).ravel().tolist(), [-2, -1, 0, 1, 2])
+
     def test_places_beyond_machine_integers(self):
         # With places of 32 bits that wrap, no cube would be required, and 100 would be proved.
         far = 2.0**20
