@@ -14,6 +14,7 @@ from curve import length_above
 from formula import Formula
 from refused import Refused
 from table import Table
+from work import Work
 
 
 def polygon(*points):
@@ -80,6 +81,10 @@ class Length(unittest.TestCase):
                 exact += (b - a) * 2 / 3 * (h[0] + math.sqrt(h[0] * h[1]) + h[1]) / (math.sqrt(h[0]) + math.sqrt(h[1]))
             found = length_above(f, polygon(*points))
             self.assertTrue(exact * (1 - 1e-14) <= found <= exact * (1 + 1e-3))
+            # No part is halved 12 times, as one that reaches beyond its cell would be.
+            work = Work(math.inf)
+            length_above(f, polygon(*points), work)
+            self.assertLess(work.spent, 6 * f.weight * 12 * len(points))
         # A fine polygon with knots among its points is as good as one over a smooth metric.
         fine = length_above(f, polygon(*np.linspace(0, 3, 301)))
         self.assertLess(fine, length_above(f, polygon(0, 1, 2, 3)))
@@ -120,6 +125,14 @@ class Domain(unittest.TestCase):
                 self.assertLess(length_above(f, around), 4)
             else:
                 self.refuses(f, around)
+
+    def test_after_a_chord_over_a_knot_others_are_in_the_domain_too(self):
+        # H = 1 + 0.6 T'' is −0.2 at 1. Where the first chord crosses the knot 0, no second derivative
+        # is bounded, so that both chords are halved 12 times.
+        f = Formula(["s1 = table1_2(x1);", "s2 = s1 * 0.6;", "s3 = s2 + 1.0;", "[s3]"], 1, [Table(np.array([0.0, 1.0, 0.0, 1.0]))])
+        self.assertLess(length_above(f, polygon(-0.3, 0.4)), 1.2)
+        self.refuses(f, polygon(-0.3, 0.4, 1.6))
+        self.refuses(f, polygon(1.6, 0.4, -0.3))
 
     def test_of_many_chords_each_is_in_the_domain(self):
         f, before = Formula(POCKET, 2), curve.BATCH
