@@ -34,7 +34,9 @@ MOST = {1: 60, 2: 500, 3: 400, 4: 100}
 
 
 def bits(*numbers):
-    return " ".join(np.array(numbers, ">f8").tobytes().hex()[16 * i :][:16] for i in range(len(numbers)))
+    return " ".join(
+        np.array(numbers, ">f8").tobytes().hex()[16 * i :][:16] for i in range(len(numbers))
+    )
 
 
 def number(x):
@@ -99,7 +101,12 @@ def wave(chance, n):
     """1 + a sin(k x₁) on the diagonal, and a part of it beside."""
     a, k = round(chance.uniform(0.05, 0.6), 2), round(chance.uniform(0.5, 4), 2)
     pair = chance.choice(["sin", "cos"])
-    lines = [f"s1 = x1 * {number(k)};", f"s2 = {pair}(s1);", f"s3 = s2 * {number(a)};", "s4 = s3 + 1.0;"]
+    lines = [
+        f"s1 = x1 * {number(k)};",
+        f"s2 = {pair}(s1);",
+        f"s3 = s2 * {number(a)};",
+        "s4 = s3 + 1.0;",
+    ]
     if n == 1:
         return Metric([*lines, "[s4]"], n, 0.99 * (1 - a))
     lines += ["s5 = s2 * 0.1;"] + ["s6 = number(0.0);"] * (n > 2)
@@ -151,7 +158,9 @@ def tabled(chance, n):
     """1 + a positive multiple of a table, or of one of its derivatives."""
     axes = chance.randint(1, min(n, 2))
     shape = [chance.randint(1, 5) for _ in range(axes)]
-    table = np.round(np.array([chance.uniform(0, 1) for _ in range(math.prod(shape))]), 3).reshape(shape)
+    table = np.round(np.array([chance.uniform(0, 1) for _ in range(math.prod(shape))]), 3).reshape(
+        shape
+    )
     orders = [chance.choice([0, 0, 1, 2]) for _ in range(axes)]
     call = "table1" + (f"_{''.join(map(str, orders))}" if any(orders) else "")
     arguments = ", ".join(f"x{i + 1}" for i in range(axes))
@@ -194,14 +203,21 @@ class Sets:
         if kind == "box":
             half = np.array([r * chance.choice([0, 0.5, 1]) for _ in range(n)])
             low, high = x - half, x + half
-            return [("box", np.append(low, high))], (np.where(unit > 0, low, high) if self.on_boundary else x)
+            return [("box", np.append(low, high))], (
+                np.where(unit > 0, low, high) if self.on_boundary else x
+            )
         if kind == "half-space":
             axis = int(np.argmax(np.abs(unit)))
             normal = np.zeros(n)
             normal[axis] = -math.copysign(chance.choice([1.0, 0.75, 3.0]), unit[axis])
             if not self.on_boundary:
                 normal += np.round(0.1 * np.array([chance.uniform(-1, 1) for _ in range(n)]), 3)
-            return [("half-space", np.append(normal, float(normal @ x) + (0 if self.on_boundary else 1e-3)))], x
+            return [
+                (
+                    "half-space",
+                    np.append(normal, float(normal @ x) + (0 if self.on_boundary else 1e-3)),
+                )
+            ], x
         return [("point", x)], x
 
     @staticmethod
@@ -212,7 +228,9 @@ class Sets:
             if kind == "half-space":
                 d = np.maximum(points @ s[:n] - s[n], 0) / np.linalg.norm(s[:n])
             elif kind == "box":
-                d = np.linalg.norm(np.maximum(0, np.maximum(s[:n] - points, points - s[n:])), axis=1)
+                d = np.linalg.norm(
+                    np.maximum(0, np.maximum(s[:n] - points, points - s[n:])), axis=1
+                )
             else:
                 d = np.linalg.norm(points - s[:n], axis=1) - (s[n] if kind == "ball" else 0)
             found = np.minimum(found, np.maximum(d, 0))
@@ -308,7 +326,9 @@ def levels_of(chance, metric, sets, hi, region, c1):
                 low = np.min([p for p in sets.ends], axis=0) - 0.7 * hi / math.sqrt(c1)
                 high = np.max([p for p in sets.ends], axis=0) + 0.7 * hi / math.sqrt(c1)
                 side = 2.0**exponent
-                ranges = [range(math.floor(a / side), math.ceil(b / side)) for a, b in zip(low, high)]
+                ranges = [
+                    range(math.floor(a / side), math.ceil(b / side)) for a, b in zip(low, high)
+                ]
                 count = math.prod(map(len, ranges))
                 cubes = np.array(list(itertools.product(*ranges))) if count <= 4 * MOST[n] else None
             else:
@@ -361,7 +381,9 @@ def proposals(chance, metric, sets, points, c1, hi, factor, noise):
 def change(chance, made):
     """The name of a change, and the changed certificate."""
     m = Made(made.metric, made.pieces, made.hi, made.region, made.curve, list(made.levels))
-    what = chance.choice(["hi up", "hi down", "c1", "cube", "value", "values", "end", "swap", "region"])
+    what = chance.choice(
+        ["hi up", "hi down", "c1", "cube", "value", "values", "end", "swap", "region"]
+    )
     if what == "hi up":
         m.hi *= 1.5
     elif what == "hi down":
@@ -382,12 +404,16 @@ def change(chance, made):
         values = values.copy()
         for _ in range(1 if what == "value" else 5):
             i, j = chance.randrange(len(values)), chance.randrange(2)
-            values[i, j] = chance.choice([values[i, j] + m.hi, -m.hi, 0.0, 1e300, -1e300, 1e-300, values[i, j] * 1.3])
+            values[i, j] = chance.choice(
+                [values[i, j] + m.hi, -m.hi, 0.0, 1e300, -1e300, 1e-300, values[i, j] * 1.3]
+            )
         m.levels[at] = exponent, cubes, values
     elif what == "end" and m.curve is not None:
         m.curve = m.curve.copy()
         at = chance.choice([0, -1])
-        m.curve[at, 0] = chance.choice([np.nextafter(m.curve[at, 0], 9), np.nextafter(m.curve[at, 0], -9), 0.3])
+        m.curve[at, 0] = chance.choice(
+            [np.nextafter(m.curve[at, 0], 9), np.nextafter(m.curve[at, 0], -9), 0.3]
+        )
     elif what == "swap":
         m.pieces = m.pieces[::-1]
     elif what == "region":

@@ -72,7 +72,9 @@ class Certificate:
         start = lines.at
         count = integer(lines.word("metric"))
         require(1 <= count <= len(lines.lines), "the formula has no lines")
-        self.formula = Formula([lines.next("(.*)")[0] for _ in range(count)], self.dimension, tables)
+        self.formula = Formula(
+            [lines.next("(.*)")[0] for _ in range(count)], self.dimension, tables
+        )
         self.size += count
         self.sets = [self.read_set(lines, name) for name in ("from", "to")]
         self.hi = doubles([lines.word("hi")])[0]

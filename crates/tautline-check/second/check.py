@@ -67,7 +67,9 @@ def check(certificate, report=lambda line: None):
         found, left = sweep.shorter_than(c.hi)
         lower, kept = max(lower, found), level.cubes[left]
         cubes = f"{len(level.cubes)} cubes, {len(kept)} kept"
-        report(f"level {number} of {len(c.levels)}: {cubes}, lower bound {rounded(lower, ROUND_FLOOR)}")
+        report(
+            f"level {number} of {len(c.levels)}: {cubes}, lower bound {rounded(lower, ROUND_FLOOR)}"
+        )
         if not len(kept):
             break
     if upper_bound is not None:
@@ -125,7 +127,9 @@ def main(arguments):
         signal.setitimer(signal.ITIMER_REAL, 0)
     except OutOfTime:
         done = "".join(f"\nchecked: {line}" for line in checked)
-        return ended(2, f"not checked in the time: what follows is neither proved nor refused{done}")
+        return ended(
+            2, f"not checked in the time: what follows is neither proved nor refused{done}"
+        )
     except MemoryError:
         return ended(2, "not checked: there is not enough memory")
     except Refused as reason:

@@ -76,7 +76,10 @@ def parts_of_chords(formula, start, end, at, width):
             x.append(Jet(xi.value.within(*side), xi.first))
         h = formula(x, lambda c: Jet(c, [None]))
         terms = [h[i, j] * (d[i] * d[j]).scaled(1.0 if i == j else 2.0) for i, j in h]
-        values = {ij: Interval(*np.broadcast_arrays(e.value.lo, e.value.hi, at)[:2]) for ij, e in h.items()}
+        values = {
+            ij: Interval(*np.broadcast_arrays(e.value.lo, e.value.hi, at)[:2])
+            for ij, e in h.items()
+        }
         return values, sum(terms[1:], terms[0])
 
     h, square = on(Interval(at, at + width))

@@ -22,7 +22,13 @@ def polygon(*points):
 
 
 POCKET = ["s1 = sqr(x1);", "s2 = sqr(x2);", "s3 = s1 + s2;", "s4 = s3 * -50.0;", "s5 = exp(s4);"]
-POCKET += ["s6 = s5 * -0.9;", "s7 = s6 + 1.0;", "s8 = s5 * -3.0;", "s9 = s8 + 1.0;", "s10 = number(0.0);"]
+POCKET += [
+    "s6 = s5 * -0.9;",
+    "s7 = s6 + 1.0;",
+    "s8 = s5 * -3.0;",
+    "s9 = s8 + 1.0;",
+    "s10 = number(0.0);",
+]
 POCKET += ["[s7, s10; s10, s9]"]
 
 
@@ -35,7 +41,9 @@ class Length(unittest.TestCase):
             steps = [Fraction(b) - Fraction(a) for a, b in zip(x[:-1, 0], x[1:, 0])]
             exact = sum(map(abs, steps)) * Fraction(4, 3)
             found = length_above(f, x)
-            self.assertTrue(exact <= Fraction(found) <= exact * (1 + Fraction(1e-3)), (found, exact))
+            self.assertTrue(
+                exact <= Fraction(found) <= exact * (1 + Fraction(1e-3)), (found, exact)
+            )
         # On a chord of length w, g'' is known to about 10 w, so that w² g''/24 is to w³/2.
         self.assertLessEqual(length_above(f, polygon(*np.linspace(0, 1, 400))), 4 / 3 + 400**-3)
         # There and back.
@@ -44,7 +52,10 @@ class Length(unittest.TestCase):
     def test_the_curvature_of_the_speed_counts_with_its_sign(self):
         # The speed 1 + x² is above the midpoint rule on a part of a thousandth of it, and the speed
         # 1 − x² below.
-        for sign, lines in ((1, ["s1 = sqr(x1);", "s2 = s1 + 1.0;"]), (-1, ["s1 = sqr(x1);", "s2 = s1 * -1.0;", "s3 = s2 + 1.0;"])):
+        for sign, lines in (
+            (1, ["s1 = sqr(x1);", "s2 = s1 + 1.0;"]),
+            (-1, ["s1 = sqr(x1);", "s2 = s1 * -1.0;", "s3 = s2 + 1.0;"]),
+        ):
             last = f"s{len(lines)}"
             f = Formula([*lines, f"s{len(lines) + 1} = sqr({last});", f"[s{len(lines) + 1}]"], 1)
             for a, b in ((0.0, 0.05), (0.1, 0.12), (0.0, 0.5)):
@@ -70,7 +81,11 @@ class Length(unittest.TestCase):
 
     def test_chords_end_at_knots(self):
         # H = 1 + 0.05 T'' is linear on cells; the first numbers are those of a table of the field.
-        f = Formula(["s1 = table1_2(x1);", "s2 = s1 * 0.05;", "s3 = s2 + 1.0;", "[s3]"], 1, [Table(np.array([0.0, 1.0, 0.0, 1.0]))])
+        f = Formula(
+            ["s1 = table1_2(x1);", "s2 = s1 * 0.05;", "s3 = s2 + 1.0;", "[s3]"],
+            1,
+            [Table(np.array([0.0, 1.0, 0.0, 1.0]))],
+        )
         bends = {0: 1.0, 1: -2.0, 2: 2.0, 3: -1.0}
         for points in ([0, 1], [0, 1, 2, 3], [0.1, 1, 1.7, 2, 2.9, 3], [3, 2, 1, 0]):
             exact = 0.0
@@ -78,7 +93,13 @@ class Length(unittest.TestCase):
                 a, b = min(a, b), max(a, b)
                 k = math.floor(a)
                 h = [1 + 0.05 * (bends[k] + (x - k) * (bends[k + 1] - bends[k])) for x in (a, b)]
-                exact += (b - a) * 2 / 3 * (h[0] + math.sqrt(h[0] * h[1]) + h[1]) / (math.sqrt(h[0]) + math.sqrt(h[1]))
+                exact += (
+                    (b - a)
+                    * 2
+                    / 3
+                    * (h[0] + math.sqrt(h[0] * h[1]) + h[1])
+                    / (math.sqrt(h[0]) + math.sqrt(h[1]))
+                )
             found = length_above(f, polygon(*points))
             self.assertTrue(exact * (1 - 1e-14) <= found <= exact * (1 + 1e-3))
             # No part is halved 12 times, as one that reaches beyond its cell would be.
@@ -95,7 +116,11 @@ class Length(unittest.TestCase):
 
     def test_a_chord_over_a_knot_has_the_greatest_speed_on_its_last_part(self):
         # There, the second derivative is not bounded: 2⁻¹² of the chord has no better bound.
-        f = Formula(["s1 = table1_2(x1);", "s2 = s1 * 0.05;", "s3 = s2 + 1.0;", "[s3]"], 1, [Table(np.array([0.0, 1.0, 0.0, 1.0]))])
+        f = Formula(
+            ["s1 = table1_2(x1);", "s2 = s1 * 0.05;", "s3 = s2 + 1.0;", "[s3]"],
+            1,
+            [Table(np.array([0.0, 1.0, 0.0, 1.0]))],
+        )
         for a, b in ((-0.3, 1.4), (0.3, 1.1), (0.9, 1.1)):
             x = np.linspace(a, b, 200001)
             x = 0.5 * (x[1:] + x[:-1])
@@ -130,7 +155,11 @@ class Domain(unittest.TestCase):
         # H = 1 + 0.50001 T'' is negative within 1e-5 of 1. Where the first chord crosses the knot 0, no
         # second derivative is bounded, so that it is halved 12 times. At 3/7 of it, as the second chord
         # reaches 1 at 3/7.
-        f = Formula(["s1 = table1_2(x1);", "s2 = s1 * 0.50001;", "s3 = s2 + 1.0;", "[s3]"], 1, [Table(np.array([0.0, 1.0, 0.0, 1.0]))])
+        f = Formula(
+            ["s1 = table1_2(x1);", "s2 = s1 * 0.50001;", "s3 = s2 + 1.0;", "[s3]"],
+            1,
+            [Table(np.array([0.0, 1.0, 0.0, 1.0]))],
+        )
         self.assertLess(length_above(f, polygon(-0.3, 0.4)), 1.2)
         self.refuses(f, polygon(-0.3, 0.4, 1.8))
         self.refuses(f, polygon(1.8, 0.4, -0.3))
@@ -157,10 +186,17 @@ class Domain(unittest.TestCase):
         self.assertEqual(length_above(f, polygon(1)), 0.0)
 
     def test_a_matrix_with_a_zero_or_two_negative_eigenvalues_is_no_metric(self):
-        for entries in (("1.0", "1.0", "1.0"), ("-1.0", "0.0", "-1.0"), ("1.0", "2.0", "1.0"), ("0.0", "0.0", "1.0")):
+        for entries in (
+            ("1.0", "1.0", "1.0"),
+            ("-1.0", "0.0", "-1.0"),
+            ("1.0", "2.0", "1.0"),
+            ("0.0", "0.0", "1.0"),
+        ):
             names = {x: f"s{i + 1}" for i, x in enumerate(dict.fromkeys(entries))}
             a, b, c = (names[x] for x in entries)
-            f = Formula([*(f"{s} = number({x});" for x, s in names.items()), f"[{a}, {b}; {b}, {c}]"], 2)
+            f = Formula(
+                [*(f"{s} = number({x});" for x, s in names.items()), f"[{a}, {b}; {b}, {c}]"], 2
+            )
             self.refuses(f, polygon([0, 0], [1, 0.1]))
             self.refuses(f, polygon([0, 0]))
 

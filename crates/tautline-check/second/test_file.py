@@ -25,7 +25,9 @@ from work import Work
 ENDS = [("point", 0.0, 0.03), ("point", 1.0, 0.03)]
 
 
-def certificate(hi=1.0001, region=None, exponent=-3, curve=((0.0, 0.03), (1.0, 0.03)), levels=1, c1=0.999):
+def certificate(
+    hi=1.0001, region=None, exponent=-3, curve=((0.0, 0.03), (1.0, 0.03)), levels=1, c1=0.999
+):
     region = region or f"declared {bits(c1)}"
     cubes = required(hi, ENDS, exponent, c1)
     one = level(exponent, cubes, along(ENDS[0][1:], ENDS[1][1:]))
@@ -51,26 +53,60 @@ class Files(unittest.TestCase):
     def test_proved_refused_and_not_read_have_codes_of_their_own(self):
         good = text(certificate()[0])
         self.assertEqual(ran(good)[0], 0)
-        for broken in ("", "\n", good[:-1], good[:-5], good.replace("hi", "ho"), good + "x\n", good.replace("end", "é")):
+        for broken in (
+            "",
+            "\n",
+            good[:-1],
+            good[:-5],
+            good.replace("hi", "ho"),
+            good + "x\n",
+            good.replace("end", "é"),
+        ):
             code, said, complained = ran(broken)
             self.assertEqual((code, said, complained[:9]), (1, "", "refused: "), broken[-50:])
         self.assertEqual(ran(b"\xff\xfe" + good.encode())[0], 2)
         with contextlib.redirect_stderr(io.StringIO()):
-            for arguments in (["/nowhere"], ["/"], [], ["a", "b"], ["--time-limit", "x", "a"], ["--no", "1", "a"]):
+            for arguments in (
+                ["/nowhere"],
+                ["/"],
+                [],
+                ["a", "b"],
+                ["--time-limit", "x", "a"],
+                ["--no", "1", "a"],
+            ):
                 self.assertEqual(check.main(arguments), 2, arguments)
 
     def test_broken_texts_are_refused_whatever_is_broken(self):
         chance, accepted = random.Random(1), 0
         words = "0 -1 1 2 99999999999999999 -0 00 x9 s99 nan 7ff8000000000000 fff0000000000000 é 1e999".split()
-        words += ["0000000000000001", "7fefffffffffffff", "ffefffffffffffff", "8000000000000000", "", "\t"]
-        words += ["table1_3", "ball", "half-space", "exit-one", "tubes", "^2147483648", "1" + "0" * 5000]
-        texts = [text(certificate(0.9, exponent=-2, curve=())[0][:4] + certificate(exponent=-2)[0][4:])]
+        words += [
+            "0000000000000001",
+            "7fefffffffffffff",
+            "ffefffffffffffff",
+            "8000000000000000",
+            "",
+            "\t",
+        ]
+        words += [
+            "table1_3",
+            "ball",
+            "half-space",
+            "exit-one",
+            "tubes",
+            "^2147483648",
+            "1" + "0" * 5000,
+        ]
+        texts = [
+            text(certificate(0.9, exponent=-2, curve=())[0][:4] + certificate(exponent=-2)[0][4:])
+        ]
         texts += [campaign.make(random.Random(seed))[0].text() for seed in (2, 6, 31)]
         for _ in range(150):
             broken = chance.choice(texts).split("\n")
             for _ in range(chance.choice([1, 1, 2])):
                 # Half of the changes are among the first lines.
-                at = chance.randrange(min(len(broken), 25) if chance.random() < 0.5 else len(broken))
+                at = chance.randrange(
+                    min(len(broken), 25) if chance.random() < 0.5 else len(broken)
+                )
                 what = chance.randrange(5)
                 if what == 0:
                     broken = broken[: at + 1]
@@ -126,9 +162,21 @@ class Matrices(unittest.TestCase):
             Formula([*steps, "[s1, s2; s2, s1]"], 2)
 
     def test_steps_are_kept_as_long_as_they_are_read(self):
-        f = Formula(["s1 = x1 + 1.0;", "s2 = s1 * s1;", "s3, s4 = sin_cos(s1);", "s5 = s3 + s2;", "s6 = s5 - s1;", "[s6]"], 1)
+        f = Formula(
+            [
+                "s1 = x1 + 1.0;",
+                "s2 = s1 * s1;",
+                "s3, s4 = sin_cos(s1);",
+                "s5 = s3 + s2;",
+                "s6 = s5 - s1;",
+                "[s6]",
+            ],
+            1,
+        )
         self.assertEqual(f.unread_after, [["x1"], [], ["s4"], f.unread_after[3], f.unread_after[4]])
-        self.assertEqual((set(f.unread_after[3]), set(f.unread_after[4])), ({"s2", "s3"}, {"s1", "s5"}))
+        self.assertEqual(
+            (set(f.unread_after[3]), set(f.unread_after[4])), ({"s2", "s3"}, {"s1", "s5"})
+        )
         self.assertEqual(f.most_values, 4)
 
         class Number(float):
@@ -178,7 +226,9 @@ class Budget(unittest.TestCase):
         self.assertEqual(self.spent(text(file)).spent, 2 * (cubes * per_cube + near))
         # H ≥ c1 on the whole box of each tube: one box each.
         file, cubes = certificate(region=f"tubes {bits(0.51, 0.999)}")
-        self.assertEqual(self.spent(text(file)).spent, cubes * per_cube + near + 6 * 3 + 2 * (3 + 2))
+        self.assertEqual(
+            self.spent(text(file)).spent, cubes * per_cube + near + 6 * 3 + 2 * (3 + 2)
+        )
 
     def test_each_near_piece_of_a_cube_is_counted_and_a_box_for_each_of_its_sides(self):
         metric, one = flat(3), level(0, [(0, 0, 0)], [lambda x: 0.0] * 2)
@@ -192,7 +242,10 @@ class Budget(unittest.TestCase):
     def test_there_are_at_most_1024_tables(self):
         for count in (1024, 1025):
             steps = [f"s{k} = table{k}(x1);" for k in range(1, count + 1)]
-            steps += [f"s{count + k} = s{count + k - 1 if k > 1 else 1} + s{k + 1};" for k in range(1, count)]
+            steps += [
+                f"s{count + k} = s{count + k - 1 if k > 1 else 1} + s{k + 1};"
+                for k in range(1, count)
+            ]
             file = lines([*steps, f"[s{2 * count - 1}]"], [("point", 0.0)] * 2, 1.0, "exit-one")
             file[2:2] = ["table 1", bits(1.0)] * count
             if count == 1024:
@@ -225,14 +278,24 @@ class Budget(unittest.TestCase):
         units = self.spent(content).spent
         with mock.patch.multiple("check", ALWAYS=units, FOR_A_NUMBER=0):
             check.check(Certificate(content))
-        with mock.patch.multiple("check", ALWAYS=units - 1, FOR_A_NUMBER=0), self.assertRaises(Refused):
+        with (
+            mock.patch.multiple("check", ALWAYS=units - 1, FOR_A_NUMBER=0),
+            self.assertRaises(Refused),
+        ):
             check.check(Certificate(content))
 
     def test_a_small_file_does_not_ask_for_hours(self):
         # H − c1 is 0 at a point: no number of boxes would do.
-        metric = ["s1 = sqr(x1);", *(f"s{n} = sin(s{n - 1});" for n in range(2, 60)), "s60 = s59 + 1.0;", "[s60]"]
+        metric = [
+            "s1 = sqr(x1);",
+            *(f"s{n} = sin(s{n - 1});" for n in range(2, 60)),
+            "s60 = s59 + 1.0;",
+            "[s60]",
+        ]
         one = level(0, [(0,)], [lambda x: x[0], lambda x: 1 - x[0]])
-        content = text(lines(metric, [("point", 0.0), ("point", 1.0)], 1.9, f"tubes {bits(1.0, 1.0)}", [one]))
+        content = text(
+            lines(metric, [("point", 0.0), ("point", 1.0)], 1.9, f"tubes {bits(1.0, 1.0)}", [one])
+        )
         patched = mock.patch.multiple("check", ALWAYS=2**16, FOR_A_NUMBER=2**10)
         with patched, self.assertRaises(Refused) as refused:
             check.check(Certificate(content))
@@ -240,7 +303,13 @@ class Budget(unittest.TestCase):
 
     def test_cubes_that_are_missing_are_found_out_at_once(self):
         pieces = [("point", k / 64, 0.0) for k in range(400)]
-        file = lines(flat(2), [("point", 0.0, 0.0), ("point", 1.0, 0.5)], 700.0, f"declared {bits(1)}", [level(-2, [(0, 0)], [lambda x: 0.0] * 2)])
+        file = lines(
+            flat(2),
+            [("point", 0.0, 0.0), ("point", 1.0, 0.5)],
+            700.0,
+            f"declared {bits(1)}",
+            [level(-2, [(0, 0)], [lambda x: 0.0] * 2)],
+        )
         at = next(i for i, line in enumerate(file) if line.startswith("from"))
         file[at : at + 1] = [f"from point {bits(*x)}" for _, *x in pieces]
         with self.assertRaises(Refused) as refused:
@@ -269,7 +338,13 @@ class Proofs(unittest.TestCase):
         file, _ = certificate(curve=())
         cubes = required(1.0001, ENDS, -3, 0.999)
         functions = along(ENDS[0][1:], ENDS[1][1:])
-        halves = sorted({tuple(2 * k + h for k, h in zip(c, half)) for c in cubes.tolist() for half in itertools.product(range(2), repeat=2)})
+        halves = sorted(
+            {
+                tuple(2 * k + h for k, h in zip(c, half))
+                for c in cubes.tolist()
+                for half in itertools.product(range(2), repeat=2)
+            }
+        )
         whole = file[:-1] + level(-4, halves, functions) + ["end"]
         check.check(Certificate(text(whole)))
         # The geodesic runs at height 0.03 through the cubes in the row 0.
@@ -290,7 +365,11 @@ class Proofs(unittest.TestCase):
                     check.check(Certificate(text(file)))
 
     def test_both_ends_of_the_curve_lie_in_their_sets_and_it_is_shorter_than_hi(self):
-        for curve in ([(0.0, 0.031), (1.0, 0.03)], [(0.0, 0.03), (1.0, 0.031)], [(0.0, 0.03), (0.5, 0.04), (1.0, 0.03)]):
+        for curve in (
+            [(0.0, 0.031), (1.0, 0.03)],
+            [(0.0, 0.03), (1.0, 0.031)],
+            [(0.0, 0.03), (0.5, 0.04), (1.0, 0.03)],
+        ):
             with self.assertRaises(Refused):
                 check.check(Certificate(text(certificate(curve=curve)[0])))
 
@@ -310,7 +389,10 @@ class Printed(unittest.TestCase):
             self.assertLessEqual(Decimal(said["lower"]), Decimal(lower))
             self.assertGreaterEqual(Decimal(said["upper"]), Decimal(upper))
             self.assertGreaterEqual(Fraction(said["gap"]), 1 - Fraction(lower) / Fraction(upper))
-            self.assertLessEqual(Fraction(said["gap"]), (1 - Fraction(lower) / Fraction(upper)) * (1 + Fraction(1, 10**5)))
+            self.assertLessEqual(
+                Fraction(said["gap"]),
+                (1 - Fraction(lower) / Fraction(upper)) * (1 + Fraction(1, 10**5)),
+            )
 
 
 if __name__ == "__main__":

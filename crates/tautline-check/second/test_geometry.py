@@ -66,7 +66,13 @@ class Distances(unittest.TestCase):
 
     def test_distances_are_rounded_down(self):
         for x, r in ((0.1, 0.0), (0.7, 0.3), (3.3, 1.1)):
-            found = Fraction(float(distance_below([("ball", np.array([0.0, 0.0, r]))], [of(np.array([x])), of(np.array([x]))])[0]))
+            found = Fraction(
+                float(
+                    distance_below(
+                        [("ball", np.array([0.0, 0.0, r]))], [of(np.array([x])), of(np.array([x]))]
+                    )[0]
+                )
+            )
             self.assertLessEqual((found + Fraction(r)) ** 2, 2 * Fraction(x) ** 2)
 
     def test_a_union_with_a_half_space_is_unbounded(self):
@@ -89,7 +95,11 @@ class Membership(unittest.TestCase):
             # 0.1² + 0.2² is more than the square of the double next to its root.
             ([("ball", [0.0, 0.0, 0.2])], [0.2, 1e-200], False),
             ([("ball", [0.0, 0.0, 0.2])], [np.nextafter(0.2, 0), 1e-200], True),
-            ([("half-space", [0.1, 0.2, 0.3])], [1.0, 1.0], Fraction(0.1) + Fraction(0.2) <= Fraction(0.3)),
+            (
+                [("half-space", [0.1, 0.2, 0.3])],
+                [1.0, 1.0],
+                Fraction(0.1) + Fraction(0.2) <= Fraction(0.3),
+            ),
             ([("half-space", [1.0, 1.0, 1.0])], [1.0, 1e-300], False),
             ([("half-space", [1.0, 1.0, 1.0])], [0.5, 0.5], True),
             ([("box", [0.0, 0.0, 1.0, 1.0])], [1.0, 0.0], True),
@@ -116,8 +126,12 @@ class OnSimplices(unittest.TestCase):
             piece = some_piece(chance, n, 0.6)
             if chance.random() < 0.3 and piece[0] in ("point", "ball"):
                 # On a face of several simplices.
-                piece[1][:n] = low + side * np.array([chance.choice([0.0, 0.5, 1.0]) for _ in range(n)])
-            meets, ((lo, hi),) = on_piece(piece, simplex, [of(x).lo[None] for x in low], side, [form])
+                piece[1][:n] = low + side * np.array(
+                    [chance.choice([0.0, 0.5, 1.0]) for _ in range(n)]
+                )
+            meets, ((lo, hi),) = on_piece(
+                piece, simplex, [of(x).lo[None] for x in low], side, [form]
+            )
             weights = np.array([self.weights(chance, n) for _ in range(300)])
             points = weights @ (low + side * simplex.corners)
             if piece[0] in ("point", "ball"):
@@ -126,14 +140,17 @@ class OnSimplices(unittest.TestCase):
                 weights = np.vstack([weights, np.append(1, y) - np.append(y, 0)])
             inside = (distance(piece, points) == 0) & (weights >= 0).all(axis=1)
             values = sum(
-                float(b.lo[0]) * weights[:, i] * weights[:, j] * (1 if i == j else 2) for (i, j), b in form.items()
+                float(b.lo[0]) * weights[:, i] * weights[:, j] * (1 if i == j else 2)
+                for (i, j), b in form.items()
             )[inside]
             if inside.any():
                 met += 1
                 self.assertTrue(meets[0], (piece, low, simplex.axes))
                 self.assertLessEqual(lo[0], values.min() + 1e-12)
                 self.assertGreaterEqual(hi[0], values.max() - 1e-12)
-                whole = max(float(b.hi[0]) for b in form.values()) - min(float(b.lo[0]) for b in form.values())
+                whole = max(float(b.hi[0]) for b in form.values()) - min(
+                    float(b.lo[0]) for b in form.values()
+                )
                 tight += bool(hi[0] - lo[0] < 0.9 * whole)
         self.assertGreater(met, 50)
         self.assertGreater(tight, 10)

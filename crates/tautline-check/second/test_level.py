@@ -48,11 +48,20 @@ class Rescaling(unittest.TestCase):
                     self.assertEqual(slope, 0)
                 else:
                     self.assertLessEqual(Fraction(slope) ** 2 * Fraction(worst), 1)
-                    self.assertGreaterEqual(slope, min(1, 1 / math.sqrt(worst) if worst else 1) * (1 - 1e-15))
+                    self.assertGreaterEqual(
+                        slope, min(1, 1 / math.sqrt(worst) if worst else 1) * (1 - 1e-15)
+                    )
             heights = [Fraction(0)]
             for b, slope in enumerate(f.slopes):
-                heights.append(heights[-1] + Fraction(slope) * (Fraction(f.levels[b + 1]) - Fraction(f.levels[b])))
-            t = [chance.uniform(start - 0.1, end + 0.3) for _ in range(300)] + [*f.levels[::97], start, end]
+                heights.append(
+                    heights[-1]
+                    + Fraction(slope) * (Fraction(f.levels[b + 1]) - Fraction(f.levels[b]))
+                )
+            t = [chance.uniform(start - 0.1, end + 0.3) for _ in range(300)] + [
+                *f.levels[::97],
+                start,
+                end,
+            ]
             for x, below, excess in zip(t, f.below(t), f.excess(t)):
                 b = int(np.searchsorted(f.levels, x, "right")) - 1
                 if b < 0:
@@ -60,7 +69,9 @@ class Rescaling(unittest.TestCase):
                 elif b >= len(f.slopes):
                     exact = heights[-1]
                 else:
-                    exact = heights[b] + Fraction(f.slopes[b]) * (Fraction(x) - Fraction(f.levels[b]))
+                    exact = heights[b] + Fraction(f.slopes[b]) * (
+                        Fraction(x) - Fraction(f.levels[b])
+                    )
                 self.assertLessEqual(Fraction(float(below)), exact)
                 self.assertLessEqual(exact - Fraction(float(below)), Fraction(1e-15))
                 self.assertGreaterEqual(Fraction(float(excess)), Fraction(x) - exact)
@@ -68,7 +79,14 @@ class Rescaling(unittest.TestCase):
             self.assertEqual(f.excess([math.inf]).tolist(), [math.inf])
 
     def test_levels_in_the_wrong_order_prove_nothing(self):
-        for start, end in ((1.0, 1.0), (1.0, 0.5), (-math.inf, 1.0), (0.0, math.inf), (math.nan, 1.0), (0.0, math.nan)):
+        for start, end in (
+            (1.0, 1.0),
+            (1.0, 0.5),
+            (-math.inf, 1.0),
+            (0.0, math.inf),
+            (math.nan, 1.0),
+            (0.0, math.nan),
+        ):
             f = LevelSets(np.zeros(1), np.ones(1), np.ones(1), np.float64(start), np.float64(end))
             self.assertEqual(f.below([0.0, 0.7, 9.0]).tolist(), [0, 0, 0])
 
@@ -150,9 +168,15 @@ class Pieces(unittest.TestCase):
             f = Formula(campaign.constant(chance, n).lines, n)
             cubes = np.array(list(itertools.product(range(-1, 1), repeat=n)))
             nodes = campaign.nodes_of(cubes, 0)
-            level = Level(0, cubes, np.array([[chance.uniform(-1, 1) for _ in range(2)] for _ in nodes]))
-            pieces = [("point", np.array([chance.uniform(-1, 1) for _ in range(n)])) for _ in range(4)]
-            pieces.append(("ball", np.append(np.array([chance.uniform(-1, 1) for _ in range(n)]), 0.2)))
+            level = Level(
+                0, cubes, np.array([[chance.uniform(-1, 1) for _ in range(2)] for _ in nodes])
+            )
+            pieces = [
+                ("point", np.array([chance.uniform(-1, 1) for _ in range(n)])) for _ in range(4)
+            ]
+            pieces.append(
+                ("ball", np.append(np.array([chance.uniform(-1, 1) for _ in range(n)]), 0.2))
+            )
             both = Sweep(f, [pieces, pieces[::-1]], level).meetings
             each = [Sweep(f, [[piece], [piece]], level).meetings for piece in pieces]
             for i in (0, 1):

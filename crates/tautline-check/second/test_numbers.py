@@ -19,7 +19,9 @@ from test_check import Tables
 def double(chance):
     """A number of any size, also one that overflows or underflows in products."""
     mantissa = chance.uniform(1, 2) * chance.choice([-1, 1])
-    return chance.choice([0.0, mantissa * 2.0 ** chance.choice([0, 1, -1, 30, -30, 530, -540, 1000, -1060])])
+    return chance.choice(
+        [0.0, mantissa * 2.0 ** chance.choice([0, 1, -1, 30, -30, 530, -540, 1000, -1060])]
+    )
 
 
 class Exact(unittest.TestCase):
@@ -73,17 +75,27 @@ class Exact(unittest.TestCase):
                 low = chance.uniform(-8, 8)
                 box = Interval(low, low + chance.choice([0.0, 0.3, 2, 7]))
                 found = getattr(box, name)()
-                points = [low, float(box.hi), *(chance.uniform(low, float(box.hi)) for _ in range(12))]
+                points = [
+                    low,
+                    float(box.hi),
+                    *(chance.uniform(low, float(box.hi)) for _ in range(12)),
+                ]
                 # Extremes and poles at multiples of a quarter turn, next to the true ones.
-                points += [k * math.pi / 2 for k in range(-6, 11) if box.lo < k * math.pi / 2 < box.hi]
+                points += [
+                    k * math.pi / 2 for k in range(-6, 11) if box.lo < k * math.pi / 2 < box.hi
+                ]
                 points += [0.0] * bool(box.lo <= 0 <= box.hi)
                 for x in points:
                     value = self.exactly(name, x)
                     if value is None:
                         self.assertTrue(np.isnan(found.lo), (name, low))
                     elif not np.isnan(found.lo):
-                        self.assertTrue(arb(float(found.lo)) <= value <= arb(float(found.hi)), (name, x))
-                if name == "tan" and any(box.lo < (k + 0.5) * math.pi < box.hi for k in range(-6, 9)):
+                        self.assertTrue(
+                            arb(float(found.lo)) <= value <= arb(float(found.hi)), (name, x)
+                        )
+                if name == "tan" and any(
+                    box.lo < (k + 0.5) * math.pi < box.hi for k in range(-6, 9)
+                ):
                     self.assertTrue(np.isnan(found.lo), float(box.lo))
 
     @staticmethod
@@ -106,7 +118,9 @@ class Exact(unittest.TestCase):
         chance = random.Random(4)
         for name in "exp ln atan sinh tanh cosh cos sin tan".split():
             for _ in range(150):
-                x = chance.uniform(0.1, 2) * chance.choice([1.0, 1e-3, 1e3 if name in ("cos", "sin", "ln") else 1.0])
+                x = chance.uniform(0.1, 2) * chance.choice(
+                    [1.0, 1e-3, 1e3 if name in ("cos", "sin", "ln") else 1.0]
+                )
                 found, value = getattr(of(x), name)(), self.exactly(name, x)
                 self.assertTrue(arb(float(found.lo)) <= value <= arb(float(found.hi)), (name, x))
 
@@ -177,7 +191,9 @@ class Derivatives(unittest.TestCase):
             formula = Formula(lines, 2)
             x = [chance.uniform(0.3, 1.2), chance.uniform(0.3, 1.2)]
             unit = [[of(1.0) if i == j else None for j in range(2)] for i in range(2)]
-            jet = formula([Jet(of(v), u) for v, u in zip(x, unit)], lambda c: Jet(c, [None] * 2))[0, 0]
+            jet = formula([Jet(of(v), u) for v, u in zip(x, unit)], lambda c: Jet(c, [None] * 2))[
+                0, 0
+            ]
 
             def f(a, b):
                 point = [Digits(arb(x[0]) + a * h), Digits(arb(x[1]) + b * h)]
@@ -185,7 +201,10 @@ class Derivatives(unittest.TestCase):
 
             h = arb(2) ** -200
             values = {(a, b): f(a, b) for a in (-1, 0, 1) for b in (-1, 0, 1)}
-            first = [(values[1, 0] - values[-1, 0]) / (2 * h), (values[0, 1] - values[0, -1]) / (2 * h)]
+            first = [
+                (values[1, 0] - values[-1, 0]) / (2 * h),
+                (values[0, 1] - values[0, -1]) / (2 * h),
+            ]
             mixed = (values[1, 1] - values[1, -1] - values[-1, 1] + values[-1, -1]) / (4 * h * h)
             second = {
                 (0, 0): (values[1, 0] - 2 * values[0, 0] + values[-1, 0]) / (h * h),
@@ -227,8 +246,20 @@ class Derivatives(unittest.TestCase):
             add(
                 chance.choice(
                     [f"{b} / {safe}", f"{safe}^3", f"{safe}^-2", f"sqrt({safe})", f"ln({safe})"]
-                    + [f"exp({safe})", f"tan({safe})", f"atan({b})", f"sinh({safe})", f"cosh({safe})"]
-                    + [f"tanh({b})", f"cos({b})", f"recip({safe})", f"{b} * {safe}", f"{b} - {safe}"]
+                    + [
+                        f"exp({safe})",
+                        f"tan({safe})",
+                        f"atan({b})",
+                        f"sinh({safe})",
+                        f"cosh({safe})",
+                    ]
+                    + [
+                        f"tanh({b})",
+                        f"cos({b})",
+                        f"recip({safe})",
+                        f"{b} * {safe}",
+                        f"{b} - {safe}",
+                    ]
                 )
             )
         # Every step is used.
@@ -243,7 +274,13 @@ class TablesOfSteps(unittest.TestCase):
     def test_derivatives_of_a_table_of_steps(self):
         chance = random.Random(6)
         c = np.array([[chance.uniform(1, 5) for _ in range(5)] for _ in range(6)])
-        lines = ["s1 = sqr(x1);", "s2 = s1 + x2;", "s3 = x1 * x2;", "s4 = table1(s2, s3);", "[s4, s4; s4, s4]"]
+        lines = [
+            "s1 = sqr(x1);",
+            "s2 = s1 + x2;",
+            "s3 = x1 * x2;",
+            "s4 = table1(s2, s3);",
+            "[s4, s4; s4, s4]",
+        ]
         formula = Formula(lines, 2, [Table(c)])
         h = 1e-4
         for _ in range(30):
@@ -258,7 +295,9 @@ class TablesOfSteps(unittest.TestCase):
                 return Tables.value(c, [y[0] ** 2 + y[1], y[0] * y[1]], (0, 0))
 
             unit = [[of(1.0) if i == j else None for j in range(2)] for i in range(2)]
-            jet = formula([Jet(of(np.array([v])), u) for v, u in zip(x, unit)], lambda c: Jet(c, [None] * 2))[0, 0]
+            jet = formula(
+                [Jet(of(np.array([v])), u) for v, u in zip(x, unit)], lambda c: Jet(c, [None] * 2)
+            )[0, 0]
             second = {
                 (0, 0): (f(1, 0) - 2 * f(0, 0) + f(-1, 0)) / h**2,
                 (1, 1): (f(0, 1) - 2 * f(0, 0) + f(0, -1)) / h**2,
