@@ -18,7 +18,6 @@ from certificate import Certificate
 from check import check, following
 from formula import Formula
 from intervals import of
-from kuhn import simplices
 from level import Level
 from metric import gram
 from refused import Refused
@@ -449,7 +448,7 @@ def false(found, d, length, good, curve, false_c1):
 
 
 def main(folder, seed=1, count=200):
-    chance, wrong = random.Random(int(seed)), []
+    chance, wrong, made = random.Random(int(seed)), [], None
     for at in range(int(count)):
         if at % 2 == 0 or not made.levels:
             made, d, good, length = make(chance)

@@ -96,7 +96,7 @@ class VertexTest(unittest.TestCase):
     def quadratic(chance, n):
         """H with entries that are quadratic polynomials, and its second derivatives."""
         bends = np.zeros((n, n, n, n))
-        lines, rows, names = [], [[""] * n for _ in range(n)], 0
+        lines, rows = [], [[""] * n for _ in range(n)]
         for i, j in itertools.combinations_with_replacement(range(n), 2):
             b = np.array([[chance.uniform(-2, 2) for _ in range(n)] for _ in range(n)])
             bends[i, j] = bends[j, i] = b = b + b.T
