@@ -19,6 +19,7 @@ import check
 from certificate import Certificate
 from formula import Formula
 from refused import Refused
+from region import required_cubes
 from test_check import along, bits, flat, level, lines, required
 from work import Work
 
@@ -377,6 +378,27 @@ class Proofs(unittest.TestCase):
         file, _ = certificate(region="exit-two", levels=2)
         with self.assertRaises(Refused):
             check.check(Certificate(text(file)))
+
+
+class Exits(unittest.TestCase):
+    def test_exit_two_needs_the_cubes_of_both_sets_and_exit_one_those_of_the_first(self):
+        ends = [[("point", np.array([0.5]))], [("ball", np.array([5.0, 0.6]))]]
+        for kind, cubes in (("exit-one", [0]), ("exit-two", [0, 4, 5])):
+            found = np.concatenate([*required_cubes((kind,), ends, 1.0, 0, 1)])
+            self.assertEqual(np.unique(found).tolist(), cubes)
+
+    def test_a_facet_that_is_just_outside_of_the_second_set_counts(self):
+        # 3 times the double 0.1 is more than the double 0.3, by 3e-17; rounded, it may be less.
+        cubes = [(k,) for k in range(3, 8)]
+        one = level(0, cubes, [lambda x: abs(x[0] - 5), lambda x: 0.0])
+        for offset, accepted in ((0.3, False), (0.31, True)):
+            ends = [("point", 5.0), ("half-space", 0.1, offset)]
+            file = text(lines(flat(1), ends, 2.5, "exit-one", [one]))
+            if accepted:
+                check.check(Certificate(file))
+            else:
+                with self.assertRaises(Refused):
+                    check.check(Certificate(file))
 
 
 class Printed(unittest.TestCase):
