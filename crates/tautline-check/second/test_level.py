@@ -80,6 +80,13 @@ class Rescaling(unittest.TestCase):
             self.assertEqual(f.below([-math.inf, math.inf]).tolist(), [0, f.below(end + 9.0)])
             self.assertEqual(f.excess([math.inf]).tolist(), [math.inf])
 
+    def test_the_excess_is_rounded_up(self):
+        chance = random.Random(8)
+        f = LevelSets(np.array([-1.0]), np.array([3.0]), np.array([7.0]), 0.0, 1.3)
+        t = [chance.uniform(0, 1.4) for _ in range(300)]
+        for x, below, excess in zip(t, f.below(t), f.excess(t)):
+            self.assertGreaterEqual(Fraction(float(excess)), Fraction(x) - Fraction(float(below)))
+
     def test_levels_in_the_wrong_order_prove_nothing(self):
         for start, end in (
             (1.0, 1.0),
