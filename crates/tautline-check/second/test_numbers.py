@@ -310,6 +310,13 @@ class TablesOfSteps(unittest.TestCase):
             for ij, value in second.items():
                 self.assertAlmostEqual(float(jet.second[ij].lo[0]), value, delta=1e-4)
 
+    def test_a_box_over_many_cells_has_all_coefficients(self):
+        # A line is its own spline: from 0.5 to 20.9 in 21 cells, with the coefficients −1 to 22.
+        found = Table(np.arange(40.0))((0,), [Interval(np.array([0.5]), np.array([20.9]))])
+        self.assertTrue(found.lo[0] <= 0.5 and 20.9 <= found.hi[0])
+        squares = Table(np.arange(40.0) ** 3)((1,), [Interval(np.array([5.0]), np.array([25.0]))])
+        self.assertLessEqual(3 * 24.9**2, squares.hi[0])
+
     def test_each_box_has_its_own_cells_and_all_of_them(self):
         chance = random.Random(7)
         for shape in [(5,), (4, 3), (3, 2, 3)]:
