@@ -138,9 +138,16 @@ macro_rules! jet {
                         let first = power / x * k;
                         self.chain(power, first, first / x * (k - 1.0))
                     }
-                    _ => {
+                    // Here n (n − 1) has at most 53 bits.
+                    -67_108_863..=67_108_864 => {
                         let k = f64::from(n);
                         self.chain(x.powi(n), x.powi(n - 1) * k, x.powi(n - 2) * (k * (k - 1.0)))
+                    }
+                    // Here it is rounded, so intervals must enclose it.
+                    _ => {
+                        let k = f64::from(n);
+                        let bend = T::constant(k) * (k - 1.0);
+                        self.chain(x.powi(n), x.powi(n - 1) * k, x.powi(n - 2) * bend)
                     }
                 }
             }

@@ -241,3 +241,14 @@ fn a_budget_without_a_positive_c1_gives_no_constants() {
         other => panic!("{other:?}"),
     }
 }
+
+/// `n (n − 1)` for `n = 2³¹ − 3` has 62 bits, and is no double.
+#[test]
+fn the_bend_of_a_high_power_is_proved_at_a_point() {
+    let power = parsed::<1>("1 + x1^2147483645 I");
+    let point = Domain::<1>::ball([1.0], 0.0).expect("a radius");
+    let found = certify(&power, Quantity::MH, &point, CLOSE).expect("a constant");
+    let exact = 2_147_483_645_i128 * 2_147_483_644;
+    assert!(found.lower as i128 <= exact && exact <= found.upper as i128, "{found:?}");
+    assert!(found.upper as i128 - found.lower as i128 <= 1 << 12, "{found:?}");
+}
