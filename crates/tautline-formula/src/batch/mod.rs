@@ -98,6 +98,10 @@ impl<'f, const D: usize> Batch<'f, D> {
     }
 
     /// Returns a row, lane by lane.
+    ///
+    /// A program fills whole chunks: the lanes beyond the last point, up to the next multiple of
+    /// [`WIDTH`](crate::WIDTH), repeat the results of that point. What is in other lanes is left from
+    /// earlier batches.
     #[must_use]
     #[inline]
     pub fn row(&self, register: Register) -> &[f64] {

@@ -1,6 +1,7 @@
 //! Formulas as data: recorded, printed, parsed, and run as programs.
 
 mod any_metric;
+mod batches;
 mod black_box;
 mod broken_text;
 mod edges_of_programs;

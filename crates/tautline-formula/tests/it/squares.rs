@@ -5,7 +5,10 @@ use tautline_formula::{Kind, Prepared};
 use tautline_metrics::{Metric, gallery::TanhDecoder};
 use tautline_scalar::Scalar;
 
-use crate::programs::{all, compare_one, places};
+use crate::{
+    programs::{all, compare_one, places},
+    random::Random,
+};
 
 /// Distinct numbers without a pattern.
 fn number(k: usize) -> f64 {
@@ -137,4 +140,72 @@ fn graphs_of_functions_are_contracted() {
         }
     }
     all(&Graph);
+}
+
+/// `8 I + Σₒ Σᵢⱼ wₒᵢⱼ aₒᵢ aₒⱼ` in four coordinates. Each product has a weight of its own, so that
+/// often some, but not all, of the squares and products of a vector have the same one.
+struct Weighted([[[f64; 4]; 4]; 3]);
+
+impl Weighted {
+    const WEIGHTS: [f64; 3] = [1.0, 2.0, 0.5];
+
+    /// Returns a sum in which the vector `spoilt` has random weights, with the same weight for most
+    /// products; all weights of the others are the same.
+    fn random(random: &mut Random, spoilt: Option<usize>) -> Self {
+        let mut draw = |most: usize| Self::WEIGHTS[random.below(most)];
+        Self(std::array::from_fn(|o| {
+            let usual = draw(3);
+            std::array::from_fn(|_| {
+                std::array::from_fn(|_| match spoilt {
+                    Some(one) if one == o && draw(3) != 1.0 => draw(2),
+                    _ => usual,
+                })
+            })
+        }))
+    }
+}
+
+impl Metric<4> for Weighted {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 4>) -> SMatrix<S, 4, 4> {
+        let wave = |k: usize| {
+            x.iter().enumerate().fold(S::zero(), |sum, (i, &x)| sum + x * number(4 * k + i)).sin()
+        };
+        let waves: [S; 3] = std::array::from_fn(wave);
+        let entry = |o: usize, i: usize| {
+            let terms = waves.iter().enumerate();
+            terms.fold(S::zero(), |sum, (a, &s)| sum + s * number(20 + 16 * o + 4 * a + i))
+        };
+        let mut h = SMatrix::<S, 4, 4>::from_diagonal_element(S::constant(8.0));
+        for (o, weights) in self.0.iter().enumerate() {
+            let a: [S; 4] = std::array::from_fn(|i| entry(o, i));
+            for i in 0..4 {
+                for j in i..4 {
+                    let product = if i == j { a[i].sqr() } else { a[i] * a[j] };
+                    h[(i, j)] += product * weights[i][j];
+                }
+            }
+        }
+        h.fill_lower_triangle_with_upper_triangle();
+        h
+    }
+}
+
+/// `2 b² + a b + a²` is not the square of a vector, although the weight of `a b` is that of `a²`.
+#[test]
+fn a_product_has_to_have_the_weight_of_both_its_squares() {
+    let mut random = Random(tautline_chance::seed(91));
+    let length = |metric: &Weighted| {
+        let size = Prepared::new(metric).size(Kind::Contraction);
+        size.expect("a program")[0]
+    };
+    let square = Weighted::random(&mut random, None);
+    all(&square);
+    let mut longer = 0;
+    for case in 0..tautline_chance::cases(30) {
+        let spoilt = Weighted::random(&mut random, Some(case as usize % 3));
+        all(&spoilt);
+        longer += u32::from(length(&spoilt) > length(&square));
+    }
+    // Those that are no squares are longer, so the others are contracted as squares.
+    assert!(longer > tautline_chance::cases(10), "{longer}");
 }
