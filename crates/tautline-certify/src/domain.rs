@@ -90,7 +90,9 @@ impl<const D: usize> Domain<D> {
     /// that settle: `tanh`, `arctan`, `e^(−q)` with a sum `q` of squares of such forms, and walls
     /// `1/(d + f e^(a·x))`. Each form is then a variable of its own on the whole line, and the
     /// phases of waves are variables on circles. Constants are sharp if the forms, and the wave
-    /// numbers of each form, are linearly independent; otherwise they may be overestimated.
+    /// numbers of each form, are linearly independent; otherwise they may be overestimated. Waves of
+    /// one form share a phase if their numbers have a common divisor: as doubles, `0.1` and `0.8`
+    /// have one, but `0.1` and `0.5` have none that is of use, and far out their phases drift apart.
     ///
     /// For other formulas, [`is_all_of_space`](Domain::is_all_of_space) is false: nothing is known
     /// beyond [`REACH`](Domain::REACH).
@@ -203,7 +205,8 @@ impl<const D: usize> Domain<D> {
 
     /// Returns whether constants on the domain can be proved as close to the best ones as wanted. They
     /// cannot if the domain is all of space for a formula with linearly dependent forms, such as
-    /// `tanh(x1)`, `tanh(x2)` and `tanh(x1 + x2)`.
+    /// `tanh(x1)`, `tanh(x2)` and `tanh(x1 + x2)`, or with two phases of waves whose numbers have a
+    /// simple ratio. More complicated relations between three or more phases are not noticed.
     #[must_use]
     pub fn is_sharp(&self) -> bool {
         self.scope != Scope::Lifted { sharp: false }

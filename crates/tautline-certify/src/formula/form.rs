@@ -3,7 +3,10 @@
 use tautline_formula::Step;
 use tautline_scalar::Interval;
 
-use super::dependence::{LARGEST_RATIO, common_divisor, is_zero};
+use super::{
+    dependence::is_zero,
+    harmonics::{Read, may_resonate, shared},
+};
 use crate::patch::Point;
 
 /// A linear form `a·x`.
@@ -18,6 +21,8 @@ pub(crate) struct Form<const D: usize> {
     pub(super) has_tails: bool,
     /// Beyond this `K`, in the unit of the form, its tails are nearly flat.
     pub(super) reach: f64,
+    /// What its waves read.
+    waves: Vec<Read>,
 }
 
 /// A phase of a form.
@@ -25,8 +30,6 @@ pub(crate) struct Form<const D: usize> {
 pub(crate) struct Phase {
     /// `θ` is this number times the form, in radians per unit of the form.
     pub(super) wave_number: Interval,
-    /// The only linear step with this phase, if its wave number is not a double.
-    of: Option<Step>,
     pub(crate) variable: usize,
 }
 
@@ -57,6 +60,7 @@ impl<const D: usize> Form<D> {
             is_still: supported.iter().all(|&i| still[i]),
             has_tails: false,
             reach: 0.0,
+            waves: Vec::new(),
         };
         (form, scale)
     }
@@ -77,22 +81,26 @@ impl<const D: usize> Form<D> {
         self.reach = self.reach.max((16.0 + constant.magnitude()) / scale.mignitude());
     }
 
-    /// Adds a wave of `scale` times the form. Waves whose numbers have a common divisor share a
-    /// phase.
-    pub(super) fn add_wave(&mut self, step: Step, scale: Interval) {
-        let size = scale.lo().abs();
-        if scale.lo() != scale.hi() {
-            self.phases.push(Phase { wave_number: scale, of: Some(step), variable: 0 });
-            return;
-        }
-        for phase in self.phases.iter_mut().filter(|phase| phase.of.is_none()) {
-            let divisor = common_divisor(phase.wave_number.lo(), size);
-            if phase.wave_number.lo().max(size) <= LARGEST_RATIO * divisor {
-                phase.wave_number = Interval::point(divisor);
-                return;
-            }
-        }
-        self.phases.push(Phase { wave_number: Interval::point(size), of: None, variable: 0 });
+    /// Adds a wave of `scale` times the form, which `step` is up to a constant. Returns its number.
+    pub(super) fn add_wave(&mut self, step: Step, scale: Interval) -> usize {
+        self.waves.push((step, scale));
+        self.waves.len() - 1
+    }
+
+    /// Makes the phases, when all waves are known. Returns the phase of each wave, and which
+    /// multiple of it the wave reads; `None` if there are more than `most` phases.
+    pub(super) fn share_phases(&mut self, most: usize) -> Option<Vec<(usize, f64)>> {
+        let shared = shared(&self.waves, most)?;
+        let phase = |&wave_number: &Interval| Phase { wave_number, variable: 0 };
+        self.phases = shared.wave_numbers.iter().map(phase).collect();
+        Some(shared.waves)
+    }
+
+    /// Returns whether no two phases depend on each other noticeably.
+    pub(super) fn has_free_phases(&self) -> bool {
+        let pairs = (0..self.phases.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let wave_number = |k: usize| self.phases[k].wave_number;
+        pairs.into_iter().all(|(i, j)| !may_resonate(wave_number(i), wave_number(j)))
     }
 
     /// Returns a value of the form that agrees with a point of the search.
@@ -114,28 +122,14 @@ impl<const D: usize> Form<D> {
             others.iter().map(|phase| 1.0 - off(phase).cos()).sum()
         };
         let candidates = (0..if others.is_empty() { 1 } else { TURNS }).map(candidate);
+        // For the smallest wave numbers, a value may overflow.
+        let candidates = candidates.filter(|value| value.is_finite());
         candidates.min_by(|a, b| miss(*a).total_cmp(&miss(*b))).unwrap_or(value)
     }
 }
 
 /// The number of periods that are tried to meet several phases at once.
 const TURNS: u32 = 4096;
-
-impl Phase {
-    /// Returns `m` such that a wave of `scale` times the form has the phase `m θ`; `None` if it has
-    /// another phase.
-    pub(super) fn multiple(&self, step: Step, scale: Interval) -> Option<f64> {
-        if self.of.is_some() {
-            return (self.of == Some(step)).then_some(1.0);
-        }
-        let multiple = scale.lo() / self.wave_number.lo();
-        let is_multiple = scale.lo() == scale.hi()
-            && multiple.abs() <= LARGEST_RATIO
-            && multiple.fract() == 0.0
-            && multiple * self.wave_number.lo() == scale.lo();
-        is_multiple.then_some(multiple)
-    }
-}
 
 impl Place {
     /// Returns the values of a form with this reach.
@@ -167,7 +161,9 @@ pub(super) fn ratio<const D: usize>(a: &[Interval; D], b: &[Interval; D]) -> Opt
     let ratio = a[supported[0]].lo() / b[supported[0]].lo();
     let is_exact = |i: &usize| {
         let (a, b) = (a[*i].lo(), b[*i].lo());
-        // Where nothing underflows, the error of a product is a double.
+        // A fused multiply-add is rounded once, so it is 0 only if `ratio · b − a` is, or if that
+        // underflows. It is a multiple of the product of the last places of the factors, which is at
+        // least 2⁻¹⁰⁶ of their product. An overflow is not 0.
         (ratio * b).abs() > 1e-250 && ratio.mul_add(b, -a) == 0.0
     };
     supported.iter().all(is_exact).then(|| Interval::point(ratio))

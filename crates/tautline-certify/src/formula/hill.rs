@@ -24,29 +24,29 @@ pub(crate) struct Term {
 }
 
 impl Hill {
-    /// Returns the hill with this exponent, given the values of all steps at the origin.
-    pub(crate) fn new<const D: usize>(
-        lift: &Lift<D>,
-        origin: &[Interval],
-        exponent: Step,
-    ) -> Option<Self> {
-        let hill = Self::parabola(lift, origin, exponent)?;
-        let is_concave = |term: &Term| term.w.lo() > 0.0;
-        (!hill.terms.is_empty() && hill.terms.iter().all(is_concave)).then_some(hill)
+    /// Returns whether it is a hill: the exponent tends to `−∞` along each of its forms.
+    pub(crate) fn is_concave(&self) -> bool {
+        !self.terms.is_empty() && self.terms.iter().all(|term| term.w.lo() > 0.0)
     }
 
-    /// Returns the step as a sum of parabolas, if it is one.
-    fn parabola<const D: usize>(lift: &Lift<D>, origin: &[Interval], step: Step) -> Option<Self> {
-        let of = |step| Self::parabola(lift, origin, step);
-        match lift.roles[step as usize] {
+    /// Returns the exponent `p` that the step at `place` computes, if it is one, given those of the
+    /// steps before it and the values of all steps at the origin.
+    pub(crate) fn parabola<const D: usize>(
+        lift: &Lift<D>,
+        origin: &[Interval],
+        before: &[Option<Self>],
+        place: usize,
+    ) -> Option<Self> {
+        let of = |step: Step| before[step as usize].clone();
+        match lift.roles[place] {
             Role::Linear(Some((form, scale))) => {
                 let term = Term { form, b: scale, w: Interval::zero() };
-                return Some(Self { constant: origin[step as usize], terms: vec![term] });
+                return Some(Self { constant: origin[place], terms: vec![term] });
             }
             Role::Plain => {}
             _ => return None,
         }
-        match lift.formula.operations()[step as usize] {
+        match lift.formula.operations()[place] {
             Operation::Constant(c) => Some(Self::number(c.value())),
             Operation::WithNumber(how, a, c) => of(a)?.combined(how, &Self::number(c.value())),
             Operation::Binary(how, a, b) => of(a)?.combined(how, &of(b)?),

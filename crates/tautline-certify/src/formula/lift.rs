@@ -121,8 +121,7 @@ impl<const D: usize> Lift<D> {
                     continue;
                 };
                 if let Some((Function::Sin | Function::Cos | Function::Tan, _)) = function {
-                    self.forms[form].add_wave(step, scale);
-                    waves.push((place, step, form, scale));
+                    waves.push((place, step, form, self.forms[form].add_wave(step, scale)));
                 } else {
                     self.forms[form].add_tail(scale, origin[step as usize]);
                 }
@@ -134,11 +133,10 @@ impl<const D: usize> Lift<D> {
                 self.forms[form].add_tail(scale, origin[entry as usize]);
             }
         }
-        for (place, step, form, scale) in waves {
-            let phases = self.forms[form].phases.iter().enumerate();
-            let mut found =
-                phases.filter_map(|(phase, it)| Some((phase, it.multiple(step, scale)?)));
-            let (phase, multiple) = found.next().expect("each wave was added");
+        let shared = self.forms.iter_mut().map(|form| form.share_phases(VARIABLES));
+        let shared: Vec<_> = shared.collect::<Option<_>>()?;
+        for (place, step, form, wave) in waves {
+            let (phase, multiple) = shared[form][wave];
             self.roles[place] = Role::Wave { step, form, phase, multiple };
         }
         Some(())
@@ -165,9 +163,16 @@ impl<const D: usize> Lift<D> {
     }
 
     fn find_hills(&mut self, origin: &[Interval]) {
+        // From each step to the next: a recursion would need as much stack as the formula has steps.
+        let mut parabolas: Vec<Option<Hill>> = Vec::with_capacity(self.roles.len());
         for place in 0..self.roles.len() {
+            let parabola = Hill::parabola(self, origin, &parabolas, place);
+            parabolas.push(parabola);
             let Some((Function::Exp, exponent)) = self.formula.function(place) else { continue };
-            let Some(hill) = Hill::new(self, origin, exponent) else { continue };
+            let Some(hill) = parabolas[exponent as usize].clone() else { continue };
+            if !hill.is_concave() {
+                continue;
+            }
             for term in &hill.terms {
                 let form = &mut self.forms[term.form];
                 form.reach = form.reach.max(term.reach());
@@ -211,14 +216,17 @@ impl<const D: usize> Lift<D> {
         self.charts[chart][form]
     }
 
-    /// Returns whether the forms are linearly independent, up to rounding.
+    /// Returns whether the forms are linearly independent, up to rounding, and no two phases of a
+    /// form resonate.
     pub(crate) fn is_sharp(&self) -> bool {
         let moving: Vec<_> = self.forms.iter().filter(|form| form.moves()).collect();
         let rows = DMatrix::from_fn(moving.len(), D, |row, i| {
             if self.still[i] { 0.0 } else { moving[row].direction[i].midpoint() }
         });
         // A matrix without rows has no decomposition.
-        moving.is_empty() || (moving.len() <= D && rows.rank(1e-9 * rows.amax()) == moving.len())
+        let is_free = moving.iter().all(|form| form.has_free_phases());
+        moving.is_empty()
+            || (is_free && moving.len() <= D && rows.rank(1e-9 * rows.amax()) == moving.len())
     }
 
     /// Returns points of space, in `ℓ`, at which the forms have about the values of `point`. Phases
@@ -241,7 +249,8 @@ impl<const D: usize> Lift<D> {
             let value = |k: &usize| self.forms[*k].value(self.place(point.chart, *k), point);
             let wanted = DVector::from_iterator(chosen.len(), chosen.iter().map(value));
             let x = rows.svd(true, true).solve(&wanted, 1e-12).ok()?;
-            Some(SVector::from_fn(|i, _| x[i]))
+            // What overflows is no point of space.
+            x.iter().all(|x| x.is_finite()).then(|| SVector::from_fn(|i, _| x[i]))
         };
         subsets.filter_map(fit).collect()
     }

@@ -1,9 +1,11 @@
 //! Proofs about metrics and curves, compared with exact values and with high precision.
 
+mod aligned_waves;
 mod curve_laws;
 mod curve_values;
 mod every_metric;
 mod exact_constants;
+mod extreme_formulas;
 mod gallery_constants;
 mod metrics_against_high_precision;
 mod partly_undefined;

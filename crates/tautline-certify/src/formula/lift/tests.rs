@@ -304,3 +304,85 @@ fn charts_cover_all_values_of_a_form() {
     assert!(left.lo() == f64::NEG_INFINITY && right.hi() == f64::INFINITY);
     assert!(lift.patches().iter().skip(1).all(|patch| patch.sides[1].hi() > std::f64::consts::TAU));
 }
+
+/// The common divisor of 1024, 1 and ½ is too small for one phase; whichever comes last, each wave
+/// has a phase.
+#[test]
+fn every_wave_has_a_phase_in_whatever_order_they_come() {
+    let waves = ["cos(1024*x1)", "cos(x1)", "cos(0.5*x1)"];
+    for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+        let [a, b, c] = order.map(|k| waves[k]);
+        let formula = parsed::<1>(&format!("6 + {a} + {b} + {c} + tanh(x1) I"));
+        let lift = Lift::new(&formula, [false]).expect("three variables");
+        assert_eq!((lift.variables, lift.forms[0].phases.len()), (3, 2), "{order:?}");
+        let space = Domain::space(&formula);
+        assert!(space.is_all_of_space() && space.is_sharp());
+        let accuracy = Accuracy { tolerance: 1e-2, budget: 100_000 };
+        // The waves are 3 together at the origin of their phases, where tanh is 1.
+        let c2 = certify(&formula, Quantity::C2, &space, accuracy).expect("a constant");
+        assert!(c2.upper >= 10.0 - 1e-9 && c2.upper < 10.1, "{order:?}: {c2:?}");
+    }
+    // The first two share a phase of wave number 3/2, which is not free of that of the third.
+    let dependent = parsed::<1>("9 + cos(1027.5*x1) + cos(1029*x1) + cos(x1) + tanh(x1) I");
+    let space = Domain::space(&dependent);
+    assert!(space.is_all_of_space() && !space.is_sharp());
+}
+
+/// What is read off an exponent is read once for each step: this one has 2⁶⁰ paths, and 40 000
+/// steps one above the other.
+#[test]
+fn an_exponent_of_many_steps_is_read_in_their_order() {
+    let mut doubled = String::from("a0 = sqr(x1) + 2.5;");
+    for k in 1..=60 {
+        doubled += &format!(" a{k} = a{} + a{};", k - 1, k - 1);
+    }
+    let steps: Vec<&str> = vec!["x1^2"; 40_000];
+    for (text, top) in [
+        (format!("{doubled} 1 + exp(2.5 - a60*2^-60) I"), 2.0),
+        (format!("1 + exp(-({})/40000) I", steps.join(" + ")), 2.0),
+    ] {
+        let formula = parsed::<1>(&text);
+        let lift = Lift::new(&formula, [false]).expect("one variable");
+        assert_eq!(lift.hills.len(), 1);
+        let space = Domain::space(&formula);
+        assert!(space.is_all_of_space());
+        let accuracy = Accuracy { tolerance: 1e-2, budget: 200 };
+        let c2 = certify(&formula, Quantity::C2, &space, accuracy).expect("a constant");
+        assert!(c2.lower <= top + 1e-9 && top <= c2.upper && c2.looseness() < 1.02, "{c2:?}");
+    }
+}
+
+/// The phases of the smallest wave numbers are met nowhere among doubles; the constants stand.
+#[test]
+fn a_wave_that_hardly_moves_has_constants() {
+    let formula = parsed::<2>("3 + tanh(x2) + cos(1e-310*x1) I");
+    let space = Domain::space(&formula);
+    assert!(space.is_all_of_space());
+    let accuracy = Accuracy { tolerance: 1e-2, budget: 10_000 };
+    let c2 = certify(&formula, Quantity::C2, &space, accuracy).expect("a constant");
+    assert!(c2.upper >= 5.0 && c2.upper < 5.1, "{c2:?}");
+}
+
+/// Five times the double `0.1` is not `0.5`, so these forms are not parallel, and no variable serves
+/// both; with dyadic numbers one does.
+#[test]
+fn forms_are_parallel_only_if_all_coefficients_are_exactly_so() {
+    let forms = |text: &str| {
+        let lift = Lift::new(&parsed::<2>(&format!("3 + {text} I")), [false; 2]);
+        let lift = lift.expect("few variables");
+        lift.forms.iter().map(|form| form.phases.len()).collect::<Vec<_>>()
+    };
+    for (text, phases) in [
+        ("cos(0.1*x1 + 0.2*x2) + cos(0.5*x1 + x2)", vec![1, 1]),
+        ("cos(0.1*x1 - 0.2*x2) + cos(x2*0.4 - x1*0.2)", vec![1]),
+        ("cos(0.25*x1 + 0.5*x2) + cos(0.75*x1 + 1.5*x2)", vec![1]),
+        // The second coefficients are one double apart.
+        ("cos(x1 + x2) + cos(x1 + x2*1.0000000000000002)", vec![1, 1]),
+        // Where products may underflow, forms are not compared.
+        ("cos(5e-324*x1 + 5e-324*x2) + cos(x1*1e-300 + x2*1e-300)", vec![1, 1]),
+        ("cos(0.1*x1) + cos(0.5*x1)", vec![2]),
+        ("cos(0.1*x1) + cos(-0.8*x1)", vec![1]),
+    ] {
+        assert_eq!(forms(text), phases, "{text}");
+    }
+}
