@@ -73,7 +73,8 @@ impl<const D: usize> Calibration<D> {
             if taken < steps {
                 state = runge_kutta(formula, &state, slopes, step, true)?;
             }
-            if !(state.2.amax() <= bound) {
+            // The largest of some entries would not be NaN if one of them is.
+            if !state.2.iter().all(|entry| entry.abs() <= bound) {
                 return None;
             }
         }

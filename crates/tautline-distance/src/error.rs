@@ -32,10 +32,14 @@ pub enum DistanceError {
         /// What the last region lacked.
         reason: CheckError,
     },
-    /// The search was stopped before its first level.
-    #[error("the search was stopped before it proved anything")]
-    Stopped,
-    /// The checker refused a level, which is a fault of this library.
+    /// No values could be proposed for a level, since near a set no metric is defined.
+    #[error("no values for level {level}: near a set the metric is not defined")]
+    NoValues {
+        /// The level, from 0.
+        level: usize,
+    },
+    /// The checker refused a level: there is none for this dimension, or the sets are too far from the
+    /// origin for cubes of the size that is needed. Every other reason is a fault of this library.
     #[error("a level was refused: {0}")]
     Refused(#[source] CheckError),
 }

@@ -42,6 +42,7 @@ pub(crate) struct Rays {
     pub(crate) rings: i32,
     pub(crate) spacing: f64,
     /// Where the rays from a point meet: so far behind it, relative to the length of the geodesic.
+    /// Fronts that leave a small ball or a corner are no more curved than this.
     pub(crate) focus: f64,
     /// How far the rays run from the set, in `m`, and in how many steps.
     pub(crate) reach: f64,
@@ -53,15 +54,40 @@ struct Launch<const D: usize> {
     /// The end of the geodesic, and the momentum there.
     x: SVector<f64, D>,
     p: SVector<f64, D>,
-    /// The centre of a ball; `None` for a flat boundary.
+    /// The centre of a ball; `None` for another boundary.
     centre: Option<SVector<f64, D>>,
+    /// How curved the front is that leaves the boundary: the second derivatives of a function whose
+    /// gradient has length 1.
+    bend: SMatrix<f64, D, D>,
 }
 
 /// The kind of an end.
 enum End<const D: usize> {
     Point,
     Flat,
+    Box,
     Ball(SVector<f64, D>),
+}
+
+/// The least part of the momentum along an axis that counts as away from a side of a box.
+const AWAY: f64 = 0.1;
+
+impl<const D: usize> End<D> {
+    /// Returns how curved a front may be that leaves the end at `x` with the momentum `p`: it touches
+    /// the set from outside, and its radii are at least `radius`. A front that is less curved than the
+    /// distance costs nothing at the set, and is smooth where the distance is not.
+    ///
+    /// From an edge or a corner of a box it may be curved across those sides that hold the end there.
+    /// Nearby, the part of the momentum across a side outweighs the curvature.
+    fn bend(&self, x: &SVector<f64, D>, p: &SVector<f64, D>, radius: f64) -> SMatrix<f64, D, D> {
+        match self {
+            End::Point | End::Flat => SMatrix::zeros(),
+            End::Box => SMatrix::from_fn(|i, j| {
+                if i == j && p[i].abs() > AWAY * p.norm() { 1.0 / radius } else { 0.0 }
+            }),
+            End::Ball(centre) => SMatrix::identity() / (x - centre).norm().max(radius),
+        }
+    }
 }
 
 fn kind<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> End<D> {
@@ -69,7 +95,8 @@ fn kind<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> End<D> {
         Shape::Point(_) => End::Point,
         Shape::Ball(ball) if ball.r() == 0.0 => End::Point,
         Shape::Ball(ball) => End::Ball(*ball.centre()),
-        Shape::HalfSpace(_) | Shape::AxisBox(_) => End::Flat,
+        Shape::HalfSpace(_) => End::Flat,
+        Shape::AxisBox(_) => End::Box,
         Shape::Union(_) => {
             let pieces = set.pieces().into_iter();
             let nearest = pieces.min_by(|a, b| distance(a, x).total_cmp(&distance(b, x)));
@@ -97,10 +124,14 @@ impl<const D: usize> Fan<D> {
             End::Ball(centre) => Some(centre),
             _ => None,
         };
-        let launch = Launch { x, p, centre };
+        let velocity = Hamiltonian::at(formula, &x, &p)?.velocity;
+        // The velocity belongs to this momentum, whose length in the dual norm need not be 1.
+        let speed = velocity.norm() / p.dot(&velocity).sqrt();
+        let bend = kind.bend(&x, &p, focus * geodesic.length() * speed);
+        let launch = Launch { x, p, centre, bend };
         let step = (behind + reach) / steps as f64;
         let tangents = match kind {
-            End::Point => across(&Hamiltonian::at(formula, &x, &p)?.velocity),
+            End::Point => across(&velocity),
             _ => across(&p),
         };
         let offsets = offsets(D - 1, rings);
@@ -142,8 +173,8 @@ impl<const D: usize> Fan<D> {
             if square < least {
                 (nearest, least) = (n, square);
             }
-            let weight = (1.0 - square / support).max(0.0).powi(2);
-            if weight > 0.0 {
+            if square < support {
+                let weight = (1.0 - square / support).powi(2);
                 sum += weight * ray.value(x, ray.foot_near(x, foot));
                 weights += weight;
             }
@@ -279,17 +310,15 @@ impl<const D: usize> Launch<D> {
         (step, steps): (f64, usize),
     ) -> Option<Calibration<D>> {
         let x = self.x + offset;
-        let (x, p, curvature) = match self.centre {
-            None => (x, self.p, 0.0),
+        let (x, p) = match self.centre {
+            None => (x, self.p),
             Some(centre) => {
                 let r = (self.x - centre).norm();
                 let normal = (x - centre).normalize();
-                (centre + normal * r, normal, 1.0 / r)
+                (centre + normal * r, normal)
             }
         };
-        let bend = |_: &SMatrix<f64, D, D>, p: &SVector<f64, D>| {
-            SMatrix::identity() * (curvature * p.norm())
-        };
+        let bend = |_: &SMatrix<f64, D, D>, p: &SVector<f64, D>| self.bend * p.norm();
         Calibration::integrate(formula, (x, p), bend, 0.0, step, steps)
     }
 }

@@ -50,32 +50,38 @@ const MOST: [usize; 4] = [4096, 20_000, 30_000, 40_000];
 pub(crate) type First<'s, const D: usize> = (Region, Level<D>, Chain<'s, D>);
 
 impl<const D: usize> Search<'_, D> {
-    /// Returns a region, the first level and the proof so far.
-    pub(crate) fn first_level(&self) -> Result<First<'_, D>, DistanceError> {
+    /// Returns a region, the first level with at most `most` cubes, and the proof so far.
+    pub(crate) fn first_level(&self, most: usize) -> Result<First<'_, D>, DistanceError> {
+        let (few, many) = COUNTS[D - 1];
+        let many = many.min(most);
         if let Some(region) = tubes(self.formula, self.sets, &self.curve, self.hi) {
-            let (few, many) = COUNTS[D - 1];
             let mut exponent = (self.euclidean() / ALONG[D - 1]).log2().floor() as i32;
-            let cubes = loop {
-                let cubes = region
-                    .required(self.sets.each_ref(), self.hi * (1.0 + KEPT), exponent)
-                    .map_err(DistanceError::Refused)?;
-                if cubes.places().len() >= few {
-                    break cubes;
+            let mut largest: Option<Cubes<D>> = None;
+            // Smaller ones until there are enough, but not more than there may be.
+            while largest.as_ref().is_none_or(|cubes| cubes.places().len() < few) {
+                let hi = self.hi * (1.0 + KEPT);
+                let cubes = match region.required(self.sets.each_ref(), hi, exponent) {
+                    Err(CheckError::TooLarge { .. }) => break,
+                    cubes => cubes.map_err(DistanceError::Refused)?,
+                };
+                if cubes.places().len() > many {
+                    break;
                 }
+                largest = Some(cubes);
                 exponent -= 1;
-            };
-            if cubes.places().len() <= many {
+            }
+            // Fewer are not worth it, unless no more are wanted.
+            if let Some(cubes) = largest.filter(|cubes| cubes.places().len() >= few.min(most / 8)) {
                 return self.on(region, &cubes);
             }
         }
-        self.by_exit()
+        self.by_exit(many)
     }
 
     /// Returns a first level whose own values show that short curves do not leave it.
-    fn by_exit(&self) -> Result<First<'_, D>, DistanceError> {
+    fn by_exit(&self, many: usize) -> Result<First<'_, D>, DistanceError> {
         let both = self.sets.iter().all(|set| is_small(set, self.euclidean()));
         let region = if both { Region::ExitTwo } else { Region::ExitOne };
-        let many = COUNTS[D - 1].1;
         let mut margin = MARGIN;
         let mut halvings = 0;
         let mut reason = CheckError::TooLarge { most: many };
@@ -116,11 +122,9 @@ impl<const D: usize> Search<'_, D> {
     /// Tries these cubes.
     fn on(&self, region: Region, cubes: &Cubes<D>) -> Result<First<'_, D>, DistanceError> {
         let nodes = Nodes::new(self.formula, &dilated(cubes, DILATION)?);
-        let values = [0, 1].map(|side| {
-            let all = nodes.march(self.seeds(&nodes, side, Source::March));
-            let value = |place: &Place<D>| nodes.value(&all, place).unwrap_or(0.0);
-            scaled(cubes.nodes().iter().map(value).collect(), SCALE)
-        });
+        let values = self.marched(&nodes, &cubes.nodes(), Source::March);
+        let values = values.ok_or(DistanceError::NoValues { level: 0 })?;
+        let values = values.map(|values| scaled(values, SCALE));
         let refused = DistanceError::Refused;
         let level = Level::new(0, cubes.clone(), values).map_err(refused)?;
         let mut chain = Chain::new(self.formula, self.sets, self.hi, region).map_err(refused)?;

@@ -60,7 +60,9 @@ fn middle<const D: usize>(
     let lengths: Vec<f64> = points.windows(2).map(length).collect();
     let total: f64 = lengths.iter().sum();
     let (mut before, mut chord) = (0.0, 0);
-    while chord + 1 < lengths.len() && before + 0.5 * lengths[chord] < 0.5 * total {
+    // A chord without length has no direction.
+    let is_before = |before: f64, length: f64| length == 0.0 || before + 0.5 * length < 0.5 * total;
+    while chord + 1 < lengths.len() && is_before(before, lengths[chord]) {
         before += lengths[chord];
         chord += 1;
     }
@@ -69,4 +71,26 @@ fn middle<const D: usize>(
     let p = gram(formula, &x) * step;
     let before = before + 0.5 * lengths[chord];
     Some((x, p, [before, total - before]))
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SVector, vector};
+    use tautline_formula::Formula;
+
+    use super::Geodesic;
+
+    /// A chord without length has no direction, and is passed over.
+    #[test]
+    fn the_middle_of_a_polygon_may_be_a_double_point() {
+        let flat = Formula::<2>::parse("1 I", &[]).expect("a formula");
+        let curve: Vec<SVector<f64, 2>> =
+            [-1.0, 0.0, 0.0, 1.0].map(|x| vector![x, 2.0 * x]).to_vec();
+        let geodesic = Geodesic::near(&flat, &curve).expect("a geodesic");
+        for (end, x) in [(0, -1.0), (1, 1.0)] {
+            let (place, _) = geodesic.behind(&flat, end, 0.0).expect("defined");
+            assert!((place - vector![x, 2.0 * x]).norm() < 1e-9, "{place}");
+        }
+        assert!((geodesic.length() - 20_f64.sqrt()).abs() < 1e-12);
+    }
 }

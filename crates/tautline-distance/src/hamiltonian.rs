@@ -57,8 +57,12 @@ impl<const D: usize> Hamiltonian<D> {
     }
 }
 
-/// Returns the eigenvalues of a symmetric matrix.
+/// Returns the eigenvalues of a symmetric matrix; NaN if it is not finite.
 pub(crate) fn eigenvalues<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Vec<f64> {
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        // The iteration would not end.
+        return vec![f64::NAN; D];
+    }
     // nalgebra finds eigenvalues of matrices whose dimension is known or dynamic, not a parameter.
     let matrix = nalgebra::DMatrix::from_fn(D, D, |i, j| matrix[(i, j)]);
     matrix.symmetric_eigenvalues().iter().copied().collect()
@@ -100,5 +104,7 @@ mod tests {
         let mut found = eigenvalues(&nalgebra::matrix![2.0, 1.0; 1.0, 2.0]);
         found.sort_by(f64::total_cmp);
         assert!((found[0] - 1.0).abs() < 1e-14 && (found[1] - 3.0).abs() < 1e-14, "{found:?}");
+        let found = eigenvalues(&nalgebra::matrix![2.0, f64::NAN; f64::NAN, 2.0]);
+        assert!(found.len() == 2 && found.iter().all(|value| value.is_nan()), "{found:?}");
     }
 }

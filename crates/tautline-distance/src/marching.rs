@@ -61,7 +61,7 @@ impl<const D: usize> Nodes<D> {
         let index: Index<D> =
             places.iter().enumerate().map(|(n, place)| (*place, n as u32)).collect();
         let inverse = |node: usize| {
-            let h = gram(formula, &point(&places[node], spacing));
+            let h = metric(formula, &point(&places[node], spacing))?;
             h.cholesky().map(|factors| factors.inverse())
         };
         let neighbour = |node: usize, offset: &[i32; D]| {
@@ -83,15 +83,56 @@ impl<const D: usize> Nodes<D> {
     }
 
     /// Returns the distances from a set, of second order, given the values at nodes near it and in it. All
-    /// other nodes have infinite values; those that are not reached get the largest one.
-    pub(crate) fn march(&self, values: Vec<f64>) -> Vec<f64> {
+    /// other nodes have infinite values. All values returned are finite; there are none if none is given.
+    ///
+    /// Some nodes are not reached. Near the boundary of the cubes a node may lack all neighbours from
+    /// which it is updated: it gets the length of the shortest chord from a node around it that has a
+    /// value, added to that value. Where there is no metric, nothing can be proved of the cubes around
+    /// a node, and the fewer levels they meet, the less is lost: it gets the greatest value of the
+    /// nodes around it. Nodes that are not connected with any seed get the largest value of all.
+    pub(crate) fn march(&self, formula: &Formula<D>, values: Vec<f64>) -> Option<Vec<f64>> {
         let mut values = self.front.march(values, Order::Second);
         let finite = values.iter().copied().filter(|value| value.is_finite());
-        let largest = finite.fold(0.0, f64::max);
-        for value in values.iter_mut().filter(|value| !value.is_finite()) {
-            *value = largest;
+        let largest = finite.reduce(f64::max)?;
+        let mut left: Vec<usize> = (0..values.len()).filter(|&n| !values[n].is_finite()).collect();
+        // Layer by layer: what a layer gets depends on the layers before it, not on the order in it.
+        while !left.is_empty() {
+            let found: Vec<(usize, f64)> = left
+                .iter()
+                .filter_map(|&n| Some((n, self.value_around(formula, &values, n)?)))
+                .collect();
+            if found.is_empty() {
+                break;
+            }
+            for (n, value) in found {
+                values[n] = value;
+            }
+            left.retain(|&n| !values[n].is_finite());
         }
-        values
+        for n in left {
+            values[n] = largest;
+        }
+        Some(values)
+    }
+
+    /// Returns a value for a node that was not reached, from those of the nodes around it; `None` if none
+    /// of them has one.
+    fn value_around(&self, formula: &Formula<D>, values: &[f64], node: usize) -> Option<f64> {
+        let place = &self.places[node];
+        let around = (0..3_usize.pow(D as u32)).filter_map(|at| {
+            let step: [i32; D] =
+                std::array::from_fn(|i| (at / 3_usize.pow(i as u32) % 3) as i32 - 1);
+            let value = self.value(values, &std::array::from_fn(|i| place[i] + step[i]))?;
+            value
+                .is_finite()
+                .then_some((value, SVector::from(step.map(f64::from)) * self.spacing()))
+        });
+        match metric(formula, &point(place, self.spacing())) {
+            Some(h) => {
+                around.map(|(value, chord)| value + chord.dot(&(h * chord)).sqrt()).reduce(f64::min)
+            }
+            None => around.map(|(value, _)| value).reduce(f64::max),
+        }
     }
 
     /// Returns the value at a place of the nodes.
@@ -112,6 +153,16 @@ pub(crate) fn gram<const D: usize>(
 ) -> SMatrix<f64, D, D> {
     let h = formula.gram(x);
     SMatrix::from_fn(|i, j| h[(i.min(j), i.max(j))])
+}
+
+/// Returns `H` at a point; `None` where it is undefined, infinite or not positive definite.
+pub(crate) fn metric<const D: usize>(
+    formula: &Formula<D>,
+    x: &SVector<f64, D>,
+) -> Option<SMatrix<f64, D, D>> {
+    let h = gram(formula, x);
+    // An infinite pivot passes for a positive one.
+    (h.iter().all(|entry| entry.is_finite()) && h.cholesky().is_some()).then_some(h)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use tautline_check::{Cubes, Place};
 use tautline_formula::Formula;
 use tautline_sets::Shape;
 
-use crate::{front::Ordered, marching::gram, seed::seed};
+use crate::{front::Ordered, marching::metric, seed::seed};
 
 /// Cubes near a set.
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ impl<const D: usize> Neighbourhood<D> {
     /// none behind cubes whose centre is an `end`.
     ///
     /// The distances are those along paths from centre to centre, so that they are some percent too
-    /// large, less half a diagonal.
+    /// large, less half a diagonal. No path leads through a centre without a metric.
     pub(crate) fn new(
         formula: &Formula<D>,
         (set, seeds): (&Shape<D>, &Cubes<D>),
@@ -39,13 +39,15 @@ impl<const D: usize> Neighbourhood<D> {
         let side = seeds.side();
         let steps = steps::<D>();
         let centre = |place: &Place<D>| SVector::from(place.map(|k| (f64::from(k) + 0.5) * side));
-        let half = |h: &SMatrix<f64, D, D>| 0.5 * side * h.trace().sqrt();
-        let mut known: HashMap<Place<D>, (f64, SMatrix<f64, D, D>)> = HashMap::new();
+        let half =
+            |h: &Option<SMatrix<f64, D, D>>| h.map_or(0.0, |h| 0.5 * side * h.trace().sqrt());
+        let mut known: HashMap<Place<D>, (f64, Option<SMatrix<f64, D, D>>)> = HashMap::new();
         let mut heap = BinaryHeap::new();
         for place in seeds.places() {
             let x = centre(place);
+            let h = metric(formula, &x);
+            // Without a metric at its centre the cube still meets the set, at the distance 0.
             let value = seed(formula, set, side * D as f64, &x).map_or(0.0, |value| value.max(0.0));
-            let h = gram(formula, &x);
             known.insert(*place, (value, h));
             heap.push(Reverse((Ordered(value - half(&h)), *place)));
         }
@@ -69,10 +71,11 @@ impl<const D: usize> Neighbourhood<D> {
                 let other: Place<D> = std::array::from_fn(|i| place[i].saturating_add(step[i]));
                 let (known, beyond) = known
                     .entry(other)
-                    .or_insert_with(|| (f64::INFINITY, gram(formula, &centre(&other))));
+                    .or_insert_with(|| (f64::INFINITY, metric(formula, &centre(&other))));
+                let Some(there) = *beyond else { continue };
                 let chord = SVector::from(step.map(f64::from)) * side;
-                let length = |h: &SMatrix<f64, D, D>| chord.dot(&(h * chord)).max(0.0).sqrt();
-                let value = value + 0.5 * (length(&h) + length(beyond));
+                let length = |h: &SMatrix<f64, D, D>| chord.dot(&(h * chord)).sqrt();
+                let value = value + 0.5 * (length(&h.unwrap_or(there)) + length(&there));
                 let nearest = value - half(beyond);
                 if value < *known && nearest <= reach {
                     *known = value;

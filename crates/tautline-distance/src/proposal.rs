@@ -51,11 +51,12 @@ pub(crate) fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
 }
 
 /// Two functions at nodes.
-type Values = [Vec<f64>; 2];
+pub(crate) type Values = [Vec<f64>; 2];
 
 impl<const D: usize> Search<'_, D> {
-    /// Returns values at the nodes of the cubes; `None` if there are no rays for them. `marched` keeps
-    /// the nodes of a march for the next one.
+    /// Returns values at the nodes of the cubes, all of them finite. Returns `None` if there are no
+    /// rays for them, no node near a set has a metric, or a ray gives a value that is not finite.
+    /// `marched` keeps the nodes of a march for the next one.
     pub(crate) fn propose(
         &self,
         cubes: &Cubes<D>,
@@ -66,19 +67,32 @@ impl<const D: usize> Search<'_, D> {
             return Ok(None);
         }
         if source == Source::Rays {
-            return Ok(Some(self.along_rays(cubes)));
+            let values = self.along_rays(cubes);
+            let is_finite = values.iter().flatten().all(|value| value.is_finite());
+            return Ok(is_finite.then_some(values));
         }
         let nodes = match marched.take() {
             Some(nodes) => nodes,
             None => Nodes::new(self.formula, &dilated(cubes, dilation(D))?),
         };
-        let values = [0, 1].map(|side| {
-            let all = nodes.march(self.seeds(&nodes, side, source));
-            let value = |place: &Place<D>| nodes.value(&all, place).unwrap_or(0.0);
-            cubes.nodes().iter().map(value).collect()
-        });
+        let values = self.marched(&nodes, &cubes.nodes(), source);
         *marched = Some(nodes);
-        Ok(Some(values))
+        Ok(values)
+    }
+
+    /// Returns the values of a march at some of its nodes; `None` if there is a set near which no node has
+    /// a metric.
+    pub(crate) fn marched(
+        &self,
+        nodes: &Nodes<D>,
+        places: &[Place<D>],
+        source: Source,
+    ) -> Option<Values> {
+        let of_side = |side: usize| -> Option<Vec<f64>> {
+            let all = nodes.march(self.formula, self.seeds(nodes, side, source))?;
+            places.iter().map(|place| nodes.value(&all, place)).collect()
+        };
+        Some([of_side(0)?, of_side(1)?])
     }
 
     /// Returns the values from the rays. If there are several geodesics and the cubes have several
@@ -96,7 +110,7 @@ impl<const D: usize> Search<'_, D> {
                     match pencil_of.get(chunk * CHUNK + n) {
                         Some(&pencil) => walks[pencil](&x),
                         // Without a choice, the least value counts.
-                        None => walks.iter_mut().map(|walk| walk(&x)).fold(f64::INFINITY, f64::min),
+                        None => least(walks.iter_mut().map(|walk| walk(&x))),
                     }
                 };
                 places.iter().enumerate().map(value).collect()
@@ -177,7 +191,10 @@ impl<const D: usize> Search<'_, D> {
             };
             let values: Vec<f64> = points.par_iter().map(value).collect();
             for (seed, value) in seeds.iter_mut().zip(values) {
-                *seed = seed.min(value);
+                // Without a value a node is no seed.
+                if value < *seed {
+                    *seed = value;
+                }
             }
         }
         seeds
@@ -187,6 +204,16 @@ impl<const D: usize> Search<'_, D> {
     pub(crate) fn euclidean(&self) -> f64 {
         self.curve.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
     }
+}
+
+/// Returns the least of some values; NaN if one of them is.
+fn least(values: impl Iterator<Item = f64>) -> f64 {
+    values.fold(
+        f64::INFINITY,
+        |least, value| {
+            if least.is_nan() || value >= least { least } else { value }
+        },
+    )
 }
 
 /// Returns the number of the component of each cube. Cubes that share a corner are in one.

@@ -14,6 +14,7 @@ use crate::{
     fan::Pencil,
     geodesic::Geodesic,
     inside::inside,
+    pace::Pace,
     proposal::{Source, scaled},
 };
 
@@ -30,10 +31,6 @@ const STEPS: f64 = 900.0;
 
 /// If a proposal makes the gap smaller by this factor, or as small as is wanted, no other one is tried.
 const GOOD: f64 = 0.3;
-
-/// After this many levels that each leave more than `SLOW` of the gap, the search ends.
-const SLOW_LEVELS: usize = 2;
-const SLOW: f64 = 0.7;
 
 /// A search.
 #[derive(Debug)]
@@ -137,10 +134,10 @@ impl<const D: usize> Search<'_, D> {
         wanted: Wanted,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Found<D>, DistanceError> {
-        let (region, first, mut chain) = self.first_level()?;
+        let (region, first, mut chain) = self.first_level(wanted.cubes)?;
         let mut cubes = first.cubes().places().len();
         let mut levels = vec![first];
-        let mut slow = 0;
+        let mut pace = Pace::default();
         let mut lost = Vec::new();
         let ended = loop {
             let (lower, upper) = (chain.lower(), self.length);
@@ -151,7 +148,7 @@ impl<const D: usize> Search<'_, D> {
             if stop.is_break() {
                 break Ended::Stopped;
             }
-            if slow == SLOW_LEVELS {
+            if pace.is_stalled() {
                 break Ended::Stalled;
             }
             let exponent = levels[levels.len() - 1].cubes().exponent() - 1;
@@ -165,7 +162,7 @@ impl<const D: usize> Search<'_, D> {
             cubes += next.places().len();
             let (level, next) =
                 self.next_level(&chain, next, (levels.len(), wanted.gap), &mut lost)?;
-            slow = if self.gap(&next) > SLOW * self.gap(&chain) { slow + 1 } else { 0 };
+            pace.add(self.gap(&chain), self.gap(&next));
             chain = next;
             levels.push(level);
         };
@@ -227,7 +224,7 @@ impl<const D: usize> Search<'_, D> {
             }
             lost.push(source);
         }
-        best.ok_or(DistanceError::Stopped)
+        best.ok_or(DistanceError::NoValues { level: number })
     }
 }
 

@@ -1,17 +1,19 @@
 //! Values near a set and in it, from which a distance spreads.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
 use tautline_sets::Shape;
 
-use crate::marching::gram;
+use crate::{flat::signed_distance, marching::metric};
 
-/// Returns the signed Euclidean distance of `x` from a piece, negative inside, and the unit vector
-/// that points away from it.
+/// Returns the signed Euclidean distance of `x` from a piece, negative inside, and a unit vector that
+/// points away from it.
 fn away<const D: usize>(piece: &Shape<D>, x: &SVector<f64, D>) -> (f64, SVector<f64, D>) {
     let from = |centre: &SVector<f64, D>, r: f64| {
         let distance = (x - centre).norm();
-        (distance - r, (x - centre).try_normalize(0.0).unwrap_or_else(SVector::zeros))
+        // At the centre every direction points away.
+        let any = || SVector::from_fn(|i, _| if i == 0 { 1.0 } else { 0.0 });
+        (distance - r, (x - centre).try_normalize(0.0).unwrap_or_else(any))
     };
     match piece {
         Shape::Point(point) => from(point.position(), 0.0),
@@ -46,10 +48,10 @@ pub(crate) fn distance<const D: usize>(piece: &Shape<D>, x: &SVector<f64, D>) ->
 }
 
 /// Returns about the distance of `x` from a set, negative inside, if `x` is in it or within `band`
-/// (Euclidean); otherwise `None`.
+/// (Euclidean). The result is `None` if it is not, or if no metric is defined near `x`; it is finite.
 ///
-/// The distance to a hyperplane with the unit normal `n` at the Euclidean distance `t` is
-/// `t/(nᵀH⁻¹n)^{1/2}`, and to a point it is the length of the chord.
+/// The distance from a piece is that under the metric at the middle of the way to it, which is an error of
+/// third order in the length of the way.
 pub(crate) fn seed<const D: usize>(
     formula: &Formula<D>,
     set: &Shape<D>,
@@ -61,14 +63,22 @@ pub(crate) fn seed<const D: usize>(
         if !(t <= band) {
             return None;
         }
-        let h = gram(formula, &(x - n * (0.5 * t)));
-        let is_point = matches!(piece, Shape::Point(_))
-            || matches!(piece, Shape::Ball(ball) if ball.r() == 0.0);
-        if is_point {
-            return Some(t * n.dot(&(h * n)).max(0.0).sqrt());
+        // Far inside a set there may be no metric in the middle. There any value below 0 will do.
+        let h =
+            [0.5, 0.0, 1.0].into_iter().find_map(|part| metric(formula, &(x - n * (part * t))))?;
+        if is_conformal(&h) {
+            return Some(t * h[(0, 0)].sqrt());
         }
-        let dual = n.dot(&h.try_inverse().map_or(n, |inverse| inverse * n));
-        Some(t / dual.sqrt())
+        // The nearest point by this metric may be far from the Euclidean one.
+        let (first, y) = signed_distance(piece, &h, x)?;
+        let again = metric(formula, &((x + y) * 0.5)).and_then(|h| signed_distance(piece, &h, x));
+        Some(again.map_or(first, |(distance, _)| distance))
     };
-    set.pieces().into_iter().filter_map(of_piece).reduce(f64::min)
+    let values = set.pieces().into_iter().filter_map(of_piece);
+    values.filter(|value| value.is_finite()).reduce(f64::min)
+}
+
+/// Returns whether a matrix is a multiple of the identity.
+fn is_conformal<const D: usize>(h: &SMatrix<f64, D, D>) -> bool {
+    *h == SMatrix::<f64, D, D>::identity() * h[(0, 0)]
 }

@@ -30,17 +30,17 @@ pub(crate) fn tubes<const D: usize>(
     let needed = if bounded.len() == 2 { 0.5 * hi } else { hi };
     for margin in MARGINS {
         // The least eigenvalue at the ends themselves.
-        let mut c1 = margin
-            * bounded.iter().map(|(.., end, _)| least(formula, end)).fold(f64::INFINITY, f64::min);
+        let at_ends = bounded.iter().map(|(.., end, _)| least(formula, end));
+        let mut c1 = margin * at_ends.reduce(least_of)?;
         for _ in 0..ROUNDS {
+            if !(c1 > 0.0) {
+                return None;
+            }
             let radius = needed / c1.sqrt() * (1.0 + 1e-9);
             let found = bounded
                 .iter()
                 .map(|(set, end, wide)| least_within(formula, set, end, radius, radius + wide))
-                .fold(f64::INFINITY, f64::min);
-            if !(found > 0.0) {
-                return None;
-            }
+                .reduce(least_of)?;
             if margin * found >= c1 {
                 let region = Region::Tubes { radius, c1 };
                 if region.prove(formula, sets.each_ref(), hi).is_ok() {
@@ -57,11 +57,12 @@ pub(crate) fn tubes<const D: usize>(
 
 /// Returns the least eigenvalue of `H` at a point; NaN if `H` is undefined.
 fn least<const D: usize>(formula: &Formula<D>, x: &SVector<f64, D>) -> f64 {
-    let h = gram(formula, x);
-    if !h.iter().all(|entry| entry.is_finite()) {
-        return f64::NAN;
-    }
-    eigenvalues(&h).into_iter().fold(f64::INFINITY, f64::min)
+    eigenvalues(&gram(formula, x)).into_iter().reduce(least_of).unwrap_or(f64::NAN)
+}
+
+/// Returns the less of two numbers; NaN if one of them is.
+fn least_of(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a <= b { a } else { b }
 }
 
 /// Returns the least eigenvalue at samples within `radius` of a set, all of which lie within `reach`
@@ -104,5 +105,54 @@ fn diameter<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> Option<f64> 
             let all: Option<Vec<f64>> = shapes.iter().map(|shape| diameter(shape, x)).collect();
             Some(all?.into_iter().fold(0.0, f64::max))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+    use tautline_check::Region;
+    use tautline_formula::Formula;
+    use tautline_sets::{HalfSpace, Point, Shape};
+
+    use super::{least_of, tubes};
+
+    fn point(x: [f64; 2]) -> Shape<2> {
+        Shape::Point(Point::new(x).expect("finite"))
+    }
+
+    /// One tube has to be as wide as curves are long, two together.
+    #[test]
+    fn a_single_tube_is_as_wide_as_two() {
+        let flat = Formula::<2>::parse("4 I", &[]).expect("a formula");
+        let wall = Shape::HalfSpace(HalfSpace::at_least([1.0, 0.0], 1.0).expect("a normal"));
+        let curve = [vector![0.0, 0.0], vector![1.0, 0.0]];
+        let radius =
+            |second: Shape<2>| match tubes(&flat, &[point([0.0, 0.0]), second], &curve, 2.0) {
+                Some(Region::Tubes { radius, c1 }) => radius * c1.sqrt(),
+                other => panic!("{other:?}"),
+            };
+        let two = radius(point([1.0, 0.0]));
+        assert!((two - 1.0).abs() < 1e-6 && (radius(wall) - 2.0 * two).abs() < 1e-6, "{two}");
+    }
+
+    /// The constant is that of both tubes.
+    #[test]
+    fn the_constant_holds_near_both_sets() {
+        let slope = Formula::<2>::parse("exp(-x1) I", &[]).expect("a formula");
+        let ends = [vector![0.0, 0.0], vector![1.0, 0.0]];
+        let sets = ends.map(|x| point(x.into()));
+        assert!(tubes(&slope, &sets, &ends, 0.8).is_some());
+        let back = [sets[1].clone(), sets[0].clone()];
+        assert!(tubes(&slope, &back, &[ends[1], ends[0]], 0.8).is_some());
+        // Undefined near one of them.
+        let pole = Formula::<2>::parse("(1 + 0*ln(x1 + 0.1)) I", &[]).expect("a formula");
+        assert_eq!(tubes(&pole, &sets, &ends, 1.0), None);
+    }
+
+    #[test]
+    fn the_less_of_two_numbers_is_nan_if_one_of_them_is() {
+        assert_eq!((least_of(1.0, 2.0), least_of(2.0, 1.0)), (1.0, 1.0));
+        assert!(least_of(f64::NAN, 1.0).is_nan() && least_of(1.0, f64::NAN).is_nan());
     }
 }

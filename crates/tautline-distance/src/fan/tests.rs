@@ -2,9 +2,9 @@
 
 use nalgebra::{SVector, vector};
 use tautline_formula::Formula;
-use tautline_sets::{Point, Shape};
+use tautline_sets::{AxisBox, Point, Shape};
 
-use super::{Fan, Pencil};
+use super::{End, Fan, Pencil};
 use crate::geodesic::Geodesic;
 
 /// In the Euclidean plane, a fan of rays from a focus behind the origin is the distance from the
@@ -30,4 +30,45 @@ fn many_rays_are_accurate_far_from_the_geodesic() {
             assert!(many < 1e-5 && many < one / 20.0, "{at} {many:e} {one:e}");
         }
     }
+}
+
+fn side(lower: [f64; 2], upper: [f64; 2]) -> Shape<2> {
+    Shape::AxisBox(AxisBox::from_corners(lower, upper).expect("corners"))
+}
+
+/// Between two faces there is a whole strip of geodesics, and no function is convex across all of them; one
+/// end that is curved is enough, whichever it is.
+#[test]
+fn rays_leave_faces_and_corners_of_boxes() {
+    let flat = Formula::<2>::parse("1 I", &[]).expect("a formula");
+    let along = |sets: &[Shape<2>; 2], ends: [SVector<f64, 2>; 2]| {
+        let geodesic = Geodesic::near(&flat, &ends).expect("a geodesic");
+        Pencil::along(&flat, sets, &geodesic, 400)
+    };
+    let face = side([-1.0, -1.0], [0.0, 1.0]);
+    let point = Shape::Point(Point::new([1.0, 0.0]).expect("finite"));
+    let ends = [vector![0.0, 0.0], vector![1.0, 0.0]];
+    assert!(along(&[face.clone(), point.clone()], ends).is_some());
+    assert!(along(&[point, face.clone()], [ends[1], ends[0]]).is_some());
+    let opposite = side([1.0, -1.0], [2.0, 1.0]);
+    assert!(along(&[face, opposite], ends).is_none());
+    // From corner to corner there is one, with fronts that touch the boxes from outside.
+    let corners = [side([-1.0, -1.0], [0.0, 0.0]), side([1.0, 0.5], [2.0, 2.0])];
+    let pencil = along(&corners, [vector![0.0, 0.0], vector![1.0, 0.5]]).expect("rays");
+    for (fan, x) in pencil.fans.iter().zip([vector![-0.02, 0.0], vector![1.02, 0.5]]) {
+        assert!(fan.value_near(&x) < 0.0, "{}", fan.value_near(&x));
+    }
+}
+
+/// A front that leaves a ball is as curved as its sphere, but no more than one that leaves a point.
+#[test]
+fn a_front_from_a_small_ball_is_no_more_curved_than_one_from_a_point() {
+    let curved = |r: f64| {
+        let (x, p) = (vector![r, 0.0], vector![1.0, 0.0]);
+        End::Ball(vector![0.0, 0.0]).bend(&x, &p, 0.25)[(1, 1)]
+    };
+    assert_eq!((curved(0.5), curved(0.01)), (2.0, 4.0));
+    // Across a face nothing is.
+    let bend = End::<2>::Box.bend(&vector![0.0, 0.0], &vector![1.0, 0.01], 0.25);
+    assert_eq!((bend[(0, 0)], bend[(1, 1)]), (4.0, 0.0));
 }
