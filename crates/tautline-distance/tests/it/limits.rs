@@ -1,0 +1,75 @@
+//! When a search ends, and with how much work.
+
+use std::ops::ControlFlow;
+
+use nalgebra::{SVector, matrix, vector};
+use tautline_check::CheckError;
+use tautline_distance::{DistanceError, Ended, Wanted, search};
+use tautline_formula::Formula;
+
+use crate::{
+    attempt::{attempt, holds},
+    flat::{ball, formula, nearest, point},
+};
+
+/// The limit is on the cubes of all levels together, the first one among them.
+#[test]
+fn the_cubes_of_all_levels_keep_to_the_limit() {
+    let h = matrix![1.2, 0.4; 0.4, 1.1];
+    let sets = [ball([-1.5, -1.0], 0.5), ball([1.25, 1.5], 0.75)];
+    let pair = nearest(&h, &sets)[0].clone();
+    let mut last = 1.0;
+    for cubes in [600, 1200, 1800, 2500, 4000, 6000, 9000] {
+        // The attempt asserts the limit.
+        let found = attempt(&formula(&h), &sets, &[pair.line(20)], Wanted { gap: 1e-9, cubes });
+        let found = found.unwrap_or_else(|error| panic!("{cubes}: {error}"));
+        assert_eq!(found.ended, Ended::TooManyCubes, "{cubes}");
+        holds(&found, pair.distance, 1e-11, 0.9);
+        last = found.proved.gap().expect("a curve");
+    }
+    assert!(last < 1e-2, "{last}");
+    let refused = attempt(&formula(&h), &sets, &[pair.line(20)], Wanted { gap: 1e-3, cubes: 10 });
+    let reason = CheckError::TooLarge { most: 10 };
+    assert!(
+        matches!(&refused, Err(DistanceError::Region { reason: found, .. }) if *found == reason),
+        "{refused:?}"
+    );
+}
+
+/// The way around the hill that is not the shorter one: no certificate says that it is, and smaller cubes
+/// do not help.
+#[test]
+fn a_curve_that_is_not_minimal_stalls() {
+    let hill = Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
+    let ends = [vector![-1.5, 0.05], vector![1.5, -0.1]];
+    // Over the top, about half as long again as the way around.
+    let line = |n: i32| ends[0].lerp(&ends[1], f64::from(n) / 200.0);
+    let curve: Vec<SVector<f64, 2>> = (0..=200).map(line).collect();
+    let sets = ends.map(point);
+    // The attempt asserts that the last two levels were slow, and no two before.
+    let found =
+        attempt(&hill, &sets, &[curve], Wanted { gap: 1e-3, cubes: 100_000 }).expect("a region");
+    assert_ne!(found.ended, Ended::Reached);
+    // The distance is 4.67527.
+    assert!(found.proved.lower <= 4.67528, "{}", found.proved.lower);
+}
+
+#[test]
+fn an_observer_may_stop_a_search_at_any_level() {
+    let h = matrix![1.2, 0.4; 0.4, 1.1];
+    let sets = [point([-1.5, -1.0]), point([1.25, 1.5])];
+    let pair = nearest(&h, &sets)[0].clone();
+    for levels in 1..=3 {
+        let mut told = 0;
+        let observe = &mut |step: tautline_distance::Progress| {
+            told += 1;
+            assert_eq!(step.levels, told);
+            if told == levels { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let found = search(&formula(&h), &sets, &[pair.line(20)], Wanted::gap(1e-9), observe);
+        let found = found.expect("found");
+        assert_eq!((found.ended, found.certificate.levels.len()), (Ended::Stopped, levels));
+        assert_eq!(told, levels);
+        assert!(found.certificate.check().is_ok());
+    }
+}
