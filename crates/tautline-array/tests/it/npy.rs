@@ -96,6 +96,33 @@ fn another_version_is_refused() {
     }
 }
 
+/// `np.save` of `np.float64(2.5)`: no axis, and one number.
+#[test]
+fn a_single_number_is_an_array_without_axes() {
+    let array = Array::read(&file(&header("<f8", "()"), &2.5_f64.to_le_bytes())).expect("a number");
+    assert_eq!((array.shape(), array.values()), (&[][..], &[2.5][..]));
+    assert_eq!(array.component(&[]).expect("the number"), array);
+    assert!(Array::read(&file(&header("<f8", "()"), &[])).is_err());
+}
+
+/// Other writers than NumPy write their keys in double quotes, in another order and without the last comma.
+#[test]
+fn headers_of_other_writers_are_read() {
+    let header = r#"{"shape": (1, 2), "fortran_order": False, "descr": "|u1"}"#;
+    let array = Array::read(&file(header, &[4, 5])).expect("an array");
+    assert_eq!((array.shape(), array.values()), (&[1, 2][..], &[4.0, 5.0][..]));
+    // A quote ends where the same one stands again.
+    let mixed = header.replace("\"descr\"", "'descr\"");
+    assert!(Array::read(&file(&mixed, &[4, 5])).is_err());
+}
+
+/// A byte of memory that was seen as a boolean may hold any number: all but 0 are true.
+#[test]
+fn a_boolean_is_0_or_1() {
+    let array = Array::read(&file(&header("|b1", "(4,)"), &[0, 1, 2, 255])).expect("an array");
+    assert_eq!(array.values(), [0.0, 1.0, 1.0, 1.0]);
+}
+
 #[test]
 fn a_file_that_ends_early_or_late_is_refused() {
     let whole = file(&header("<f8", "(3,)"), &[0; 24]);
