@@ -1,11 +1,13 @@
 //! Lattice paths of homotopy classes, beside shortest paths in a plane with a wall.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{
-    ClassPath, Ends, GraphPathError, HalfSpace, Lattice, LatticeGraph, Metric, Plain, Point,
-    Punctures, Scalar, class_paths,
+use tautline_chance::{Random, cases, seed};
+use tautline_formula::{Batches, Plain};
+use tautline_lattice::{
+    ClassPath, GraphPathError, Lattice, LatticeGraph, Punctures, Word, class_paths,
 };
-use tautline_chance::{Random, seed};
+use tautline_metrics::{Constants, Metric, Scalar};
+use tautline_sets::{Ball, Ends, HalfSpace, Point};
 
 fn lattice() -> Lattice<2> {
     Lattice::new([-2.0, -1.5], [2.0, 1.5], 0.1).expect("a box")
@@ -176,5 +178,181 @@ fn between_a_half_plane_and_a_point_there_are_two_ways_past_a_puncture() {
         let beside =
             [one, other].map(|path| path.path().sequence(2).expect("chords").points()[1][0] - 0.05);
         assert!(beside[0] * beside[1] < 0.0, "{beside:?}");
+    }
+}
+
+/// Sums of the same edges from the one end and from the other differ by rounding, which must not cost the
+/// shortest path itself.
+#[test]
+fn a_slack_of_one_leaves_the_shortest_path_whatever_the_rounding() {
+    let mut random = Random(seed(5));
+    let plain = Plain::new(&Tilted);
+    let graph = LatticeGraph::new(&plain, lattice(), 2).expect("a reach");
+    let punctures = Punctures::new(vec![[-0.5, 0.03], [0.7, -0.6]]).expect("points");
+    for case in 0..cases(20) {
+        let mut end = || [random.between(-1.9, 1.9), random.between(-1.4, 1.4)];
+        let ends = Ends::points(end(), end()).expect("finite");
+        let shortest = graph.shortest(&ends, None).expect("a path").length();
+        let paths = class_paths(&graph, &ends, &punctures, 9, 1.0).expect("paths");
+        let lengths: Vec<f64> = paths.iter().map(|path| path.path().length()).collect();
+        // Sums of some fifty edges, each rounded.
+        let is_it = |length: &f64| (length / shortest - 1.0).abs() < 1e-13;
+        assert!(!lengths.is_empty() && lengths.iter().all(is_it), "{case} {lengths:?} {shortest}");
+    }
+}
+
+/// Nodes that stand exactly above a puncture are on its right. It has the same classes, with the same
+/// lengths, as a puncture that is a little to the left, between two columns of nodes: no path over such a
+/// node loses its letter, on the way to the right or to the left.
+#[test]
+fn punctures_under_columns_of_nodes_have_the_classes_of_punctures_beside_them() {
+    let plain = Plain::new(&Tilted);
+    // Powers of two, so that nodes and punctures are exact.
+    let lattice = Lattice::new([-2.0, -1.5], [2.0, 1.5], 0.125).expect("a box");
+    let graph = LatticeGraph::new(&plain, lattice, 2).expect("a reach");
+    let row = [[-0.75, 0.05], [0.0, -0.3], [0.5, 0.2]];
+    let beside = row.map(|[x, y]| [x - 0.01, y]);
+    for [a, b] in [[[-1.5, 0.0], [1.5, 0.125]], [[1.5, 0.125], [-1.5, 0.0]]] {
+        let ends = Ends::points(a, b).expect("finite");
+        let classes = |points: [[f64; 2]; 3]| -> Vec<(Word, f64)> {
+            let punctures = Punctures::new(points.to_vec()).expect("points");
+            let paths = class_paths(&graph, &ends, &punctures, 12, 9.0).expect("paths");
+            paths.iter().map(|path| (path.word().clone(), path.path().length())).collect()
+        };
+        let under = classes(row);
+        assert_eq!(under.len(), 12);
+        assert_eq!(under, classes(beside));
+    }
+}
+
+/// Between a ball and a half-plane a path begins and ends with chords from and to points of the sets, which
+/// count in its length: the sum of its chords, each under the mean of the norms at both ends.
+#[test]
+fn a_path_between_sets_is_as_long_as_its_chords() {
+    let ball = Ball::new([-1.43, 0.11], 0.27).expect("a ball");
+    let wall = HalfSpace::new([-1.0, -0.3], -1.52).expect("a wall");
+    let ends = Ends::new(ball, wall).expect("bounded");
+    let punctures = Punctures::new(vec![[0.03, 0.33]]).expect("a point");
+    let plain = Plain::new(&Tilted);
+    let graph = LatticeGraph::new(&plain, lattice(), 2).expect("a reach");
+    let paths = class_paths(&graph, &ends, &punctures, 2, 9.0).expect("paths");
+    assert_eq!(paths.len(), 2);
+    let shortest = graph.shortest(&ends, None).expect("a path");
+    for path in paths.iter().map(|path| path.path()).chain([&shortest]) {
+        let corners = path.corners();
+        let [first, last] = [corners[0].1, corners[corners.len() - 1].1];
+        for (set, x) in [(ends.first(), first), (ends.second(), last)] {
+            assert!((set.project(&x) - x).norm() < 1e-15, "{x}");
+        }
+        // Neighbours of the lattice, and points within a spacing of nodes.
+        for pair in corners.windows(2) {
+            let d = pair[1].1 - pair[0].1;
+            assert!(d.amax() <= 0.2 + 1e-12, "{d}");
+            let norm = |x: &SVector<f64, 2>| {
+                let h: SMatrix<f64, 2, 2> = Tilted.gram(x);
+                d.dot(&(h * d)).sqrt()
+            };
+            let length = 0.5 * (norm(&pair[0].1) + norm(&pair[1].1));
+            // Differences of sums below 10.
+            assert!((pair[1].0 - pair[0].0 - length).abs() < 1e-14, "{length}");
+        }
+    }
+    // The shortest of all classes is the shortest of all.
+    assert!((paths[0].path().length() / shortest.length() - 1.0).abs() < 1e-13);
+}
+
+/// A metric that changes from node to node.
+struct Rough;
+
+impl Metric<2> for Rough {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::identity() * ((x[0] * 41.0).sin() * (x[1] * 37.0 + x[0]).sin() * 1.9 + 2.0)
+    }
+}
+
+/// Between sets of any kind the shortest path is the shortest of all, with the chords to the sets: as long as
+/// what is left when no edge shortens anything, with and without a lower bound on the rest of the way.
+#[test]
+fn between_sets_no_path_is_shorter_than_the_shortest() {
+    let mut random = Random(seed(6));
+    let (tilted, rough) = (Plain::new(&Tilted), Plain::new(&Rough));
+    let graphs = [&tilted as &dyn Batches<2>, &rough];
+    let graphs = graphs.map(|plain| LatticeGraph::new(plain, lattice(), 2).expect("a reach"));
+    // Up to |x₁| = 2.1 the determinant of the tilted metric is at least 2 + cos 2.1 − ¼ > 1.2, and its
+    // trace at most 4: no eigenvalue is below their quotient. The rough one is at least 1/10.
+    let bounds = [0.3, 0.1].map(|c1| Constants::new(c1, 4.0, 1.0).expect("in order"));
+    let none = Punctures::new(Vec::new()).expect("no points");
+    for case in 0..cases(24) {
+        let (graph, bound) = (&graphs[case as usize / 2 % 2], &bounds[case as usize / 2 % 2]);
+        let [x, y] = [random.between(-1.7, -0.6), random.between(-1.2, 1.2)];
+        let ball = Ball::new([x, y], random.between(0.05, 0.4)).expect("a ball");
+        let tilt = random.between(-0.5, 0.5);
+        let wall = HalfSpace::at_least([1.0, tilt], random.between(0.7, 1.1)).expect("a wall");
+        let ends = if case % 2 == 0 { Ends::new(ball, wall) } else { Ends::new(wall, ball) };
+        let ends = ends.expect("bounded");
+        let least = around_a_wall(graph, &ends, [0.0, f64::NEG_INFINITY], true);
+        let [one] = &class_paths(graph, &ends, &none, 9, 2.0).expect("paths")[..] else {
+            panic!("one class")
+        };
+        for path in [
+            &graph.shortest(&ends, None).expect("a path"),
+            &graph.shortest(&ends, Some(bound)).expect("a path"),
+            one.path(),
+        ] {
+            // Sums of some thirty edges.
+            assert!((path.length() / least - 1.0).abs() < 1e-13, "{case} {}", path.length());
+        }
+    }
+}
+
+/// A ridge between two columns of nodes stands along the edge of the half-plane: chords to its edge are dear,
+/// edges over it are not. The first node beside the set is not where the shortest path leaves, and the search
+/// must go on behind it.
+#[test]
+fn the_search_ends_with_the_chord_to_the_set_and_not_before() {
+    struct Ridge(f64);
+    impl Metric<2> for Ridge {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let ridge = (((x[0] - 0.75) * 100.0).sqr() * -1.0).exp() * 900.0;
+            let rough = (x[0] * 41.0).sin() * (x[1] * 37.0 + self.0).sin() * 1.9 + 2.0;
+            SMatrix::identity() * (ridge + rough)
+        }
+    }
+    let mut random = Random(seed(7));
+    let edge = HalfSpace::at_least([1.0, 0.0], 0.75).expect("a half-plane");
+    for case in 0..cases(20) {
+        let metric = Ridge(random.between(0.0, 6.3));
+        let plain = Plain::new(&metric);
+        let graph = LatticeGraph::new(&plain, lattice(), 2).expect("a reach");
+        let point = Point::new([-0.5, random.between(-1.0, 1.0)]).expect("finite");
+        let ends = Ends::new(point, edge).expect("bounded");
+        let least = around_a_wall(&graph, &ends, [0.0, f64::NEG_INFINITY], true);
+        let found = graph.shortest(&ends, None).expect("a path").length();
+        assert!((found / least - 1.0).abs() < 1e-13, "{case} {found} {least}");
+    }
+}
+
+/// The bound of A* has to hold where a path ends as well as at the nodes: between them the metric has a dip.
+#[test]
+fn a_bound_that_fails_at_an_end_between_nodes_is_refused() {
+    struct Dip;
+    impl Metric<2> for Dip {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let square = (x[0] - 0.05).sqr() + (x[1] - 0.05).sqr();
+            SMatrix::identity() * ((square * -2e4).exp() * -0.9 + 1.0)
+        }
+    }
+    let plain = Plain::new(&Dip);
+    let graph = LatticeGraph::new(&plain, lattice(), 1).expect("a reach");
+    let bound = |c1| Constants::new(c1, 1.0, 1.0).expect("in order");
+    let (dip, far) = ([0.05, 0.05], [1.0, 0.4]);
+    for ends in [Ends::points(dip, far), Ends::points(far, dip)] {
+        let ends = ends.expect("finite");
+        let refused = graph.shortest(&ends, Some(&bound(0.5)));
+        assert!(matches!(refused, Err(GraphPathError::Bound { c1: 0.5, .. })), "{refused:?}");
+        let [slow, fast] = [None, Some(&bound(0.1))].map(|bound| graph.shortest(&ends, bound));
+        let [slow, fast] = [slow, fast].map(|path| path.expect("a path"));
+        assert_eq!(slow.length(), fast.length());
+        assert!(fast.opened() < slow.opened());
     }
 }

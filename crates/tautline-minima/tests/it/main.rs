@@ -1,7 +1,6 @@
 //! Tests of the search for all minima.
 
 mod bad_input;
-mod classes;
 mod continuation;
 mod landscapes;
 mod obstacles;
