@@ -198,6 +198,15 @@ mod tests {
             (found.gap(&line, 0.0), found.smooth_gap(&line, 0.0)),
             (f64::INFINITY, f64::INFINITY)
         );
+        // Exact for `f(s) = s` alone, and for no other linear function.
+        #[derive(Clone, Copy, Debug)]
+        struct Balanced;
+        impl Rule for Balanced {
+            const NODES: &'static [Node] = &[Node { fraction: 0.625, weight: 0.8 }];
+            const ERROR_EXPONENT: i32 = 2;
+        }
+        let found = PeanoConstants::of(Balanced);
+        assert_eq!((found.first, found.second), (f64::INFINITY, f64::INFINITY));
         assert_eq!(PeanoConstants::of(LeftEndpoint).smooth_gap(&line, 0.0), f64::INFINITY);
         assert_eq!(PeanoConstants::of(Trapezoidal).smooth_gap(&line, 0.0), 0.0);
     }

@@ -144,6 +144,25 @@ mod tests {
         }
     }
 
+    /// A new chord may pass many old ones, of different lengths: a curve of a hundred chords is resampled as
+    /// the same curve of one chord.
+    #[test]
+    fn a_new_chord_passes_many_old_ones() {
+        let metric = Prepared::new(Valleys);
+        let at = |k: usize| vector![5.0 * (k as f64 / 100.0).powi(2), 0.0];
+        let many = PointSequence::new((0..=100).map(at).collect()).expect("finite");
+        let one = PointSequence::straight([0.0, 0.0], [5.0, 0.0], 1).expect("finite");
+        for n in [2, 3, 7] {
+            let [many, one] = [&many, &one]
+                .map(|curve| Interpolation::new(curve).resampled(&metric, n).expect("a metric"));
+            for (x, y) in many.points().iter().zip(one.points()) {
+                // A hundred quadratures, each exact to a few roundings of its own length, over a
+                // speed of at least 1.
+                assert!((x - y).amax() < 1e-13, "{n}: {x} {y}");
+            }
+        }
+    }
+
     #[test]
     fn what_cannot_be_resampled_is_an_error() {
         let metric = Prepared::new(Valleys);

@@ -55,6 +55,25 @@ fn the_gap_bounds_are_attained() {
     }
 }
 
+/// Each chord has a gap of its own, as its third or fourth power: with chords of different lengths the sum is
+/// more than the power of their mean would allow. A sequence that goes on in one direction attains the
+/// bounds, whatever its chords.
+#[test]
+fn the_gap_bounds_are_attained_by_chords_of_different_lengths() {
+    let points = [0.0, 0.1, 0.9, 1.0, 2.5].map(|x| vector![x]).to_vec();
+    let line = PointSequence::new(points).expect("finite");
+    let (linear, parabola) =
+        (Parabola { slope: 0.7, bend: 0.0 }, Parabola { slope: 0.2, bend: 0.9 });
+    let first = PeanoConstants::of(LeftEndpoint).gap(&line, 0.7);
+    let second = PeanoConstants::of(Trapezoidal).smooth_gap(&line, 0.9);
+    for ((found, rounding), bound) in
+        [(gap(LeftEndpoint, &linear, &line), first), (gap(Trapezoidal, &parabola, &line), second)]
+    {
+        assert!((found - bound).abs() <= rounding, "{found} {bound}");
+        assert!(bound > 100.0 * rounding);
+    }
+}
+
 /// A node at a wrong fraction, or a wrong weight, is not exact for cubic polynomials.
 #[test]
 fn rules_are_exact_to_their_degree() {
