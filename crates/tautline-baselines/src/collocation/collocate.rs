@@ -16,8 +16,8 @@ use crate::{
     not_finite::finite,
 };
 
-/// Newton's method has converged if its step, relative to the distance of the ends, is at most
-/// this. It converges quadratically, so that another step would be of the size of rounding.
+/// Newton's method has converged if its step, relative to the distance of the farthest node from the
+/// first, is at most this. It converges quadratically, so that another step would be of the size of rounding.
 const SMALL: f64 = 1e-9;
 
 /// A geodesic that was found by collocation.
@@ -188,10 +188,12 @@ fn solve<const D: usize>(
     limit: usize,
 ) -> Result<usize, CollocationError> {
     let n = path.intervals();
-    // Sets may touch, and the coordinates of a short curve are rounded all the same.
-    let distance = (path.positions[n] - path.positions[0]).norm();
-    let extent = path.positions[0].amax().max(path.positions[n].amax());
-    let scale = distance.max(1e-6 * extent).max(f64::MIN_POSITIVE);
+    // Not the distance of the ends, which may be one point. The coordinates of a short curve are rounded all
+    // the same.
+    let first = path.positions[0];
+    let size = path.positions.iter().map(|x| (x - first).norm()).fold(0.0, f64::max);
+    let extent = first.amax().max(path.positions[n].amax());
+    let scale = size.max(1e-6 * extent).max(f64::MIN_POSITIVE);
     let mut lacks: Defects<D> = defects(metric, table, path)?;
     let mut damping = 1.0_f64;
     let mut size = f64::INFINITY;

@@ -42,7 +42,7 @@ pub enum CollocationError {
     NoConvergence {
         /// The number of intervals of the mesh.
         intervals: usize,
-        /// The size of the last correction, relative to the distance of the ends. It is NaN or
+        /// The size of the last correction, relative to that of the curve. It is NaN or
         /// infinite if the equations are singular.
         correction: f64,
         /// The number of Newton steps on this mesh.

@@ -99,6 +99,30 @@ fn collocation_and_shooting_agree() {
     assert!((path.length / shot.length() - 1.0).abs() < 2e-9);
 }
 
+/// A geodesic that comes back to where it begins, around the bump: its size is not the distance of its ends.
+/// It is its own mirror image, run backwards.
+#[test]
+fn a_geodesic_may_end_where_it_begins() {
+    let (begin, n) = ([1.5, 0.0], 16);
+    let at = |k: usize| {
+        let (sin, cos) = (std::f64::consts::TAU * k as f64 / n as f64).sin_cos();
+        if k == 0 || k == n { begin.into() } else { vector![0.25 + 1.25 * cos, 1.1 * sin] }
+    };
+    let start = PointSequence::new((0..=n).map(at).collect()).expect("finite");
+    let options = Collocation { start: Some(start), ..Collocation::default() };
+    let found = collocate(&bump(), &points(begin, begin), &options).expect("a path");
+    assert!(found.residual <= 1e-6);
+    let position = |t: f64| found.path.position(t).expect("a time");
+    for k in 0..=20 {
+        let t = f64::from(k) / 40.0;
+        let (there, back) = (position(t), position(1.0 - t));
+        // A residual of 10⁻⁶ displaces the curve by about as much.
+        assert!((there - vector![back[0], -back[1]]).norm() < 1e-5, "{t}: {there} {back}");
+    }
+    // Beyond the bump, on its other side.
+    assert!(position(0.5)[0] < -0.3, "{}", position(0.5));
+}
+
 /// The straight line leads to a geodesic over the bump with almost three times the energy of the
 /// minimal one, and nothing in the result says so. Both energies are given to half a unit of their
 /// last digit.
