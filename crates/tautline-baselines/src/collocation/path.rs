@@ -160,3 +160,31 @@ impl<const D: usize> Path<D> {
         fine
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, vector};
+    use tautline::gallery::Constant;
+
+    use super::{Path, Table};
+
+    /// Under a flat metric geodesics have no acceleration. That of this path grows along its second interval
+    /// from 0 to 3: nothing at its begin, and the residual is the largest on the way.
+    #[test]
+    fn a_residual_is_the_largest_along_its_interval() {
+        let table = Table::new();
+        let along = table.stages.map(|stage| vector![3.0 * stage.fraction]);
+        let path = Path {
+            mesh: vec![0.0, 0.5, 1.0],
+            positions: vec![vector![0.0], vector![1.0], vector![2.0]],
+            velocities: vec![vector![2.0], vector![2.0], vector![1.5]],
+            normals: [vector![0.0], vector![2.0]],
+            accelerations: vec![[vector![0.0]; 4], along],
+        };
+        let flat = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
+        let residuals = path.residuals(&flat, &table).expect("smooth");
+        // Relative to the largest speed, 2; the weights round by 10⁻¹³.
+        assert_eq!(residuals.len(), 2);
+        assert!(residuals[0] < 1e-13 && (residuals[1] - 1.5).abs() < 1e-13, "{residuals:?}");
+    }
+}

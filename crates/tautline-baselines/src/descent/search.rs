@@ -167,3 +167,27 @@ impl<const D: usize> Here<D> {
 pub(crate) fn dot<const D: usize>(a: &[SVector<f64, D>], b: &[SVector<f64, D>]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.dot(b)).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use tautline::{LinearModel, PointSequence};
+
+    use super::{Here, SUFFICIENT};
+
+    /// Any decrease is not enough: a step has to achieve its fraction of what its slope promises (Armijo). An
+    /// energy that rises by a rounding is as good as one that does not, where nothing is promised.
+    #[test]
+    fn a_step_has_to_achieve_a_fraction_of_what_it_promises() {
+        let sequence = PointSequence::straight([0.0], [2.0], 1).expect("finite");
+        let model = LinearModel { energy: 4.0, gradient: Vec::new(), is_metric: true };
+        let here = Here { sequence, model };
+        let promised = 1e-2;
+        assert!(here.falls_enough(4.0 - promised, promised));
+        assert!(here.falls_enough(4.0 - 1.1 * SUFFICIENT * promised, promised));
+        assert!(!here.falls_enough(4.0 - 0.9 * SUFFICIENT * promised, promised));
+        assert!(!here.falls_enough(4.0, promised));
+        assert!(!here.falls_enough(f64::NAN, promised));
+        let risen = 4.0 * (1.0 + f64::EPSILON);
+        assert!(here.falls_enough(risen, 0.0) && !here.falls_enough(4.0 * (1.0 + 1e-14), 0.0));
+    }
+}

@@ -178,3 +178,40 @@ impl<const D: usize> At<D> {
         larger(next) <= 0.5 * larger(self)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+
+    use nalgebra::vector;
+    use tautline::{Iterate, PointSequence, Prepared, Rule, Trapezoidal, gallery::Valleys};
+
+    use super::{At, KktStep, Search};
+    use crate::descent::Limits;
+
+    /// A step has to achieve a fraction of the decrease of the merit that it promises. One that claims to end
+    /// at a level far below 0 is not taken, although it lowers the merit.
+    #[test]
+    fn a_step_that_promises_too_much_is_not_taken() {
+        let metric = Prepared::new(Valleys);
+        let points =
+            vec![vector![0.0, 0.0], vector![0.9, 0.4], vector![1.6, 0.2], vector![2.5, 0.0]];
+        let start = PointSequence::new(points).expect("finite");
+        let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
+        let limits = Limits::default();
+        let begun = Search::begin(&metric, Trapezoidal, start, &limits, watch);
+        let (mut search, here) = begun.expect("a metric");
+        let multipliers = vec![1.0 / 3.0; 3];
+        let at = At::new(&metric, Trapezoidal::NODES, here.sequence, multipliers);
+        let at = at.expect("a metric");
+        let size = at.here.stiffness();
+        let mut step = KktStep::new(&at.chords, &at.multipliers, size).expect("definite");
+        // A tenth of the step makes no residual half as large.
+        step.step.iter_mut().for_each(|step| *step *= 0.1);
+        step.multipliers.clone_from(&at.multipliers);
+        let penalty = 2.0;
+        assert!(at.follow(&mut search, &step, penalty).is_some());
+        step.level = -1e6;
+        assert!(at.follow(&mut search, &step, penalty).is_none());
+    }
+}

@@ -44,6 +44,28 @@ fn the_length_of_a_path_from_a_smooth_set_converges_with_the_second_order() {
     }
 }
 
+/// Steps of second order keep to the geodesic up to the square of the spacing, as the gradients between the
+/// nodes do; a step along the gradient at its begin alone would leave it by a multiple of the spacing. The
+/// length does not tell, since it sees the square of the direction. In the coordinates of `Φ` the geodesic is
+/// a ray from the origin.
+#[test]
+fn a_path_from_a_smooth_set_keeps_to_the_geodesic_with_the_second_order() {
+    let cases = [(1.0, 0.7, 0.37, [0.83, 0.47]), (-2.0, 0.5, 0.31, [-0.2, 1.1])];
+    for (angle, width, r, end) in cases {
+        let swirl = Swirl::new(angle, width).expect("a swirl");
+        let disc = Ball::new([0.0, 0.0], r).expect("a disc");
+        let ends = Ends::new(disc, Point::new(end).expect("finite")).expect("bounded");
+        let across = swirl.flatten(&SVector::from(end)).normalize();
+        let errors = [16.0, 32.0, 64.0, 128.0].map(|n: f64| {
+            let path = eikonal(&swirl, &ends, &square(1.0 / n), Order::Second).expect("a path");
+            let off =
+                path.corners().iter().map(|corner| swirl.flatten(&corner.1).perp(&across).abs());
+            (1.0 / n, off.fold(0.0, f64::max))
+        });
+        assert!(slope(&errors) > 1.6, "{angle} {errors:?}");
+    }
+}
+
 /// The gradient of an error `h g(θ)` is as `h/r` at the distance `r` from a point. Its square, integrated
 /// from the width `b` of the band, is as `h²/b`, and a chord of the length `b` is off by `b³`: the order is
 /// 3/2 with `b ~ h^{1/2}`.
@@ -228,5 +250,66 @@ fn distances_are_interpolated_in_the_box_alone() {
         }
         assert_eq!(distances.at(&[1.6, 0.0].into()), None);
         assert_eq!(distances.at(&[f64::NAN, 0.0].into()), None);
+    }
+}
+
+/// The gradient of a linear distance is the same at every node, also at the last ones on each side, where there
+/// is a neighbour on one side only.
+#[test]
+fn the_gradient_of_a_linear_distance_is_constant_up_to_the_boundary() {
+    let flat = tautline::gallery::Constant::<2>::new(SMatrix::identity() * 4.0).expect("positive");
+    let lattice = square(0.25);
+    let equation = Eikonal::new(&flat, &lattice).expect("stencils");
+    for normal in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
+        let (wall, normal) = (HalfSpace::new(normal, -1.0).expect("a wall"), SVector::from(normal));
+        let distances = equation.distances_from(&wall, Order::Second).expect("seeds");
+        let beyond = (0..lattice.nodes()).filter(|&n| normal.dot(&lattice.point(n)) > -0.6);
+        let mut count = 0;
+        for node in beyond {
+            let gradient = distances.gradient(node).expect("reached");
+            assert!((gradient - normal * 2.0).norm() < 1e-12, "{} {gradient}", lattice.point(node));
+            count += 1;
+        }
+        assert_eq!(count, 9 * 13);
+    }
+}
+
+/// The point of a disc that is nearest to a wall is none of those that are nearest to nodes. The distance is
+/// linear, so that the descent along the disc finds it up to its last step and the rounding of values.
+#[test]
+fn the_nearest_point_of_a_disc_lies_between_those_of_nodes() {
+    let flat = tautline::gallery::Constant::<2>::new(SMatrix::identity() * 4.0).expect("positive");
+    let wall = HalfSpace::new([1.0, 0.0], -1.0).expect("a wall");
+    let disc = Ball::new([0.77, 0.31], 0.2).expect("a disc");
+    let lattice = square(0.25);
+    let equation = Eikonal::new(&flat, &lattice).expect("stencils");
+    let distances = equation.distances_from(&wall, Order::Second).expect("seeds");
+    let (nearest, distance) = distances.nearest_in(&disc).expect("in the box");
+    // The square of a step of 10⁻⁶ spacings over the radius, and values rounded to 10⁻¹⁵.
+    assert!((distance - 2.0 * 1.57).abs() < 1e-11, "{distance}");
+    assert!((nearest - SVector::from([0.57, 0.31])).norm() < 1e-5, "{nearest}");
+}
+
+/// A set is reached if a part of it is: whether the metric is missing on its part at the first nodes of the
+/// lattice or at the last.
+#[test]
+fn a_set_that_is_partly_without_a_metric_is_reached() {
+    struct Half(f64);
+    impl Metric<2> for Half {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let inside = (x[1] * self.0 + 0.55).sqrt();
+            SMatrix::identity() * (inside * 0.0 + 1.0)
+        }
+    }
+    let near = HalfSpace::at_least([-1.0, 0.0], 1.0).expect("a half-plane");
+    let far = HalfSpace::at_least([1.0, 0.0], 1.0).expect("a half-plane");
+    let lattice = square(0.25);
+    for sign in [1.0, -1.0] {
+        let metric = Half(sign);
+        let equation = Eikonal::new(&metric, &lattice).expect("stencils");
+        let distances = equation.distances_from(&near, Order::Second).expect("seeds");
+        let (nearest, distance) = distances.nearest_in(&far).expect("in reach");
+        assert!((distance - 2.0).abs() < 1e-12 && nearest[0] >= 1.0, "{sign} {distance}");
+        assert!(nearest[1] * sign > -0.55, "{sign} {nearest}");
     }
 }

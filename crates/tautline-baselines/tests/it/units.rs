@@ -4,8 +4,12 @@ use std::ops::ControlFlow;
 
 use nalgebra::{SMatrix, SVector};
 use tautline::gallery::Bump;
-use tautline::{Iterate, Metric, PointSequence, Prepared, Scalar, Trapezoidal, norm_squared};
-use tautline_baselines::descent::{Ended, Limits, SecondOrder, dynamic_programming};
+use tautline::{
+    Batches, Iterate, Metric, PointSequence, Prepared, Scalar, Trapezoidal, norm_squared,
+};
+use tautline_baselines::descent::{
+    Descended, DescentError, Ended, Limits, SecondOrder, dynamic_programming, sobolev_descent,
+};
 use tautline_baselines::shooting::{Integration, exponential};
 
 use crate::problems::{Exact, Vector, for_each_problem};
@@ -28,22 +32,22 @@ impl<M: Metric<2>> Metric<2> for InUnits<'_, M> {
 /// Powers of two do not even change the rounding.
 const LARGE: f64 = (1_u64 << 40) as f64;
 
-/// Off the top of a bump the Hessian is indefinite, so that it is shifted.
-#[test]
-fn dynamic_programming_takes_the_same_steps_in_other_units() {
+/// Runs a descent from a line that is off the top of a bump, in a unit of the metric.
+fn off_the_top(
+    factor: f64,
+    descend: impl FnOnce(&dyn Batches<2>, PointSequence<2>) -> Result<Descended<2>, DescentError>,
+) -> Descended<2> {
     let bump = Bump::new(4.0, 0.5).expect("a width");
-    let run = |factor: f64| {
-        let metric = Prepared::new(InUnits { metric: &bump, factor, length: 1.0, origin: 0.0 });
-        let at = |k: usize| {
-            let t = k as f64 / 40.0;
-            SVector::from([3.0 * t - 1.5, 0.1 * t * (1.0 - t)])
-        };
-        let start = PointSequence::new((0..=40).map(at).collect()).expect("finite");
-        let limits = Limits::default();
-        let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
-        let full = SecondOrder::Full;
-        dynamic_programming(&metric, Trapezoidal, start, full, &limits, watch).expect("a metric")
+    let metric = Prepared::new(InUnits { metric: &bump, factor, length: 1.0, origin: 0.0 });
+    let at = |k: usize| {
+        let t = k as f64 / 40.0;
+        SVector::from([3.0 * t - 1.5, 0.1 * t * (1.0 - t)])
     };
+    let start = PointSequence::new((0..=40).map(at).collect()).expect("finite");
+    descend(&metric, start).expect("a metric")
+}
+
+fn assert_same_in_other_units(run: impl Fn(f64) -> Descended<2>) {
     let expected = run(1.0);
     assert_eq!(expected.ended, Ended::Stationary);
     // It leaves the way over the top, whose energy is 64.
@@ -54,6 +58,29 @@ fn dynamic_programming_takes_the_same_steps_in_other_units() {
         assert_eq!(found.sequence, expected.sequence, "{factor}");
         assert_eq!(found.energy, factor * expected.energy, "{factor}");
     }
+}
+
+/// Off the top of a bump the Hessian is indefinite, so that it is shifted.
+#[test]
+fn dynamic_programming_takes_the_same_steps_in_other_units() {
+    assert_same_in_other_units(|factor| {
+        off_the_top(factor, |metric, start| {
+            let (limits, full) = (Limits::default(), SecondOrder::Full);
+            let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
+            dynamic_programming(metric, Trapezoidal, start, full, &limits, watch)
+        })
+    });
+}
+
+/// The length of a step follows from the step before, in the unit of that.
+#[test]
+fn a_sobolev_descent_takes_the_same_steps_in_other_units() {
+    assert_same_in_other_units(|factor| {
+        off_the_top(factor, |metric, start| {
+            let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
+            sobolev_descent(metric, Trapezoidal, start, &Limits::default(), watch)
+        })
+    });
 }
 
 #[test]

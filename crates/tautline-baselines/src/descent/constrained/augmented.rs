@@ -246,4 +246,24 @@ mod tests {
             assert!(expected < -1.0, "{expected}");
         }
     }
+
+    /// Where a step promises more than it achieves, at any of its parts, it is no step: here the decrease of
+    /// its model is claimed to be a million times as large.
+    #[test]
+    fn a_step_that_promises_too_much_is_not_taken() {
+        let metric = Prepared::new(Valleys);
+        let points = vec![vector![1.0, 0.0], vector![0.2, 0.9], vector![-1.0, 0.0]];
+        let start = PointSequence::new(points).expect("finite");
+        let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
+        let limits = Limits::default();
+        let (mut search, here) =
+            Search::begin(&metric, Trapezoidal, start, &limits, watch).expect("a metric");
+        let at = At::new(&Circle, here, vec![0.0]);
+        let augmented = Augmented { centre: vec![0.0], parameter: 0.3 };
+        let chords = augmented.chords(&mut search, &at).expect("a metric");
+        let mut step = augmented.step(&at, &chords, 10.0).expect("definite");
+        assert!(augmented.follow(&mut search, &Circle, &at, &step).is_some());
+        step.decrease *= 1e6;
+        assert!(augmented.follow(&mut search, &Circle, &at, &step).is_none());
+    }
 }

@@ -278,3 +278,58 @@ fn size<const D: usize>(sequence: &PointSequence<D>) -> f64 {
     let first = sequence.first();
     sequence.points().iter().map(|x| (x - first).norm()).fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+
+    use nalgebra::{SVector, vector};
+    use tautline::{Iterate, PointSequence, Prepared, Trapezoidal, gallery::Bump};
+
+    use super::{constrained_dynamic_programming, size};
+    use crate::descent::{Ended, Limits, constrained::equality::tests::Circle};
+
+    #[test]
+    fn a_curve_is_as_large_as_its_farthest_point_is_away() {
+        let points =
+            vec![vector![1.0, 1.0], vector![4.0, 5.0], vector![2.0, 1.0], vector![1.0, 1.0]];
+        assert_eq!(size(&PointSequence::new(points).expect("finite")), 5.0);
+    }
+
+    /// A curve that begins and ends at one point of the unit circle and runs once around a bump in its centre,
+    /// over which it does not contract. By symmetry all chords have the angle `2π/N`, and their middles are at
+    /// the radius `cos(π/N)`.
+    #[test]
+    fn a_closed_curve_on_a_circle_runs_around_it() {
+        let bump = Prepared::new(Bump::new(4.0, 0.5).expect("a bump"));
+        let n = 24;
+        let at = |k: usize| {
+            let angle = std::f64::consts::TAU * (k % n) as f64 / n as f64;
+            SVector::from([angle.cos(), 1.2 * angle.sin()])
+        };
+        let start = PointSequence::new((0..=n).map(at).collect()).expect("finite");
+        let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
+        let limits = Limits { tolerance: 1e-7, iterations: 500 };
+        let found = constrained_dynamic_programming(
+            &bump,
+            Trapezoidal,
+            start,
+            &Circle,
+            1e-11,
+            &limits,
+            watch,
+        )
+        .expect("a metric");
+        let ended = found.descended.ended;
+        assert_eq!(ended, Ended::Stationary, "{} {:e}", found.descended.energy, found.violation);
+        let (chords, half) = (n as f64, std::f64::consts::PI / n as f64);
+        let cost = 1.0 + 4.0 * (-2.0 * half.cos().powi(2)).exp();
+        let expected = (cost * chords * 2.0 * half.sin()).powi(2);
+        // The square of the residual, and the feasibility times the forces of all points.
+        assert!(
+            (found.descended.energy / expected - 1.0).abs() < 1e-8,
+            "{}",
+            found.descended.energy
+        );
+    }
+}
