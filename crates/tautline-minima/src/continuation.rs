@@ -125,9 +125,12 @@ fn sides<const D: usize>(
 #[cfg(test)]
 mod tests {
     use nalgebra::{SVector, vector};
-    use tautline::PointSequence;
+    use tautline::{
+        Curvature, Ends, PointSequence, Problem, Stop, Trapezoidal,
+        gallery::{Bump, Valleys},
+    };
 
-    use super::{LEAST_STEP, sides};
+    use super::{Branch, LEAST_STEP, is_minimum, keep, sides};
 
     /// A line of length 2 whose middle is at a height.
     fn tent(height: f64) -> PointSequence<2> {
@@ -151,5 +154,60 @@ mod tests {
         // The extent is 2, with two roundings.
         assert!((there - 2.0 * LEAST_STEP).abs() < 1e-15 && back == -there, "{there} {back}");
         assert_eq!(heights(0.25, 0.25), None);
+    }
+
+    /// A curve that comes back to where it begins is as large as its farthest point is away, although its ends
+    /// are not apart.
+    #[test]
+    fn a_closed_curve_has_the_extent_of_its_farthest_point() {
+        let loop_of = |height: f64| {
+            let points = vec![vector![0.0, 0.0], vector![0.0, 3.0 + height], vector![0.0, 0.0]];
+            PointSequence::new(points).expect("finite")
+        };
+        let [there, back] = sides(&loop_of(0.0), &loop_of(1e-6)).expect("a step");
+        let steps = [there, back].map(|side| side.points()[1][1] - 3.0);
+        // Each of numbers of the size 3, rounded a few times.
+        assert!((steps[0] - 3.0 * LEAST_STEP).abs() < 4e-15, "{steps:?}");
+        assert!((steps[1] + 3.0 * LEAST_STEP).abs() < 4e-15, "{steps:?}");
+    }
+
+    /// What converged is a minimum unless its Hessian has a negative eigenvalue.
+    #[test]
+    fn a_saddle_is_no_minimum() {
+        let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
+        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 8).expect("solved");
+        let of = |stop, curvature| {
+            let mut minimum = line.minimum().clone();
+            (minimum.stop, minimum.curvature) = (stop, curvature);
+            is_minimum(&minimum)
+        };
+        let saddle = Curvature::Indefinite { negative: 1 };
+        assert!(of(Stop::Converged, Curvature::PositiveDefinite));
+        assert!(of(Stop::Converged, Curvature::Degenerate));
+        assert!(!of(Stop::Converged, saddle));
+        for stop in [Stop::Stalled, Stop::IterationLimit] {
+            assert!(!of(stop, Curvature::PositiveDefinite) && !of(stop, Curvature::Degenerate));
+        }
+    }
+
+    /// Branches stand in the order of their energies, whichever is met first, and each curve once.
+    #[test]
+    fn branches_stand_in_the_order_of_their_energies() {
+        let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
+        let problem = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
+        let near = problem.solve(Trapezoidal, 64).expect("solved");
+        let [far] = &near.other_minima()[..] else { panic!("the other side") };
+        let energies = [near.discrete_energy(), far.discrete_energy()];
+        assert!(energies[0] < energies[1], "{energies:?}");
+        for order in [[&near, far, &near], [far, &near, far]] {
+            let mut branches = Vec::new();
+            for (k, line) in order.into_iter().enumerate() {
+                keep(&mut branches, Branch { line: line.clone(), since: k as f64 });
+            }
+            let kept = branches.iter().map(|branch| branch.line.discrete_energy());
+            assert_eq!(kept.collect::<Vec<_>>(), energies);
+            // The one that was there first is kept, with its age.
+            assert!(branches.iter().all(|branch| branch.since < 2.0));
+        }
     }
 }

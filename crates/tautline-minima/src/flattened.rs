@@ -34,7 +34,10 @@ pub(crate) fn level<M: Metric<D>, R: Rule, const D: usize>(
 #[cfg(test)]
 mod tests {
     use nalgebra::matrix;
-    use tautline::{Ends, Problem, Trapezoidal, gallery::Constant};
+    use tautline::{
+        Ends, Problem, Trapezoidal,
+        gallery::{Constant, Valleys},
+    };
 
     use super::level;
 
@@ -47,5 +50,18 @@ mod tests {
         // The eigenvalues are 5 and 10.
         let level = level(&line).expect("a metric");
         assert!((5.0 / 2.0_f64.sqrt()..=5.0).contains(&level), "{level}");
+    }
+
+    /// The level is below the metric at all points of the line: from the ridge of the valleys, where `H = 9 I`,
+    /// to their bottom, where it is `I`, and back.
+    #[test]
+    fn a_level_is_that_of_the_lowest_point() {
+        let (ridge, bottom) = ([std::f64::consts::PI, 0.0], [0.0, 0.0]);
+        for (a, b) in [(ridge, bottom), (bottom, ridge)] {
+            let ends = Ends::points(a, b).expect("finite");
+            let line = Problem::new(Valleys, ends).solve(Trapezoidal, 16).expect("solved");
+            let level = level(&line).expect("a metric");
+            assert!((0.5_f64.sqrt() * (1.0 - 1e-15)..=1.0).contains(&level), "{level}");
+        }
     }
 }

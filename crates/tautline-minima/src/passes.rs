@@ -144,3 +144,28 @@ fn path_through<M: Metric<D>, const D: usize>(
     corners.extend(rest.map(|&(length, x)| ((whole - length).max(half), x)));
     Some(PassPath { pass, corners })
 }
+
+#[cfg(test)]
+mod tests {
+    use tautline::Lattice;
+
+    use super::passes;
+
+    /// A cluster is of nodes beside each other, also along a diagonal, and its pass is the node with the least
+    /// corner, wherever in the cluster it is.
+    #[test]
+    fn the_pass_of_a_cluster_is_its_node_with_the_least_corner() {
+        let lattice = Lattice::new([0.0, 0.0], [4.0, 4.0], 1.0).expect("a box");
+        let mut corners = vec![None; lattice.nodes()];
+        // Rows of five nodes: a chain along diagonals, one node alone, and a row.
+        for (node, corner) in
+            [(0, 0.3), (6, 0.1), (12, 0.2), (4, 0.4), (20, 0.4), (21, 0.3), (22, 0.2)]
+        {
+            corners[node] = Some(corner);
+        }
+        assert_eq!(passes(&lattice, &corners), [6, 4, 22]);
+        corners[16] = Some(0.05);
+        assert_eq!(passes(&lattice, &corners), [16, 4]);
+        assert!(passes(&lattice, &vec![None; lattice.nodes()]).is_empty());
+    }
+}

@@ -4,7 +4,7 @@ use tautline::{
     Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, are_apart,
     gallery::{Bump, TwoChannels},
 };
-use tautline_minima::{Flattened, GlobalSearch, follow};
+use tautline_minima::{Flattened, GlobalSearch, Minima, follow};
 
 /// The bump `φ² I` with `φ = 1 + a e^{−r²/2s²}` lies on the line from `(−L, 0)` to `(L, 0)`. The second
 /// variation of the length for the displacement `η` across is `∫ φ η′² − (a/s²) e^{−x²/2s²} η²`: it is
@@ -129,4 +129,28 @@ fn continuation_alone_finds_both_sides() {
     let found = search.search(&problem, Trapezoidal, 64).expect("found");
     assert_eq!((branches.len(), found.minima().len()), (2, 2));
     assert!(branches[1].since > 0.0);
+}
+
+/// The last step of continuation leads to the whole metric: even in a single step, from the Euclidean one, it
+/// sees that the line over the bump splits, and starts from both sides of it.
+#[test]
+fn the_last_step_is_that_to_the_whole_metric() {
+    let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
+    let problem = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
+    let of = |steps| {
+        let mut search = GlobalSearch::default();
+        search.steps = steps;
+        search.search(&problem, Trapezoidal, 64).expect("found")
+    };
+    let without = of(0);
+    let hits = |found: &Minima<Bump, Trapezoidal, 2>| -> Vec<usize> {
+        found.minima().iter().map(|minimum| minimum.hits).collect()
+    };
+    assert_eq!(without.minima().len(), 2);
+    for steps in [1, 2] {
+        let found = of(steps);
+        assert_eq!(found.starts(), without.starts() + 2, "{steps}");
+        let more: Vec<usize> = hits(&without).iter().map(|hits| hits + 1).collect();
+        assert_eq!(hits(&found), more, "{steps}");
+    }
 }

@@ -1,7 +1,8 @@
 //! Landscapes whose minima are known.
 
 use tautline::{
-    AxisBox, Curvature, Ends, HalfSpace, Lattice, Metric, Problem, SMatrix, Trapezoidal,
+    AxisBox, Curvature, Ends, HalfSpace, Lattice, Metric, Problem, SMatrix, SVector, Scalar,
+    Trapezoidal,
     distance::Wanted,
     gallery::{Bump, Constant, TwoChannels},
 };
@@ -145,4 +146,29 @@ fn each_kind_of_start_finds_both_sides_of_a_bump() {
     assert!(near.hits >= 4 && far.hits >= 4, "{} {}", near.hits, far.hits);
     assert_eq!(near.origin, Origin::Automatic);
     assert!(near.line.discrete_energy() < far.line.discrete_energy());
+}
+
+/// A wall of the cost 100 with a gap far from the straight line: the automatic search misses the gap. The way
+/// through it is found by the lattice, and stands before what was found first.
+#[test]
+fn the_lowest_minimum_stands_first_whoever_finds_it() {
+    #[derive(Debug)]
+    struct Wall;
+    impl Metric<2> for Wall {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let wall = (-(x[0] / 0.1).sqr()).exp();
+            let gap = (-((x[1] - 3.0) / 0.3).sqr()).exp();
+            SMatrix::from_diagonal_element((wall * (-gap + 1.0) * 100.0 + 1.0).sqr())
+        }
+    }
+    let problem = Problem::new(Wall, Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite"));
+    let lattice = Lattice::new([-2.0, -1.0], [2.0, 4.0], 0.1).expect("a lattice");
+    let mut search = GlobalSearch::within(lattice);
+    search.steps = 0;
+    let found = search.search(&problem, Trapezoidal, 128).expect("found");
+    let energies = energies(&found);
+    assert!(energies.len() >= 2 && energies.is_sorted(), "{energies:?}");
+    // √40 is the way to the gap and back, without the wall.
+    assert!((40.0..52.0).contains(&energies[0]), "{energies:?}");
+    assert_ne!(found.minima()[0].origin, Origin::Automatic);
 }

@@ -1,11 +1,12 @@
 //! Curves through passes between two distance fields.
 
 use tautline::{
-    Ball, Ends, GraphPathError, HalfSpace, Lattice, Options, Point, Problem, Starts, Trapezoidal,
-    are_apart,
+    Ball, Ends, GraphPathError, HalfSpace, Lattice, LatticeGraph, Metric, Options, Plain, Point,
+    Problem, Punctures, SMatrix, SVector, Scalar, Starts, Trapezoidal, are_apart, class_paths,
     gallery::{Obstacle, SoftObstacles},
 };
 use tautline_baselines::EikonalError;
+use tautline_chance::{Random, cases, seed};
 use tautline_minima::{GlobalSearch, pass_paths};
 
 use crate::setup::{PAST, Planar, Torn, around, two_hills};
@@ -57,6 +58,26 @@ fn slack_and_number_bound_the_passes() {
     let [only] = &paths(9, 1.0)[..] else { panic!("one pass") };
     let shortest = all.iter().map(|path| path.length()).fold(f64::INFINITY, f64::min);
     assert!((only.length() / shortest - 1.0).abs() < 0.02);
+}
+
+/// Whatever the errors of the two fields, a slack of 1 leaves the lowest pass, to which a curve leads that is
+/// the shortest but for those errors.
+#[test]
+fn a_slack_of_one_leaves_a_pass_between_any_ends() {
+    let mut random = Random(seed(4));
+    let metric = two_hills();
+    let of = |_| {
+        let mut end = |side: f64| [side * random.between(1.2, 2.1), random.between(-1.5, 1.5)];
+        let ends = Ends::points(end(-1.0), end(1.0)).expect("finite");
+        let [least, more] = [1.0, 1.2].map(|slack| {
+            let paths = pass_paths(&metric, &ends, &around(), 9, slack).expect("passes");
+            paths.iter().map(|path| path.length()).fold(f64::INFINITY, f64::min)
+        });
+        least / more
+    };
+    let quotients: Vec<f64> = (0..cases(20)).map(of).collect();
+    // The spacing over the length.
+    assert!(quotients.iter().all(|quotient| *quotient <= 1.03), "{quotients:?}");
 }
 
 /// Whichever node of the lattice comes first: the hills one above the other, or beside each other.
@@ -138,4 +159,84 @@ fn minima_that_end_on_either_side_of_a_ray_have_different_words() {
     let [right, left] = found.minima() else { panic!("{}", found.minima().len()) };
     assert!(right.line.curve().at(0.5)[0] > 0.5 && left.line.curve().at(0.5)[0] < -0.5);
     assert_ne!(right.word, left.word);
+}
+
+/// In another unit of the metric the passes are the same nodes: a corner is a pure number. Powers of four do not
+/// even change the rounding of lengths, which are roots.
+#[test]
+fn passes_are_the_same_in_other_units() {
+    #[derive(Debug)]
+    struct InUnits(f64);
+    impl Metric<2> for InUnits {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            two_hills().gram(x).map(|h| h * self.0)
+        }
+    }
+    let ends = Ends::points(PAST[0], PAST[1]).expect("finite");
+    let of = |unit: f64| {
+        let paths = pass_paths(&InUnits(unit * unit), &ends, &around(), 9, 2.0).expect("passes");
+        paths.iter().map(|path| (*path.pass(), path.length() / unit)).collect::<Vec<_>>()
+    };
+    let passes = of(1.0);
+    assert!(passes.len() >= 3);
+    for unit in [1024.0, 1.0 / 1024.0] {
+        assert_eq!(of(unit), passes, "{unit}");
+    }
+}
+
+/// A search has as many starts as its ways find, with the slack that is asked for: the automatic search and its
+/// other minima, the classes and the passes.
+#[test]
+fn all_ways_have_the_slack_that_is_asked_for() {
+    let ends = Ends::points(PAST[0], PAST[1]).expect("finite");
+    let problem = Problem::new(two_hills(), ends.clone());
+    let automatic = problem.solve(Trapezoidal, 64).expect("solved").other_minima().len() + 1;
+    let plain = Plain::new(problem.metric());
+    let graph = LatticeGraph::usual(&plain, around());
+    let mut counts = Vec::new();
+    for slack in [1.0, 1.1, 2.0] {
+        let mut search = GlobalSearch::within(around());
+        (search.slack, search.steps) = (slack, 0);
+        let found = search.search(&problem, Trapezoidal, 64).expect("found");
+        let classes = class_paths(&graph, &ends, found.punctures(), 32, slack).expect("paths");
+        let passes = pass_paths(problem.metric(), &ends, &around(), 32, slack).expect("passes");
+        assert_eq!(found.starts(), automatic + classes.len() + passes.len(), "{slack}");
+        counts.push(passes.len());
+    }
+    assert!(counts[0] < counts[2], "{counts:?}");
+}
+
+/// Punctures that are given are those that the words are about, also where the metric has other peaks.
+#[test]
+fn given_punctures_are_not_replaced_by_peaks() {
+    let ends = Ends::points(PAST[0], PAST[1]).expect("finite");
+    let problem = Problem::new(two_hills(), ends);
+    let given = Punctures::new(vec![[0.0, 0.85]]).expect("a point");
+    let mut search = GlobalSearch::within(around());
+    (search.punctures, search.steps) = (Some(given.clone()), 0);
+    let found = search.search(&problem, Trapezoidal, 64).expect("found");
+    assert_eq!(*found.punctures(), given);
+    let mut words: Vec<_> = found.minima().iter().map(|minimum| &minimum.word).collect();
+    words.sort();
+    words.dedup();
+    // Below the upper hill there are two ways, which it does not tell apart.
+    assert_eq!((found.minima().len(), words.len()), (3, 2));
+}
+
+/// Both distance fields are of one order: from the second set to the first there are the same passes, with
+/// curves of the same lengths.
+#[test]
+fn exchanged_sets_have_the_same_passes() {
+    let of = |a, b| {
+        let ends = Ends::points(a, b).expect("finite");
+        pass_paths(&two_hills(), &ends, &around(), 9, 2.0).expect("passes")
+    };
+    let (there, back) = (of(PAST[0], PAST[1]), of(PAST[1], PAST[0]));
+    assert!(there.len() >= 3);
+    assert_eq!(there.len(), back.len());
+    for (one, other) in there.iter().zip(&back) {
+        assert_eq!(one.pass(), other.pass());
+        // Sums of some hundred chords in the other order.
+        assert!((one.length() / other.length() - 1.0).abs() < 1e-13, "{}", one.length());
+    }
 }
