@@ -117,4 +117,30 @@ mod tests {
             assert!(lower < 0.999 * model.energy, "{lower} {}", model.energy);
         }
     }
+
+    /// The way over the bump and back begins and ends at one point. Its size, by which the search walks, is how
+    /// far it leads away from there.
+    #[test]
+    fn a_closed_curve_is_left_too() {
+        let metric = Bump::new(4.0, 0.5).expect("a width");
+        let (begin, n) = ([-1.5, 0.0], 32);
+        let at = |k: usize| {
+            let away = if k <= n / 2 { k } else { n - k };
+            SVector::from([begin[0] + 6.0 * away as f64 / n as f64, 0.0])
+        };
+        let line = PointSequence::new((0..=n).map(at).collect()).expect("finite");
+        let begin = Point::new(begin).expect("finite");
+        let batches = Prepared::new(&metric);
+        let search = LocalSearch {
+            energy: &DiscreteEnergy::new(Trapezoidal, &batches),
+            ends: [&begin, &begin],
+            iterations: 1,
+            threads: 1,
+            watch: &Unwatched,
+        };
+        let model = QuadraticModel::new(Trapezoidal, &metric, &line);
+        let points = search.leave_saddle(&model, &line, 64.0).expect("a way down");
+        let lower = search.energy.admissible(&points).expect("defined everywhere");
+        assert!(lower < 0.999 * model.energy, "{lower} {}", model.energy);
+    }
 }

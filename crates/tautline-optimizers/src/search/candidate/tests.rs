@@ -5,7 +5,7 @@ use tautline_formula::Prepared;
 use tautline_metrics::gallery::Valleys;
 use tautline_sets::{Ball, ClosedSet, Point};
 
-use super::{Candidate, lowest_first};
+use super::{Candidate, are_apart, lowest_first};
 use crate::{
     Curvature, Stop,
     newton::discrete_energy::DiscreteEnergy,
@@ -154,4 +154,23 @@ fn of_two_equal_candidates_the_one_from_more_grids_is_kept() {
     let mut different = vec![followed(), new(1.0 - 1e-8)];
     lowest_first(&mut different);
     assert_eq!(different.iter().map(|c| c.levels.len()).collect::<Vec<_>>(), [1, 2]);
+}
+
+/// Curves are compared on the scale of their own size, not of the distance of their ends: a curve that comes
+/// back to where it begins runs along another one that is off by a hundredth of its size, and apart from one
+/// that is off by three hundredths. So does a curve whose ends are near to each other.
+#[test]
+fn curves_are_apart_on_the_scale_of_their_size() {
+    for gap in [0.0, 0.01, 6.0] {
+        let bent = |height: f64| {
+            let points = [[0.0, 0.0], [0.0, height], [gap, height], [gap, 0.0]];
+            PointSequence::new(points.map(Into::into).to_vec()).expect("finite")
+        };
+        let (curve, size) = (bent(10.0), 10.0);
+        assert!(!are_apart(&curve, &curve), "{gap}");
+        for sign in [1.0, -1.0] {
+            assert!(!are_apart(&curve, &bent(size * (1.0 + 0.01 * sign))), "{gap}");
+            assert!(are_apart(&curve, &bent(size * (1.0 + 0.03 * sign))), "{gap}");
+        }
+    }
 }
