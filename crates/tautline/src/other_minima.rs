@@ -83,9 +83,10 @@ mod tests {
     use nalgebra::SMatrix;
     use tautline_discretizations::Trapezoidal;
     use tautline_metrics::gallery::{Bump, Constant, Valleys};
+    use tautline_optimizers::Other;
     use tautline_sets::{Ball, ClosedSet, Ends, Point, Union};
 
-    use crate::Problem;
+    use crate::{Problem, TautLine};
 
     /// A bump between two points has a way on either side. They are mirror images, so that both
     /// have the same length on the same grid.
@@ -128,6 +129,23 @@ mod tests {
         for (length, exact) in [(nearest, 1.5), (second, 2.5), (third, 3.5)] {
             assert!((length - exact).abs() < 1e-10, "{lengths:?}");
         }
+    }
+
+    /// What a search left on a coarser grid may lead to the line itself, or twice to the same one: each curve
+    /// stands once.
+    #[test]
+    fn what_leads_to_a_known_line_is_no_other_minimum() {
+        let ends = Ends::points([-2.0, 0.0], [2.0, 0.0]).expect("finite");
+        let problem = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
+        let line = problem.solve(Trapezoidal, 64).expect("solved");
+        let [other] = &line.minimum().others[..] else { panic!("the mirror image") };
+        let coarser = line.resampled(32).expect("points");
+        let own = Other { sequence: coarser, energy: line.discrete_energy() };
+        let mut minimum = line.minimum().clone();
+        minimum.others = vec![own, other.clone(), other.clone()];
+        let again =
+            TautLine::new(Arc::clone(line.prepared()), Trapezoidal, line.ends().clone(), minimum);
+        assert_eq!(again.other_minima().len(), 1);
     }
 
     #[test]

@@ -6,13 +6,16 @@ use tautline_bounds::{
     BoundError, Computed, Constants, DiscreteMinimum, FromBelow, PaperRule, Setting, enclose,
     suggest_n,
 };
+use tautline_discretizations::PointSequence;
 use tautline_formula::Prepared;
 use tautline_metrics::gallery::{Constant, Separable, Shear, Valleys};
 use tautline_metrics::{Bounded, KnownDistance, Metric};
 use tautline_sets::{Ball, Ends};
 
 use super::RuleOfThePaper;
-use crate::{LeftEndpoint, Level, Problem, SMatrix, SVector, Scalar, TautLine, Trapezoidal};
+use crate::{
+    LeftEndpoint, Level, Options, Problem, SMatrix, SVector, Scalar, Starts, TautLine, Trapezoidal,
+};
 
 #[test]
 fn the_line_between_near_points_is_proven_to_be_the_shortest() {
@@ -238,4 +241,27 @@ fn claimed_constants_of_an_anisotropic_metric_stay_anisotropic() {
         .map(|constants| line.enclosure_given(constants).expect("bounds"));
     assert_eq!(Ok(claimed), line.enclosure());
     assert!(isotropic.lower > claimed.lower, "a wrong claim of isotropy would show");
+}
+
+/// Convexity needs the longest of the differences `N (xₙ₊₁ − xₙ)`, wherever it is, and the residual at all
+/// inner points: under `H = 4` it is `4 N² (2xₙ − xₙ₋₁ − xₙ₊₁)`.
+#[test]
+fn convexity_needs_the_longest_chord_and_every_residual() {
+    let metric = Constant::<1>::new([[4.0]].into()).expect("positive definite");
+    // Exact in binary.
+    let all =
+        [[0.0, 0.25, 0.5, 2.0, 2.25], [0.0, 1.5, 1.75, 2.0, 2.25], [0.0, 0.25, 0.5, 0.75, 2.25]];
+    for points in all {
+        let start =
+            PointSequence::new(points.map(|x| SVector::from([x])).to_vec()).expect("finite");
+        let options =
+            Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
+        let ends = Ends::points([0.0], [2.25]).expect("finite");
+        let line = Problem::new(metric, ends).solve_with(Trapezoidal, 4, &options).expect("a line");
+        let between = line.between_points(9.0);
+        assert_eq!((between.greatest_difference, between.length), (4.0 * 1.5, 9.0));
+        let residuals = (1..4).map(|n| 64.0 * (2.0 * points[n] - points[n - 1] - points[n + 1]));
+        let square = residuals.map(|residual| residual * residual).sum::<f64>() / 4.0;
+        assert!((between.residual / square.sqrt() - 1.0).abs() < 1e-15, "{}", between.residual);
+    }
 }

@@ -9,7 +9,7 @@ use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Shear, Sphere, Valle
 use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
 use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
 
-use super::ProofError;
+use super::{Extent, ProofError};
 use crate::{
     Interval, LeftEndpoint, Problem, RuleOfThePaper, SMatrix, SVector, Scalar, Trapezoidal,
 };
@@ -122,6 +122,10 @@ fn the_longest_possible_curve_counts() {
     assert!(length.hi() > 1.5 * length.lo() && length.contains(line.length().value));
     let upper = proof.enclosure.upper;
     assert!(upper >= length.hi() * length.hi() * (1.0 - 1e-15));
+    // From below the energy of the shortest possible curve counts.
+    let (extent, energy) = (Extent::proved(&proof.curve), proof.curve.energy());
+    assert!(extent.energy_at_least <= energy.lo() && energy.hi() <= extent.energy);
+    assert!(energy.lo() < 0.5 * energy.hi() && length.hi() <= extent.length);
     let ball = proof.within.expect("no constants on all of space");
     let half = 0.5 * length.hi() / proof.constants.c1().sqrt();
     assert!(ball.r() >= half, "{ball:?} for {length:?}");

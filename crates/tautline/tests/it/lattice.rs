@@ -2,7 +2,9 @@
 
 use tautline::{
     Ends, GraphPathError, Lattice, Metric, Options, PointSequence, Prepared, Problem, SMatrix,
-    SVector, Scalar, SolveError, Starts, TautLine, Trapezoidal, graph_path, minimise,
+    SVector, Scalar, SolveError, Starts, TautLine, Trapezoidal,
+    gallery::{Obstacle, SoftObstacles},
+    graph_path, minimise,
 };
 
 /// The cost 1, and about 100 on a wall along `x₁ = 0` with a gap at `x₂ = 3`.
@@ -140,4 +142,32 @@ fn the_longer_line_is_another_minimum() {
     let others = line.other_minima();
     let [other] = &others[..] else { panic!("{} others", others.len()) };
     assert!(other.length().value > 15.0 && other.minimum().is_local_minimum());
+}
+
+/// Three hills in a row have four ways past them. Whichever of them the first search is led to, the shortest is
+/// the line, and the three others are its other minima, lowest first.
+#[test]
+fn the_other_minima_of_both_searches_are_in_their_order() {
+    let hill = |y: f64| Obstacle { centre: [0.0, y].into(), height: 20.0, width: 0.2 };
+    let hills = SoftObstacles::new([-1.0, 0.1, 1.3].map(hill).to_vec()).expect("hills");
+    let (a, b) = ([-2.0, 0.0], [2.0, 0.1]);
+    let problem = Problem::new(hills, Ends::points(a, b).expect("finite"));
+    let lattice = Lattice::new([-2.2, -2.0], [2.2, 2.2], 0.1).expect("a lattice");
+    let mut known: Option<Vec<f64>> = None;
+    for through in [-1.6, -0.45, 0.7, 1.9] {
+        let start = [a, [0.0, through], b].map(SVector::from).to_vec();
+        let start = PointSequence::new(start).expect("finite");
+        let options = Options { starts: Starts::OnTheGrid(vec![start]), ..Options::default() };
+        let line = problem.solve_by_classes(Trapezoidal, 64, &lattice, 4, &options);
+        let line = line.expect("a line");
+        let others = line.minimum().others.iter().map(|other| other.energy);
+        let energies: Vec<f64> = std::iter::once(line.discrete_energy()).chain(others).collect();
+        assert_eq!(energies.len(), 4, "{through}");
+        assert!(energies.is_sorted(), "{through}: {energies:?}");
+        let known = known.get_or_insert(energies.clone());
+        for (energy, known) in energies.iter().zip(known) {
+            // The same minimum from another start, to the floor of rounding.
+            assert!((energy / *known - 1.0).abs() < 1e-11, "{through}: {energy} {known}");
+        }
+    }
 }
