@@ -74,7 +74,9 @@ impl<'i, const D: usize> Iterate<'i, D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::vector;
-    use tautline_discretizations::{LinearModel, PointSequence, QuadraticModel, Trapezoidal};
+    use tautline_discretizations::{
+        LeftEndpoint, LinearModel, PointSequence, QuadraticModel, Rule, Simpson, Trapezoidal,
+    };
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Swirl, Valleys};
     use tautline_sets::{Ball, ClosedSet};
@@ -82,10 +84,16 @@ mod tests {
     use super::Iterate;
     use crate::newton::{magnitude::Magnitude, residual::Residual};
 
-    /// Up to 64 chords the mean over the sample is the mean over all nodes, so that the residual is
-    /// that of the solver up to rounding.
+    /// Up to 64 chords the mean over the sample is the mean over all nodes, with their weights, so that the
+    /// residual is that of the solver up to rounding.
     #[test]
     fn every_method_has_the_residual_of_the_solver() {
+        check(Trapezoidal);
+        check(LeftEndpoint);
+        check(Simpson);
+    }
+
+    fn check<R: Rule>(rule: R) {
         let swirl = Swirl::new(0.5, 1.0).expect("a width");
         let ball = Ball::new([-1.0, 0.0], 0.25).expect("a radius");
         let far = Ball::new([1.5, 0.5], 0.5).expect("a radius");
@@ -96,18 +104,14 @@ mod tests {
                 vector![2.0 * t - 0.75, 0.5 * t + 0.3 * (3.0 * t).sin()]
             };
             let sequence = PointSequence::new((0..=n).map(at).collect()).expect("finite");
-            let model = QuadraticModel::new(Trapezoidal, &swirl, &sequence);
+            let model = QuadraticModel::new(rule, &swirl, &sequence);
             let magnitude = Magnitude::of(&model);
             let mut residual = Residual::new(n, magnitude);
             residual.push_all(&model.gradient);
             let (expected, floor) = residual.value(ends, &sequence, magnitude);
             let metric = Prepared::new(swirl);
-            let linear = LinearModel::by_batches(
-                <Trapezoidal as tautline_discretizations::Rule>::NODES,
-                &metric,
-                &sequence,
-            );
-            let found = Iterate::new(Trapezoidal, &metric, ends, &sequence, &linear, 3);
+            let linear = LinearModel::by_batches(R::NODES, &metric, &sequence);
+            let found = Iterate::new(rule, &metric, ends, &sequence, &linear, 3);
             // Sums of n rounded terms of the same size.
             let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b;
             assert!(close(found.residual, expected) && expected > 0.01, "{found:?} {expected}");

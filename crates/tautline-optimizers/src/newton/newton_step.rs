@@ -68,6 +68,24 @@ mod tests {
     use super::newton_step;
     use crate::Workspace;
 
+    /// Also where the ends are one point, whose distance is no scale.
+    #[test]
+    fn one_step_contracts_a_closed_chain() {
+        let metric = Constant::new(nalgebra::SMatrix::identity()).expect("positive definite");
+        let metric = Prepared::new(metric);
+        let begin = Point::new([0.5, -1.0]).expect("finite");
+        let chain = [vector![0.5, -1.0], vector![3.0, -1.0], vector![0.5, 0.5], vector![0.5, -1.0]];
+        let chain = PointSequence::new(chain.to_vec()).expect("finite");
+        let mut workspace = Workspace::default();
+        let found = newton_step(&mut workspace, &metric, [&begin, &begin], Trapezoidal, &chain);
+        let found = found.expect("definite");
+        for (x, step) in chain.points().iter().zip(&found.step) {
+            // The result is accurate up to the margin of 1e-8, with entries of the Hessian below 4.
+            assert!((x + step - vector![0.5, -1.0]).amax() < 1e-7, "{x} {step}");
+        }
+        assert!((found.decrement / found.energy - 1.0).abs() < 1e-7);
+    }
+
     /// If the energy is quadratic, one step leads from any sequence to the straight line, and
     /// lowers the energy by the decrement.
     #[test]

@@ -122,10 +122,8 @@ impl<const D: usize> LocalSearch<'_, D> {
                 damping.lower();
                 return Next::Move(trial);
             }
-            // Elsewhere the step has to lower the energy by a quarter of what the quadratic model
-            // predicts, which suffices for convergence.
-            let sheds = |energy: &f64| model.energy - energy >= 0.25 * decrement;
-            if let Some(reached) = self.energy.admissible(&trial).filter(sheds) {
+            let reached = self.energy.admissible(&trial);
+            if let Some(reached) = reached.filter(|&e| falls_enough(model.energy, e, decrement)) {
                 let longer = (damping.shift > 0.0)
                     .then(|| self.lengthen(sequence, &step, [model.energy, reached], decrement));
                 damping.lower();
@@ -183,4 +181,26 @@ impl<const D: usize> LocalSearch<'_, D> {
 
 fn finite<const D: usize>(points: &[SVector<f64, D>]) -> bool {
     points.iter().all(|x| x.iter().all(|c| c.is_finite()))
+}
+
+/// Returns whether a step lowers the energy by a quarter of what the quadratic model predicts, which
+/// suffices for convergence. Any decrease would not: steps could come to rest where the energy still falls.
+fn falls_enough(before: f64, after: f64, decrement: f64) -> bool {
+    before - after >= 0.25 * decrement
+}
+
+#[cfg(test)]
+mod tests {
+    use super::falls_enough;
+
+    #[test]
+    fn a_step_has_to_lower_the_energy_by_a_quarter_of_its_decrement() {
+        // Exact in binary.
+        for (after, is_enough) in
+            [(7.0, true), (7.75, true), (7.875, false), (8.0, false), (8.5, false)]
+        {
+            assert_eq!(falls_enough(8.0, after, 1.0), is_enough, "{after}");
+        }
+        assert!(!falls_enough(8.0, f64::NAN, 1.0));
+    }
 }

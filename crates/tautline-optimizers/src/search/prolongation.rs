@@ -197,6 +197,18 @@ mod tests {
         }
     }
 
+    /// Nothing of the points that the memory held before is left.
+    #[test]
+    fn memory_that_was_used_makes_the_same_points() {
+        let curve = |k: usize| vector![(k as f64).sin(), 1.0 / (1.0 + k as f64)];
+        let sequence = PointSequence::new((0..=10).map(curve).collect()).expect("finite");
+        for n in [3, 90] {
+            let used = vec![vector![7.0, 7.0]; 40];
+            let found = prolong_into(&sequence, n, InstructionSet::Baseline, used);
+            assert_eq!(found, prolong(&sequence, n));
+        }
+    }
+
     #[test]
     fn two_points_are_joined_by_a_line() {
         let sequence = PointSequence::straight([0.0], [1.0], 1).expect("finite");
