@@ -305,33 +305,6 @@ fn between_sets_no_path_is_shorter_than_the_shortest() {
     }
 }
 
-/// A ridge between two columns of nodes stands along the edge of the half-plane: chords to its edge are dear,
-/// edges over it are not. The first node beside the set is not where the shortest path leaves, and the search
-/// must go on behind it.
-#[test]
-fn the_search_ends_with_the_chord_to_the_set_and_not_before() {
-    struct Ridge(f64);
-    impl Metric<2> for Ridge {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-            let ridge = (((x[0] - 0.75) * 100.0).sqr() * -1.0).exp() * 900.0;
-            let rough = (x[0] * 41.0).sin() * (x[1] * 37.0 + self.0).sin() * 1.9 + 2.0;
-            SMatrix::identity() * (ridge + rough)
-        }
-    }
-    let mut random = Random(seed(7));
-    let edge = HalfSpace::at_least([1.0, 0.0], 0.75).expect("a half-plane");
-    for case in 0..cases(20) {
-        let metric = Ridge(random.between(0.0, 6.3));
-        let plain = Plain::new(&metric);
-        let graph = LatticeGraph::new(&plain, lattice(), 2).expect("a reach");
-        let point = Point::new([-0.5, random.between(-1.0, 1.0)]).expect("finite");
-        let ends = Ends::new(point, edge).expect("bounded");
-        let least = around_a_wall(&graph, &ends, [0.0, f64::NEG_INFINITY], true);
-        let found = graph.shortest(&ends, None).expect("a path").length();
-        assert!((found / least - 1.0).abs() < 1e-13, "{case} {found} {least}");
-    }
-}
-
 /// The bound of A* has to hold where a path ends as well as at the nodes: between them the metric has a dip.
 #[test]
 fn a_bound_that_fails_at_an_end_between_nodes_is_refused() {
