@@ -73,7 +73,6 @@ mod proved_common_point;
 mod segment;
 mod set_error;
 mod shape;
-mod sign;
 mod sphere;
 mod union;
 

@@ -55,7 +55,7 @@ fn a_curve_runs_from_set_to_set_with_a_length() {
     let pole = Formula::<2>::parse("(1 + (1/x1)^0) I", &[]).expect("a formula");
     let around = [point([-1.0, 0.0]), point([1.0, 0.0])];
     let error = refused(&pole, &around, &[vec![vector![-1.0, 0.0], vector![1.0, 0.0]]], 0.1);
-    assert_eq!(error, DistanceError::Length { length: f64::INFINITY });
+    assert_eq!(error, DistanceError::Curve(CheckError::CurveDomain { chord: 0 }));
 }
 
 #[test]

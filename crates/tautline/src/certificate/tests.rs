@@ -258,8 +258,12 @@ fn convexity_needs_the_longest_chord_and_every_residual() {
             Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
         let ends = Ends::points([0.0], [2.25]).expect("finite");
         let line = Problem::new(metric, ends).solve_with(Trapezoidal, 4, &options).expect("a line");
-        let between = line.between_points(9.0);
-        assert_eq!((between.greatest_difference, between.length), (4.0 * 1.5, 9.0));
+        let curve = line.admissible_curve().expect("a curve");
+        let extent = line.proved_extent(&curve);
+        let between = line.between_points(extent).expect("two points");
+        let greatest = between.greatest_difference;
+        assert!((6.0..6.0 * (1.0 + 1e-15)).contains(&greatest), "{greatest}");
+        assert_eq!(between.length, extent.length);
         let residuals = (1..4).map(|n| 64.0 * (2.0 * points[n] - points[n - 1] - points[n + 1]));
         let square = residuals.map(|residual| residual * residual).sum::<f64>() / 4.0;
         assert!((between.residual / square.sqrt() - 1.0).abs() < 1e-15, "{}", between.residual);

@@ -9,7 +9,7 @@ use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Shear, Sphere, Valle
 use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
 use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
 
-use super::{Extent, ProofError};
+use super::ProofError;
 use crate::{
     Interval, LeftEndpoint, Problem, RuleOfThePaper, SMatrix, SVector, Scalar, Trapezoidal,
 };
@@ -123,7 +123,7 @@ fn the_longest_possible_curve_counts() {
     let upper = proof.enclosure.upper;
     assert!(upper >= length.hi() * length.hi() * (1.0 - 1e-15));
     // From below the energy of the shortest possible curve counts.
-    let (extent, energy) = (Extent::proved(&proof.curve), proof.curve.energy());
+    let (extent, energy) = (line.proved_extent(&proof.curve), proof.curve.energy());
     assert!(extent.energy_at_least <= energy.lo() && energy.hi() <= extent.energy);
     assert!(energy.lo() < 0.5 * energy.hi() && length.hi() <= extent.length);
     let ball = proof.within.expect("no constants on all of space");
