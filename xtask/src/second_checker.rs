@@ -22,7 +22,12 @@ pub(crate) fn second_checker(root: &Path, rest: &[&str]) -> Result<(), String> {
         [python] => (*python).to_owned(),
         _ => return Err("second-checker needs at most one program, Python".to_owned()),
     };
-    let tests = ["-B", "-m", "unittest", "discover", "-s", "crates/tautline-check/second"];
-    run(Command::new(&python).args(tests), &format!("{python} {}", tests.join(" ")))?;
+    let checker = "crates/tautline-check/second";
+    let folder = format!("{checker}/tests");
+    let tests = ["-B", "-m", "unittest", "discover", "-s", &folder];
+    run(
+        Command::new(&python).args(tests).env("PYTHONPATH", root.join(checker)),
+        &format!("{python} {}", tests.join(" ")),
+    )?;
     cargo(&["run", "--package", "paper", "--", "second-checker", &python], &[])
 }

@@ -87,7 +87,8 @@ fn campaign(python: &Path, folder: &Path) -> Result<(), Failure> {
             differences.push(format!("{first:?}, second checker: {line}"));
         }
     }
-    eprintln!("{} certificates by chance, {} differences", said.lines().count(), differences.len());
+    let (count, differ) = (said.lines().count(), differences.len());
+    say(format!("{count} certificates by chance, {differ} differences"));
     if differences.is_empty() { Ok(()) } else { Err(Failure::Violated(differences.join("\n"))) }
 }
 

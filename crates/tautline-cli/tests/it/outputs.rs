@@ -8,7 +8,7 @@ use std::{
     process::{Command, Output, Stdio},
 };
 
-use crate::{folder, tautline, text};
+use crate::{folder, names, tautline, text};
 
 const FILE: &str = "\
 [metric]
@@ -116,16 +116,6 @@ fn limited(folder: &Path, arguments: &[&str], is_killed: bool) -> Output {
     // Units are of 512 or 1024 bytes.
     let shell = format!("{trap}ulimit -f 2; exec '{program}' {}", arguments.join(" "));
     Command::new("sh").args(["-c", &shell]).current_dir(folder).output().expect("started")
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let name = |entry: std::io::Result<fs::DirEntry>| {
-        entry.expect("an entry").file_name().to_string_lossy().into_owned()
-    };
-    let mut names: Vec<String> = entries.map(name).collect();
-    names.sort();
-    names
 }
 
 /// Every file that the command writes is the old one or none if the disk is full, and if the process is

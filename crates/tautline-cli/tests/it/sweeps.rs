@@ -11,7 +11,7 @@ use std::{
 use tautline_chance::{Random, seed};
 use tautline_sweep::{Block, BlockWriter, Head};
 
-use crate::{folder, tautline, text};
+use crate::{folder, names, tautline, text};
 
 /// Writes a sweep of this many draws, and its plan.
 fn plan(folder: &Path, draws: usize) {
@@ -41,16 +41,6 @@ fn refused(folder: &Path, arguments: &[&str], code: i32) -> String {
 
 fn read(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let name = |entry: std::io::Result<fs::DirEntry>| {
-        entry.expect("an entry").file_name().to_string_lossy().into_owned()
-    };
-    let mut names: Vec<String> = entries.map(name).collect();
-    names.sort();
-    names
 }
 
 #[test]

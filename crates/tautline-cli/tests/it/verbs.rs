@@ -219,7 +219,7 @@ fn a_time_limit_is_kept() {
     assert_eq!(wrong.status.code(), Some(2));
 }
 
-/// The option counts in place of the limit of the file, in both directions.
+/// `--time-limit` overrides the `time_limit` of the file, whether it is longer or shorter.
 #[test]
 fn the_option_takes_the_place_of_the_time_limit_of_a_file() {
     let folder = folder("limits");

@@ -19,8 +19,8 @@ fn a_block_says_what_it_is() {
     assert!(Runner::new(&plan, 1).expect("a thread").solved(3..5).is_err());
 }
 
-/// Whatever the head says that is not what this plan, these ids and this version would write: the
-/// results are none of theirs, even if their hash is right, and they are not merged with them.
+/// A file counts as done, and is merged, only if its head names this plan, these ids and this version. A
+/// right hash does not help a file with another head.
 #[test]
 fn results_count_as_done_only_if_every_line_of_their_head_agrees() {
     let plan = plan("vary = { height = [1, 2, 3, 4] }");
