@@ -86,6 +86,11 @@ impl<const D: usize> Calibration<D> {
         &self.samples[sample].x
     }
 
+    /// Returns the velocity at a sample.
+    pub(crate) fn velocity(&self, sample: usize) -> &SVector<f64, D> {
+        &self.samples[sample].slopes.0
+    }
+
     /// Returns the point at so many steps from the start.
     pub(crate) fn point(&self, at: f64) -> SVector<f64, D> {
         self.line(at)[0]

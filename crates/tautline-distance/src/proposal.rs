@@ -9,7 +9,8 @@ use tautline_sets::Shape;
 
 use crate::{
     DistanceError,
-    fan::Fan,
+    fan::{Fan, Pencil},
+    geodesic::Geodesic,
     marching::{Nodes, gram, point},
     search::Search,
     seed::seed,
@@ -27,6 +28,15 @@ const CHUNK: usize = 512;
 /// The steps along rays that are as short as the band is wide.
 const SHORT: usize = 200;
 
+/// How many rays of a fan are on each side of a geodesic, along each tangent.
+fn rings(dimension: usize) -> i32 {
+    match dimension {
+        0..=2 => 6,
+        3 => 5,
+        _ => 3,
+    }
+}
+
 /// By how many cubes the cubes are dilated before a march: along their boundary the nodes lack
 /// neighbours, and the values are too large.
 fn dilation(dimension: usize) -> i32 {
@@ -38,6 +48,9 @@ fn dilation(dimension: usize) -> i32 {
 pub(crate) enum Source {
     /// The rays next to a geodesic: very accurate near it, and wrong far away.
     Rays,
+    /// Several rays on each side of a geodesic: less accurate near it, and more where the cubes are wide
+    /// compared with how curved the fronts are.
+    Fans,
     /// Fast marching from the rays behind the ends that are points. There the rays meet behind the
     /// point. A distance from the point itself is not smooth, which costs an order.
     MarchFromRays,
@@ -49,6 +62,9 @@ pub(crate) enum Source {
 pub(crate) fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
     values.into_iter().map(|value| value * factor).collect()
 }
+
+/// Values at points of which each is near the one before.
+type Walk<'f, const D: usize> = Box<dyn FnMut(&SVector<f64, D>) -> f64 + 'f>;
 
 /// Two functions at nodes.
 pub(crate) type Values = [Vec<f64>; 2];
@@ -66,8 +82,8 @@ impl<const D: usize> Search<'_, D> {
         if source != Source::March && self.pencils.is_empty() {
             return Ok(None);
         }
-        if source == Source::Rays {
-            let values = self.along_rays(cubes);
+        if matches!(source, Source::Rays | Source::Fans) {
+            let Some(values) = self.along_rays(cubes, source) else { return Ok(None) };
             let is_finite = values.iter().flatten().all(|value| value.is_finite());
             return Ok(is_finite.then_some(values));
         }
@@ -95,28 +111,54 @@ impl<const D: usize> Search<'_, D> {
         Some([of_side(0)?, of_side(1)?])
     }
 
-    /// Returns the values from the rays. If there are several geodesics and the cubes have several
-    /// components, each component uses the geodesic that runs through it.
-    fn along_rays(&self, cubes: &Cubes<D>) -> Values {
+    /// Returns the values from the rays; `None` if some cannot be followed. If there are several geodesics
+    /// and the cubes have several components, each component uses the geodesic that runs through it.
+    fn along_rays(&self, cubes: &Cubes<D>, source: Source) -> Option<Values> {
         let spacing = 0.5 * cubes.side();
         let nodes = cubes.nodes();
         let pencil_of = self.pencils_of(cubes, &nodes);
-        [0, 1].map(|side| {
-            let of_some = |(chunk, places): (usize, &[Place<D>])| -> Vec<f64> {
-                let mut walks: Vec<_> =
-                    self.pencils.iter().map(|(_, pencil)| pencil.fans[side].walk()).collect();
-                let value = |(n, place): (usize, &Place<D>)| {
-                    let x = point(place, spacing);
+        let points: Vec<SVector<f64, D>> = nodes.iter().map(|at| point(at, spacing)).collect();
+        let of_side = |side: usize| {
+            let wide: Vec<Fan<D>> = match source {
+                Source::Fans => self.wide_fans(side, &points, &pencil_of)?,
+                _ => Vec::new(),
+            };
+            let of_some = |(chunk, points): (usize, &[SVector<f64, D>])| -> Vec<f64> {
+                let narrow = self.pencils.iter().map(|(_, pencil)| &pencil.fans[side]);
+                let mut values: Vec<Walk<'_, D>> = match source {
+                    Source::Fans => wide.iter().map(|fan| Box::new(fan.walk()) as _).collect(),
+                    _ => narrow.map(|fan| Box::new(fan.walk_near()) as _).collect(),
+                };
+                let value = |(n, x): (usize, &SVector<f64, D>)| {
                     match pencil_of.get(chunk * CHUNK + n) {
-                        Some(&pencil) => walks[pencil](&x),
+                        Some(&pencil) => values[pencil](x),
                         // Without a choice, the least value counts.
-                        None => least(walks.iter_mut().map(|walk| walk(&x))),
+                        None => least(values.iter_mut().map(|value| value(x))),
                     }
                 };
-                places.iter().enumerate().map(value).collect()
+                points.iter().enumerate().map(value).collect()
             };
-            nodes.par_chunks(CHUNK).enumerate().map(of_some).collect::<Vec<_>>().concat()
-        })
+            let values = points.par_chunks(CHUNK).enumerate().map(of_some);
+            Some(values.collect::<Vec<_>>().concat())
+        };
+        Some([of_side(0)?, of_side(1)?])
+    }
+
+    /// Returns a fan for each geodesic that covers the points of which it is the pencil, or all points if
+    /// there is no choice.
+    fn wide_fans(
+        &self,
+        side: usize,
+        points: &[SVector<f64, D>],
+        pencil_of: &[usize],
+    ) -> Option<Vec<Fan<D>>> {
+        let fan = |(n, (geodesic, pencil)): (usize, &(Geodesic<D>, Pencil<D>))| {
+            let is_own = |at: usize| pencil_of.get(at).is_none_or(|&pencil| pencil == n);
+            let own = points.iter().enumerate().filter(|&(at, _)| is_own(at));
+            let own: Vec<SVector<f64, D>> = own.map(|(_, x)| *x).collect();
+            pencil.wide((self.formula, &self.sets[side]), geodesic, side, rings(D), &own)
+        };
+        self.pencils.iter().enumerate().map(fan).collect()
     }
 
     /// Returns whether two geodesics run through one component of the cubes. Then no function is smooth
@@ -175,7 +217,6 @@ impl<const D: usize> Search<'_, D> {
         let end = if side == 0 { self.curve[0] } else { self.curve[self.curve.len() - 1] };
         let reach = REACH * self.euclidean();
         let front = band * gram(self.formula, &end).trace().sqrt();
-        let rings = if D == 2 { 6 } else { 3 };
         let mut seeds = vec![f64::INFINITY; points.len()];
         for (geodesic, pencil) in &self.pencils {
             let is_behind = |x: &SVector<f64, D>| {
@@ -183,8 +224,8 @@ impl<const D: usize> Search<'_, D> {
             };
             let behind: Vec<SVector<f64, D>> =
                 points.par_iter().filter(|x| is_behind(x)).copied().collect();
-            let rays = pencil.covering(side, rings, &behind, (2.0 * front, SHORT));
-            let wide = Fan::new(self.formula, &self.sets[side], geodesic, side, rays);
+            let rays = pencil.covering(side, rings(D), &behind, (2.0 * front, SHORT));
+            let wide = Fan::new(self.formula, &self.sets[side], geodesic, side, &rays);
             let fan = wide.as_ref().unwrap_or(&pencil.fans[side]);
             let value = |x: &SVector<f64, D>| {
                 if is_behind(x) { fan.value(x) } else { f64::INFINITY }

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use nalgebra::SVector;
+use rayon::prelude::*;
 use tautline_check::{
     Certificate, Chain, CheckError, Cubes, LARGEST_DIMENSION, Level, length_above,
 };
@@ -14,8 +15,10 @@ use crate::{
     fan::Pencil,
     geodesic::Geodesic,
     inside::inside,
+    marching::point,
     pace::Pace,
     proposal::{Source, scaled},
+    seed::distance,
 };
 
 /// How much longer than the curve the curves are that are followed, relative to its length. All
@@ -30,7 +33,12 @@ pub(crate) const KEPT: f64 = 1e-12;
 const STEPS: f64 = 900.0;
 
 /// If a proposal makes the gap smaller by this factor, or as small as is wanted, no other one is tried.
-const GOOD: f64 = 0.3;
+/// Cubes half as large should leave a quarter.
+const GOOD: f64 = 0.4;
+
+/// A proposal loses if its gap is this much larger than the best one: a little is less than what a more
+/// expensive proposal costs.
+const LOST: f64 = 1.5;
 
 /// A search.
 #[derive(Debug)]
@@ -178,6 +186,33 @@ impl<const D: usize> Search<'_, D> {
         Ok(Found { certificate, proved, ended })
     }
 
+    /// Returns whether a cube may meet a piece of a set from which no rays start.
+    fn meets_others(&self, cubes: &Cubes<D>) -> bool {
+        let half = 0.5 * cubes.side();
+        let reach = half * (D as f64).sqrt();
+        let centre = |place| point::<D>(place, cubes.side()).add_scalar(half);
+        let centres: Vec<SVector<f64, D>> = cubes.places().iter().map(centre).collect();
+        let is_near = |piece: &Shape<D>| match piece {
+            Shape::Point(at) => {
+                let place = at.position().map(|x| (x / cubes.side()).floor() as i32);
+                cubes.contains(&place.into())
+            }
+            _ => centres.par_iter().any(|x| distance(piece, x) <= reach),
+        };
+        [0, 1].into_iter().any(|side| {
+            let pieces = self.sets[side].pieces();
+            let own: Vec<usize> = (self.pencils.iter())
+                .filter_map(|(geodesic, _)| {
+                    let (end, _) = geodesic.behind(self.formula, side, 0.0)?;
+                    let away = |n: &usize| distance(pieces[*n], &end);
+                    (0..pieces.len()).min_by(|a, b| away(a).total_cmp(&away(b)))
+                })
+                .collect();
+            let mut others = pieces.iter().enumerate().filter(|(n, _)| !own.contains(n));
+            others.any(|(_, piece)| is_near(piece))
+        })
+    }
+
     fn gap(&self, chain: &Chain<'_, D>) -> f64 {
         (self.length - chain.lower()) / self.length
     }
@@ -195,13 +230,22 @@ impl<const D: usize> Search<'_, D> {
         // Slopes above 1 cost less than slopes below 1.
         let scale = 1.0 + 0.3 * before.min(0.01);
         let mut best: Option<(Level<D>, Chain<'c, D>)> = None;
+        let mut gaps = Vec::new();
         let mut marched = None;
-        let mut sources = [Source::Rays, Source::MarchFromRays, Source::March];
+        let mut sources = vec![Source::Rays, Source::Fans, Source::MarchFromRays, Source::March];
+        // Without a point both marches are the same. The rays leave one piece of a set, and say nothing of
+        // another one.
+        let has_point = self.sets.iter().any(|set| matches!(set, Shape::Point(_)));
+        let has_others = self.meets_others(&cubes);
+        sources.retain(|source| match source {
+            Source::Rays | Source::Fans => !has_others,
+            Source::MarchFromRays => has_point,
+            Source::March => true,
+        });
         if self.is_shared(&cubes) {
             sources.rotate_right(1);
         }
         sources.sort_by_key(|source| lost.contains(source));
-        lost.clear();
         for source in sources {
             let Some(values) = self.propose(&cubes, source, &mut marched)? else { continue };
             let values = values.map(|values| scaled(values, scale));
@@ -209,7 +253,8 @@ impl<const D: usize> Search<'_, D> {
                 Level::new(number, cubes.clone(), values).map_err(DistanceError::Refused)?;
             let mut next = chain.clone();
             next.add(&level, self.hi * (1.0 + KEPT)).map_err(DistanceError::Refused)?;
-            let is_good = self.gap(&next) < wanted.max(GOOD * before);
+            let gap = self.gap(&next);
+            gaps.push((source, gap));
             let kept = |chain: &Chain<'c, D>| chain.kept().map_or(0, |kept| kept.places().len());
             // Of two that prove the same, the one that leaves fewer cubes is better.
             let is_better = best.as_ref().is_none_or(|(_, best)| {
@@ -219,11 +264,15 @@ impl<const D: usize> Search<'_, D> {
             if is_better {
                 best = Some((level, next));
             }
-            if is_good {
+            if gap < wanted.max(GOOD * before) {
                 break;
             }
-            lost.push(source);
         }
+        let least = gaps.iter().map(|&(_, gap)| gap).fold(f64::INFINITY, f64::min);
+        lost.clear();
+        lost.extend(
+            gaps.into_iter().filter(|&(_, gap)| gap > LOST * least).map(|(source, _)| source),
+        );
         best.ok_or(DistanceError::NoValues { level: number })
     }
 }
@@ -233,12 +282,12 @@ mod tests {
     use std::ops::ControlFlow;
 
     use nalgebra::vector;
-    use tautline_check::{AnyCertificate, CheckError};
+    use tautline_check::{AnyCertificate, CheckError, Cubes};
     use tautline_formula::Formula;
-    use tautline_sets::{Point, Shape};
+    use tautline_sets::{Ball, Point, Shape};
 
-    use super::search;
-    use crate::{DistanceError, Found, Wanted};
+    use super::{Search, search};
+    use crate::{DistanceError, Found, Wanted, fan::Pencil, geodesic::Geodesic};
 
     fn between(text: &str, ends: [[f64; 2]; 2]) -> Result<Found<2>, DistanceError> {
         let formula = Formula::<2>::parse(text, &[]).expect("a formula");
@@ -246,6 +295,32 @@ mod tests {
         let [x, y] = ends.map(|x| vector![x[0], x[1]]);
         let line = (0..=64).map(|n| x.lerp(&y, f64::from(n) / 64.0)).collect();
         search(&formula, &sets, &[line], Wanted::gap(0.1), &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// Rays from the nearest piece say nothing of a piece beside it, until it is out of the cubes.
+    #[test]
+    fn cubes_with_a_piece_without_rays_are_known() {
+        let flat = Formula::<2>::parse("1 I", &[]).expect("a formula");
+        let point = |x: [f64; 2]| Shape::Point(Point::new(x).expect("finite"));
+        let ball = Shape::Ball(Ball::new([0.0, 3.0], 1.0).expect("a radius"));
+        let union = Shape::Union(vec![point([0.0, 0.0]), point([-1.5, 0.5]), ball]);
+        let sets = [union, point([2.0, 0.0])];
+        let curve = vec![vector![0.0, 0.0], vector![2.0, 0.0]];
+        let geodesic = Geodesic::near(&flat, &curve).expect("a geodesic");
+        let pencil = Pencil::along(&flat, &sets, &geodesic, 400).expect("rays");
+        let search = |pencils| {
+            let (formula, sets, curve) = (&flat, &sets, curve.clone());
+            Search { formula, sets, curve, length: 2.0, hi: 2.1, pencils }
+        };
+        let cubes = |places: &[[i32; 2]]| Cubes::new(0, places.to_vec()).expect("in range");
+        let one = search(vec![(geodesic, pencil)]);
+        assert!(!one.meets_others(&cubes(&[[0, 0], [1, 0], [-1, 0]])));
+        assert!(one.meets_others(&cubes(&[[0, 0], [-2, 0]])));
+        // The ball reaches down to 2.
+        assert!(one.meets_others(&cubes(&[[0, 0], [0, 2]])));
+        assert!(!one.meets_others(&cubes(&[[0, 0], [2, 0]])));
+        // Without rays every piece is another one.
+        assert!(search(Vec::new()).meets_others(&cubes(&[[0, 0]])));
     }
 
     /// The halves of the matrix are different steps, of which the file has one.

@@ -124,14 +124,18 @@ fn random_full_matrices_are_enclosed_in_space() {
     random_matrices::<3>(22, 1, 0.2);
 }
 
-/// What lies between the sets decides how much work there is, not what the sets are: two balls take no more
-/// cubes than twice those between their nearest points.
+/// What lies between the sets decides how much work there is, not what the sets are: two balls, or a box
+/// and a ball, take no more cubes than twice those between their nearest points.
 #[test]
-fn balls_cost_no_more_than_twice_the_points() {
+fn balls_and_boxes_cost_no_more_than_twice_the_points() {
     let mut random = Random(seed(23));
-    for _ in 0..cases(2) {
-        let h = full_matrix::<2>(&mut random);
-        let sets = [ball([-1.5, -1.0], 0.5), ball([1.25, 1.5], 0.75)];
+    let two_balls = [ball([-1.5, -1.0], 0.5), ball([1.25, 1.5], 0.75)];
+    let mut all: Vec<_> =
+        (0..cases(2)).map(|_| (full_matrix::<2>(&mut random), two_balls.clone())).collect();
+    // Across the way, short curves are many times as far apart as the ball is wide.
+    let stretched = matrix![1.924, 1.334; 1.334, 1.963];
+    all.push((stretched, [around([-1.55, -1.05], [0.35, 0.35]), ball([1.25, 1.5], 0.315)]));
+    for (h, sets) in all {
         let curve = nearest(&h, &sets)[0].line(20);
         let formula = formula(&h);
         let cubes = |sets: &[Shape<2>; 2]| {
