@@ -179,6 +179,30 @@ mod tests {
         assert_eq!(proved_common_point(&union, &side, &near), Some(near));
     }
 
+    /// The member is that of the nearest piece, in whatever order the pieces are and however deep
+    /// unions are nested.
+    #[test]
+    fn the_proved_member_of_a_union_is_in_its_nearest_piece() {
+        let ball = |x: f64| Shape::Ball(Ball::new([x, 0.0], 1.0).expect("finite"));
+        let spot = Shape::Point(Point::new([50.0, 0.0]).expect("finite"));
+        let wall = Shape::HalfSpace(HalfSpace::at_least([1.0, 0.0], 90.0).expect("a normal"));
+        let mut pieces = [ball(0.0), spot, ball(20.0), wall];
+        for _ in 0..pieces.len() {
+            pieces.rotate_left(1);
+            let [first, others @ ..] = &pieces;
+            let nested = Shape::Union(vec![first.clone(), Shape::Union(others.to_vec())]);
+            for union in [Shape::Union(pieces.to_vec()), nested] {
+                let member = |x: f64| union.proved_member(&vector![x, 0.0]);
+                // Two of these are the ends of balls, the others members as they stand.
+                for (x, nearest) in
+                    [(2.0, 1.0), (17.0, 19.0), (20.5, 20.5), (49.0, 50.0), (80.0, 90.0)]
+                {
+                    assert_eq!(member(x), Some(vector![nearest, 0.0]), "{x}: {union:?}");
+                }
+            }
+        }
+    }
+
     /// Whatever is returned is a member of both; what overlaps by a millionth is always found.
     #[test]
     fn random_sets_that_overlap_have_a_proved_point() {

@@ -73,12 +73,14 @@ impl<const D: usize> Shape<D> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use nalgebra::{SVector, vector};
     use tautline_chance::{Random, cases, seed};
 
     use super::Shape;
     use crate::{
-        AxisBox, Ball, HalfSpace, Point,
+        AxisBox, Ball, ClosedSet, HalfSpace, Point, Sphere, Union,
         exact::{Exact, least_product, square, squared_distances},
         proof::point,
     };
@@ -105,6 +107,24 @@ mod tests {
         let both = Shape::Union(vec![spot, ball]);
         assert!(both.contains(&corner) && both.contains(&vector![9.0, 9.0]));
         assert!(!both.contains(&vector![9.0, 6.0]));
+    }
+
+    /// A sphere is no shape, so a union with one has no data, wherever the sphere stands in it.
+    #[test]
+    fn a_union_is_a_shape_only_if_each_of_its_pieces_is() {
+        let spot: Arc<dyn ClosedSet<2>> = Arc::new(Point::new([9.0, 9.0]).expect("finite"));
+        let ball: Arc<dyn ClosedSet<2>> = Arc::new(Ball::new([0.0, 0.0], 1.0).expect("finite"));
+        let rim: Arc<dyn ClosedSet<2>> = Arc::new(Sphere::new([4.0, 0.0], 1.0).expect("finite"));
+        let shape = |pieces: &[&Arc<dyn ClosedSet<2>>]| {
+            let pieces = pieces.iter().map(|&piece| Arc::clone(piece)).collect();
+            Union::new(pieces).expect("pieces").shape()
+        };
+        let data = [&spot, &ball].map(|set| set.shape().expect("a shape"));
+        assert_eq!(shape(&[&spot, &ball]), Some(Shape::Union(data.to_vec())));
+        for pieces in [[&rim, &spot, &ball], [&spot, &rim, &ball], [&spot, &ball, &rim]] {
+            assert_eq!(shape(&pieces), None, "{pieces:?}");
+        }
+        assert_eq!(shape(&[&rim]), None);
     }
 
     #[test]
