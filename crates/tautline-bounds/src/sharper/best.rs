@@ -188,6 +188,24 @@ mod tests {
         }
     }
 
+    /// Few chords are enough by Theorem C, many by Theorem D. The theorem is that of the `N` returned,
+    /// also where the next power of 2, at which the search begins, has another one.
+    #[test]
+    fn the_theorem_is_that_of_the_number_of_subintervals() {
+        let mut differ = 0;
+        for m_h in [6.0, 1e3, 1e5] {
+            let setting = setting(Some(m_h));
+            for tolerance in (0..=400).map(|k| 1e3 * 10_f64.powf(-0.02 * f64::from(k))) {
+                let rule = PaperRule::Trapezoidal;
+                let (found, by) = suggest_n(setting, rule, tolerance).expect("some N");
+                let at = |n| least_length_excess(setting, rule, n).by;
+                assert_eq!(by, at(found), "M_H = {m_h}, {tolerance} at {found}");
+                differ += usize::from(at(n(found.get().next_power_of_two())) != by);
+            }
+        }
+        assert!(differ > 0);
+    }
+
     #[test]
     fn an_unreachable_tolerance_gives_none() {
         for rule in PaperRule::BOTH {

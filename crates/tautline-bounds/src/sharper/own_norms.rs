@@ -256,6 +256,24 @@ mod tests {
         close(norms(1.0, None).gap(LEFT, &[1.0, 2.0]), 0.5 * (1.0 / 3.0 + 4.0), 4e-15);
     }
 
+    /// Where `ζ ≥ 1`, the factor `(1 − ζ)⁻²` is finite again and means nothing. With one chord,
+    /// `ν = 0` and `δ` between 3.2 and 3.8, all other terms of the second order are finite.
+    #[test]
+    fn a_geodesic_that_may_be_too_far_from_its_chord_gives_no_bound() {
+        for dimension in [1, 2] {
+            let omega = if dimension == 1 { 0.5 } else { 1.5 };
+            let mut finite = 0;
+            for delta in (1..=80).map(|k| 0.05 * f64::from(k)) {
+                let own = OwnNorms::new(delta, Some(0.0), 1.0, dimension).expect("valid");
+                let zeta = omega / 16.0 * delta * delta * (0.5 * delta).exp();
+                let bound = own.length_excess(TRA, n(1));
+                assert!(zeta < 1.0 || bound == f64::INFINITY, "δ = {delta}: {bound}");
+                finite += usize::from(bound.is_finite());
+            }
+            assert!(finite > 10, "{finite}");
+        }
+    }
+
     #[test]
     fn too_few_chords_give_no_bound_and_touching_ends_no_excess() {
         let far = OwnNorms::new(2.0, Some(1.0), 100.0, 2).expect("valid");

@@ -99,6 +99,22 @@ fn the_second_stage_halves_the_radius_on_the_sphere() {
     }
 }
 
+/// The same holds on smaller regions. With `M_H = 0` on all of space `G` would be 0, and the reach
+/// `√(5/2)` for `δ = 6` and one chord, instead of 2.
+#[test]
+fn constants_on_a_smaller_region_are_those_of_a_region() {
+    let incline = with_m_h(1.0, 1e6, 6.0, 0.0).isotropic();
+    let outer = Region { radius: 9.0, constants: incline.on_a_region() };
+    for given in [incline, incline.on_a_region()] {
+        let within = |_| Ok::<_, Infallible>(given);
+        let one = NonZeroUsize::MIN;
+        let regions = shrink(2, TRA, one, 1.0, outer, |length| length, within);
+        let [region] = regions[..] else { panic!("{regions:?}") };
+        assert!((2.0..1.03 * 2.0).contains(&region.radius), "{region:?}");
+        assert!(region.constants.is_local(), "{region:?}");
+    }
+}
+
 /// A region that does not save enough, lacks constants or has worse ones ends the list.
 #[test]
 fn a_region_that_is_no_better_is_left_out() {
