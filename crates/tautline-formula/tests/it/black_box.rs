@@ -132,14 +132,32 @@ fn a_batch_of_a_black_box_takes_one_call_for_each_order() {
 
 #[test]
 fn a_black_box_is_refused_where_it_is_no_metric() {
-    // Not symmetric; not positive definite; not finite.
-    for text in ["[1, x1; 0, 1]", "[1, 0; 0, x1]", "[1, 0; 0, ln(x1)]"] {
-        for x in [-1.0, 1.0] {
-            let black_box = BlackBox::<2>::new(Hidden::<2>::new(text, 0), H).expect("a step");
-            let metric = Prepared::of_black_box(parsed::<2>(text), black_box);
-            let mut batch = Batch::new(&metric, Kind::Checked, 1, 1);
-            batch.inputs(1).set(0, &vector![x, 0.0], &vector![1.0, 1.0]);
-            assert_eq!(batch.evaluate(1), x > 0.0 && text == "[1, 0; 0, x1]", "{text} {x}");
+    // Not symmetric, though each half alone is that of a metric; not positive definite; not finite, in
+    // the half that is used or in the other one. Each is a metric at 1 or at neither point.
+    for (text, at_one) in [
+        ("[2, x1; 0, 2]", false),
+        ("[2, 0; x1, 2]", false),
+        ("[2, 0.1*x1; 0.1*x1^2, 2]", true),
+        ("[1, x1; x1, 1]", false),
+        ("[1, 0; 0, x1]", true),
+        ("[1, 0; 0, 1 + ln(x1)]", true),
+        ("[2, 0; ln(x1), 2]", true),
+    ] {
+        for (x, is_metric) in [(-1.0, false), (1.0, at_one)] {
+            for (kind, order) in [
+                (Kind::Checked, 0),
+                (Kind::Momentum, 0),
+                (Kind::Momentum, 1),
+                (Kind::Contraction, 0),
+                (Kind::Contraction, 2),
+            ] {
+                let hidden = Hidden::<2>::new(text, order);
+                let black_box = BlackBox::<2>::new(hidden, H).expect("a step");
+                let metric = Prepared::of_black_box(parsed::<2>(text), black_box);
+                let mut batch = Batch::new(&metric, kind, 1, 1);
+                batch.inputs(1).set(0, &vector![x, 0.0], &vector![1.0, 1.0]);
+                assert_eq!(batch.evaluate(1), is_metric, "{text} {x} {kind:?} {order}");
+            }
         }
     }
 }

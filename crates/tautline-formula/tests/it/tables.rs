@@ -199,6 +199,39 @@ fn derivatives_have_names() {
     assert_eq!(graph.operations().iter().filter(call).count(), 1, "the derivative alone");
 }
 
+/// A form may differentiate a table twice along each axis. Third derivatives jump, so a form of one is
+/// undefined everywhere, in every number type, unless the argument does not change.
+#[test]
+fn a_form_takes_no_third_derivative_of_a_table() {
+    let tables = [("h", table(&[5, 7], &mut Random(seed(40))))];
+    let h = |a: u8, b: u8| tables[0].1.value(&[1.25, 2.5], [a, b, 0]);
+    let parsed = |text: &str| Formula::<1>::parse_with(text, &[], &tables).expect(text);
+    for (text, slope) in [
+        ("graph(h(x1, 2.5))", h(1, 0)),
+        ("graph(h_10(x1, 2.5))", h(2, 0)),
+        ("graph(h_02(x1, 2.5))", h(1, 2)),
+        ("graph(h_12(x1, 2.5))", h(2, 2)),
+        ("graph(h_21(1.25, 2*x1))", 2.0 * h(2, 2)),
+        ("graph(3*x1 + h_22(1.25, 2.5))", 3.0),
+    ] {
+        let found = parsed(text).gram(&vector![1.25])[(0, 0)];
+        // The slopes are below 100, and their squares have a few roundings.
+        assert!((found - (1.0 + slope * slope)).abs() < 1e-11, "{text}: {found} {slope}");
+    }
+    for text in [
+        "graph(h_20(x1, 2.5))",
+        "graph(h_02(1.25, 2*x1))",
+        "graph(h_20(x1, 2*x1))",
+        "graph(h_02(x1, 2*x1))",
+        "pullback(x1 + sqr(h_21(x1, 2.5)))",
+    ] {
+        let formula = parsed(text);
+        assert!(formula.gram(&vector![1.25])[(0, 0)].is_nan(), "{text}");
+        let side = Interval::new(1.25, 1.5).expect("ordered");
+        assert!(formula.gram(&vector![side])[(0, 0)].is_undefined(), "{text}");
+    }
+}
+
 #[test]
 fn wrong_calls_are_refused_where_they_stand() {
     let tables = [("h", table(&[5, 7], &mut Random(seed(37))))];
