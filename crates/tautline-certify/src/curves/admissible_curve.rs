@@ -238,6 +238,33 @@ mod tests {
         assert!(matches!(error, CurveError::Indefinite { chord: 0, .. }), "{error}");
     }
 
+    /// Intervals prove `sin²a + cos²a > 0.9` only on parts on which `a` changes by less than about 0.1.
+    /// A chord of 2000 radians has more than 8192 of them. They are taken from its end, so its start is
+    /// never reached, and along the chord `dᵀHd` is 1. Of eight chords each is decided.
+    #[test]
+    fn a_chord_with_too_many_parts_is_reported() {
+        let of = |dip: f64| {
+            let square = format!("sqr(sin(a)) + sqr(cos(a)) - 0.9 - {dip}*exp(-sqr(100*x1))");
+            Formula::<2>::parse(&format!("a = 2000*x1; [1, 0; 0, {square}]"), &[])
+                .expect("a formula")
+        };
+        let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).expect("finite");
+        let report = |dip: f64, chords: usize| {
+            let curve = line([0.0, 0.0], [1.0, 0.0], chords);
+            AdmissibleCurve::new(&of(dip), &curve, &ends).map(|curve| curve.length().hi())
+        };
+        // At the start H₂₂ is −0.1, or it is 0.1 everywhere.
+        for dip in [0.2, 0.0] {
+            assert_eq!(
+                report(dip, 1),
+                Err(CurveError::Indefinite { chord: 0, chords: 1 }),
+                "{dip}"
+            );
+        }
+        assert_eq!(report(0.2, 8), Err(CurveError::Indefinite { chord: 0, chords: 8 }));
+        assert!(report(0.0, 8).is_ok_and(|length| (1.0..1.0 + 1e-14).contains(&length)));
+    }
+
     /// The second derivative of a table is no function's second derivative at a knot, where a chord may
     /// end.
     #[test]

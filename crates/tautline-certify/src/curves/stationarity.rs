@@ -93,6 +93,7 @@ mod tests {
         Metric,
         gallery::{Constant, Shear, Sphere},
     };
+    use tautline_scalar::Interval;
 
     use super::Polygon;
 
@@ -146,6 +147,28 @@ mod tests {
         assert_eq!(polygon.greatest_difference().lo(), 1.5);
         let straight = PointSequence::straight([0.0], [1.0], 2).expect("finite");
         assert_eq!(Polygon::new(&straight).residual(Trapezoidal, &flat).hi(), 0.0);
+    }
+
+    /// The other chord may be the longer one, and the undefined one the first or the last.
+    #[test]
+    fn nothing_is_enclosed_if_an_end_is_undefined() {
+        let points = [0.0, 1.0, 4.0, 5.0].map(|x| vector![x, 0.5]).to_vec();
+        let sequence = PointSequence::new(points).expect("finite");
+        let polygon = Polygon::new(&sequence);
+        let (first, last) = (*polygon.first(), *polygon.last());
+        assert_eq!(polygon.with_ends(first, last).greatest_difference().lo(), 9.0);
+        for i in 0..2 {
+            let (mut from, mut to) = (first, last);
+            (from[i], to[i]) = (Interval::UNDEFINED, Interval::UNDEFINED);
+            for polygon in [polygon.with_ends(from, last), polygon.with_ends(first, to)] {
+                assert!(polygon.greatest_difference().is_undefined(), "{polygon:?}");
+                assert!(polygon.residual(Trapezoidal, &Sphere).is_undefined(), "{polygon:?}");
+                assert!(polygon.residual(LeftEndpoint, &Sphere).is_undefined(), "{polygon:?}");
+                assert!(polygon.discrete_energy(Trapezoidal, &Sphere).is_undefined());
+                let (energy, length) = polygon.energy_and_length(&Sphere);
+                assert!(energy.is_undefined() && length.is_undefined(), "{polygon:?}");
+            }
+        }
     }
 
     #[test]

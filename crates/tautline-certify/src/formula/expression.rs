@@ -179,6 +179,8 @@ impl Expressions {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use nalgebra::{SMatrix, SVector, matrix};
     use tautline_formula::{Formula, RecordError};
     use tautline_metrics::{
@@ -186,7 +188,8 @@ mod tests {
         composition::{Scaled, Sum},
         gallery::{Checkerboard, Hill, Hyperbolic, Lens, Shear, Valleys},
     };
-    use tautline_scalar::Scalar;
+    use tautline_scalar::{Scalar, Table};
+    use tautline_spline::Spline;
 
     use crate::testing::parsed;
 
@@ -221,6 +224,35 @@ mod tests {
         assert!(is_isotropic(&Checkerboard::new(1.0, 2.0).expect("an edge")));
         assert!(is_isotropic::<2>(&Scaled::new(lens, 3.0).expect("a factor")));
         assert!(is_isotropic::<2>(&Sum::new(Valleys, lens)));
+    }
+
+    /// Whatever a table does with its arguments, it is a function of the norm only if all of them are.
+    /// Entries are the same if they call the same derivative of the same table at the same arguments.
+    #[test]
+    fn the_arguments_of_tables_are_followed() {
+        let table = |shape: &[usize], first: f64| -> Arc<dyn Table> {
+            let count = shape.iter().product();
+            let coefficients = (0..count).map(|k| first + k as f64).collect();
+            Arc::new(Spline::new(shape, coefficients).expect("a shape"))
+        };
+        let tables = [("s", table(&[4], 1.0)), ("t", table(&[4], 2.0)), ("h", table(&[2, 3], 1.0))];
+        for (text, radial, isotropic) in [
+            ("cost(t(sqr(x1) + sqr(x2)))", true, true),
+            ("r = x1^2 + x2^2; cost(h(r, exp(-r)))", true, true),
+            ("cost(t(x1))", false, true),
+            ("cost(t(x2))", false, true),
+            ("cost(h(x1, x2))", false, true),
+            ("r = x1^2 + x2^2; cost(h(r, x2))", false, true),
+            ("r = x1^2 + x2^2; cost(h(x1, r))", false, true),
+            ("diag(t(x1), t(x2))", false, false),
+            ("diag(t(x1), s(x1))", false, false),
+            ("diag(t(x1), t_1(x1))", false, false),
+            ("diag(h(x1, x2), h(x2, x1))", false, false),
+        ] {
+            let formula = Formula::<2>::parse_with(text, &[], &tables).expect(text);
+            assert_eq!(super::is_radial(&formula), radial, "{text}");
+            assert_eq!(super::is_isotropic(&formula), isotropic, "{text}");
+        }
     }
 
     /// Each diagonal entry is made on its own thread.
