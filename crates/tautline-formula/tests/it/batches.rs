@@ -5,7 +5,10 @@ use tautline_formula::{Batch, Batches, InstructionSet, Kind, Plain, Prepared, WI
 use tautline_metrics::Metric;
 use tautline_scalar::Scalar;
 
-use crate::programs::{Place, evaluate, places, rows};
+use crate::{
+    parsed,
+    programs::{Place, evaluate, places, rows},
+};
 
 /// Functions of every kind: those of whole chunks, which pass numbers out of range to the standard
 /// library, and those that are called one by one.
@@ -61,6 +64,32 @@ fn compare(metric: &dyn Batches<2>, name: &str, check: impl Fn(&Batch<'_, 2>, us
             assert!(is_metric, "{name}, {kind:?}: {count} points are no metric");
             assert_eq!(bits(&batch, count), alone[..count], "{name}, {kind:?}: {count} points");
             check(&batch, count);
+        }
+    }
+}
+
+/// One bad point among good ones, in any lane: `H` is not symmetric, or not positive definite, or not
+/// finite in the half that is not used.
+#[test]
+fn a_batch_is_that_of_a_metric_only_if_every_lane_is() {
+    const TEXT: &str = "[2, x1; x2 + 0*ln(x2 + 1.9), 2]";
+    let (prepared, plain) = (Prepared::new(parsed::<2>(TEXT)), Plain::new(parsed::<2>(TEXT)));
+    let place = |x: [f64; 2]| (SVector::from(x), SVector::from([0.5, -1.0]));
+    let good = place([0.5, 0.5]);
+    for kind in [Kind::Checked, Kind::Momentum, Kind::Contraction] {
+        assert!(prepared.size(kind).is_some(), "{kind:?}");
+        for metric in [&prepared as &dyn Batches<2>, &plain] {
+            let mut batch = Batch::new(metric, kind, 2 * WIDTH, 1);
+            for bad in [[0.5, -0.5], [3.0, 3.0], [-1.95, -1.95]].map(place) {
+                for count in [1, 3, WIDTH, WIDTH + 1] {
+                    for lane in 0..count {
+                        let mut places = vec![good; count];
+                        places[lane] = bad;
+                        assert!(!evaluate(&mut batch, &places), "{kind:?}: {lane} of {count}");
+                    }
+                    assert!(evaluate(&mut batch, &vec![good; count]), "{kind:?}: {count}");
+                }
+            }
         }
     }
 }
