@@ -12,11 +12,14 @@ impl<const D: usize, K: Kernel> Polygon<'_, D, K> {
     /// Encloses the residual `((1/N) Σ |ρₙ|²)^{1/2}` of a rule over the inner points, in `m²/ℓ`, with
     /// `∂E_N/∂xₙ = −2hρₙ` and `h = 1/N`.
     ///
-    /// The result is undefined as that of [`discrete_energy`](Polygon::discrete_energy) is. It is 0 for
-    /// a single chord. Overestimation: rounding, of the size of `ε N` times the length.
+    /// The result is undefined if [`discrete_energy`](Polygon::discrete_energy) is. Otherwise it is 0
+    /// for a single chord. Overestimation: rounding, of the size of `ε N` times the length.
     #[must_use]
-    pub fn residual<R: Rule>(&self, _rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
+    pub fn residual<R: Rule>(&self, rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
         let metric = AnyMetric::new(metric);
+        if self.n() == 1.0 && self.discrete_energy(rule, &metric).is_undefined() {
+            return Enclosure::UNDEFINED;
+        }
         let mut squares = PairwiseSum::new();
         let mut before: Option<SVector<Enclosure<K>, D>> = None;
         for chord in self.chords() {
@@ -168,6 +171,22 @@ mod tests {
                 let (energy, length) = polygon.energy_and_length(&Sphere);
                 assert!(energy.is_undefined() && length.is_undefined(), "{polygon:?}");
             }
+        }
+    }
+
+    /// A single chord has no inner points, but there must be an energy.
+    #[test]
+    fn the_residual_of_a_single_chord_is_zero_if_it_has_an_energy() {
+        let hyperbolic = tautline_metrics::gallery::Hyperbolic;
+        for (to, is_defined) in [(0.5, true), (4.0, false)] {
+            let sequence = PointSequence::straight([0.0, 0.0], [to, 0.0], 1).expect("finite");
+            let polygon = Polygon::new(&sequence);
+            let residual = polygon.residual(Trapezoidal, &hyperbolic);
+            assert_eq!(residual.is_undefined(), !is_defined, "{to}: {residual:?}");
+            assert!(!is_defined || residual == Interval::point(0.0), "{residual:?}");
+            let first = vector![Interval::point(0.0), Interval::UNDEFINED];
+            let unknown = polygon.with_ends(first, *polygon.last());
+            assert!(unknown.residual(Trapezoidal, &hyperbolic).is_undefined());
         }
     }
 
