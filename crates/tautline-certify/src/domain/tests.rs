@@ -174,6 +174,26 @@ fn a_metric_may_change_along_other_coordinates() {
     assert!(matches!(error, Err(CertifyError::NotSettled { coordinate: 0, .. })), "{error:?}");
 }
 
+/// Far out along one coordinate, the wave along the other falls like `1/R`, and the mixed second
+/// derivative like `1/R²`: `R² |∂ₖ∂ₗH|` does not become small, unlike all else. It does if the wave falls
+/// like `1/R²`.
+#[test]
+fn mixed_second_derivatives_must_settle() {
+    for (far, wave, coordinate) in [("x1", "x2", 0), ("x2", "x1", 1)] {
+        let settled = |fall: &str| {
+            let text = format!("3 + sin({wave})/({fall}) I").replace("far", far);
+            Domain::<2>::settled_space(&parsed(&text))
+        };
+        match settled("sqrt(1 + sqr(far))") {
+            Err(CertifyError::NotSettled { coordinate: along, change }) => {
+                assert!(along == coordinate && change > 0.1 && change < 100.0, "{change}");
+            }
+            other => panic!("{far}: {other:?}"),
+        }
+        assert!(settled("1 + sqr(far)").is_ok_and(|space| space.is_all_of_space()), "{far}");
+    }
+}
+
 /// Returns the exact sign of `x − c − r`, for an `x` near `c + r`. It uses the first difference
 /// with its rounding error, and the second difference, which is exact (Sterbenz).
 fn beyond(x: f64, c: f64, r: f64) -> f64 {

@@ -260,7 +260,7 @@ mod tests {
     };
 
     use super::{Along, common_divisor};
-    use crate::testing::parsed;
+    use crate::testing::{parsed, tables};
 
     fn dependence<const D: usize>(metric: &impl Metric<D>) -> [Along; D] {
         super::dependence(&Formula::record(metric).expect("no comparison"))
@@ -320,6 +320,28 @@ mod tests {
             ("cos(1/x1)", Unknown),
         ] {
             assert_eq!(super::dependence(&parsed(&format!("{text} I"))), [along], "{text}");
+        }
+    }
+
+    /// A table depends on all of its arguments, on each as an unknown function does.
+    #[test]
+    fn a_table_depends_on_each_of_its_arguments() {
+        use Along::{Constant, Periodic, Unknown};
+        let tables = tables();
+        for (text, along) in [
+            ("t(x1)", [Unknown, Constant]),
+            ("t(x2)", [Constant, Unknown]),
+            ("h(x1, x2)", [Unknown; 2]),
+            ("h(0.5, x2)", [Constant, Unknown]),
+            ("h(x1, 0.5)", [Unknown, Constant]),
+            ("h(sin(x1), cos(2*x2))", [Periodic(1.0), Periodic(2.0)]),
+            ("h(sin(x1), x1)", [Unknown, Constant]),
+            ("f(0.5, 0.5, x1)", [Unknown, Constant]),
+            ("f(0.5, sin(x2), sin(3*x1))", [Periodic(3.0), Periodic(1.0)]),
+            ("f_002(0.5, 0.5, x2) + h_10(0.5, x1)", [Unknown; 2]),
+        ] {
+            let formula = Formula::<2>::parse_with(&format!("{text} I"), &[], &tables);
+            assert_eq!(super::dependence(&formula.expect(text)), along, "{text}");
         }
     }
 

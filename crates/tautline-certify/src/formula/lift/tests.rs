@@ -10,7 +10,7 @@ use crate::{
     Accuracy, CertifiedConstants, Domain, Quantity, certify,
     constants::lifted,
     patch::{Patch, Region},
-    testing::parsed,
+    testing::{parsed, tables},
 };
 
 type Expansion = Jet2<Jet1<Interval, 2>, 2>;
@@ -283,6 +283,41 @@ fn dependent_forms_are_overestimated_and_enclosed() {
     assert!(!space.is_sharp());
     let value = formula.gram(&c2.at)[(0, 0)];
     assert!((value / c2.lower - 1.0).abs() < 1e-14 && value > 4.5, "{c2:?}");
+}
+
+/// Along each argument of a table the constants are those of `g`, the function of one axis with the
+/// coefficients 1, 5 and 2. It is 1 far to the left and 2 far to the right, and largest and steepest
+/// between.
+#[test]
+fn tables_have_constants_on_all_of_space_along_each_of_their_arguments() {
+    let tables = tables();
+    // At steps of 2⁻¹⁰. Second differences of the coefficients are at most 7, and third ones 11, so that
+    // the maxima are larger by at most 7 · 2⁻²³ and 11 · 2⁻²³, less than 10⁻⁵ of them.
+    let most = |order: u8| {
+        let at = |k: i32| tables[0].1.value(&[f64::from(k) / 1024.0], [order, 0, 0]).abs();
+        (-2048..4096).map(at).fold(0.0, f64::max)
+    };
+    let (largest, steepest) = (most(0), most(1));
+    let middle = tables[0].1.value(&[0.5], [0; 3]);
+    let accuracy = Accuracy { tolerance: 1e-2, budget: 100_000 };
+    for (text, [c1, c2, l_h]) in [
+        ("t(x1)", [1.0, largest, steepest]),
+        ("t(x2)", [1.0, largest, steepest]),
+        ("h(0.5, x1)", [1.0 + middle, largest + middle, steepest]),
+        ("h(x2, 0.5)", [1.0 + middle, largest + middle, steepest]),
+        ("h(x1, x2)", [2.0, 2.0 * largest, 2_f64.sqrt() * steepest]),
+        ("f(0.5, 0.5, 2*x2)", [1.0 + 2.0 * middle, largest + 2.0 * middle, 2.0 * steepest]),
+        ("f(x2, 0.5, x1)", [2.0 + middle, 2.0 * largest + middle, 2_f64.sqrt() * steepest]),
+    ] {
+        let formula = Formula::<2>::parse_with(&format!("{text} I"), &[], &tables).expect(text);
+        let space = Domain::space(&formula);
+        assert!(space.is_all_of_space(), "{text}");
+        for (quantity, exact) in [(Quantity::C1, c1), (Quantity::C2, c2), (Quantity::LH, l_h)] {
+            let found = certify(&formula, quantity, &space, accuracy).expect(text);
+            let holds = found.lower <= exact * (1.0 + 1e-5) && exact * (1.0 - 1e-14) <= found.upper;
+            assert!(holds && found.looseness() <= 1.02, "{text}, {quantity}: {found:?} {exact}");
+        }
+    }
 }
 
 /// A network has thousands of sums, and each partial sum is linear. Only what is read counts.
