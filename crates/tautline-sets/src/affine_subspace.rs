@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
 use crate::ClosedSet;
-use crate::norm::{norm, polar};
+use crate::norm::{norm_above, polar};
 use crate::proof;
 use crate::set_error::{SetError, finite_vector};
 
@@ -108,7 +108,7 @@ impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
     }
 
     fn radius(&self) -> Option<f64> {
-        self.basis.is_empty().then(|| norm(&self.base))
+        self.basis.is_empty().then(|| norm_above(&proof::point(&self.base)))
     }
 
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {

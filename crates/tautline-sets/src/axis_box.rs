@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
-use crate::norm::norm;
+use crate::norm::{between, norm_above};
 use crate::proof;
 use crate::set_error::{SetError, finite_vector};
 use crate::{ClosedSet, Shape};
@@ -95,12 +95,17 @@ impl<const D: usize> ClosedSet<D> for AxisBox<D> {
     }
 
     fn radius(&self) -> Option<f64> {
-        Some(norm(&self.lower.zip_map(&self.upper, |l, u| l.abs().max(u.abs()))))
+        let farthest = self.lower.zip_map(&self.upper, |l, u| l.abs().max(u.abs()));
+        Some(norm_above(&proof::point(&farthest)))
     }
 
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
         let centre = self.lower * 0.5 + self.upper * 0.5;
-        Some((centre, norm(&(self.upper - centre).sup(&(centre - self.lower)))))
+        let sides =
+            between(&self.upper, &centre).zip_map(&between(&centre, &self.lower), |u, l| {
+                if u.magnitude() > l.magnitude() { u } else { l }
+            });
+        Some((centre, norm_above(&sides)))
     }
 
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {

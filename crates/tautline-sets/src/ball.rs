@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
-use crate::norm::{norm, polar};
+use crate::norm::{norm_above, polar, sum_above};
 use crate::proof;
 use crate::set_error::{SetError, finite_vector, valid_radius};
 use crate::{ClosedSet, Shape};
@@ -74,7 +74,7 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
     }
 
     fn radius(&self) -> Option<f64> {
-        Some(norm(&self.centre) + self.r)
+        Some(sum_above(norm_above(&proof::point(&self.centre)), self.r))
     }
 
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {

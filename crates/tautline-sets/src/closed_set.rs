@@ -72,13 +72,14 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
     /// [`project`](ClosedSet::project) chooses.
     fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D>;
 
-    /// Returns `sup |x|` over the set, in `ℓ`; `None` if the set is unbounded.
+    /// Returns `sup |x|` over the set, rounded up, in `ℓ`; `None` if the set is unbounded.
     fn radius(&self) -> Option<f64>;
 
     /// Returns the centre and the radius of a ball that contains the set, in `ℓ`; `None` if the set
     /// is unbounded.
     ///
-    /// The ball need not be the smallest: the default is a ball about the origin. Override this
+    /// The radius is rounded up, since proofs take constants on this ball: the set that the numbers
+    /// define lies in it exactly. The ball need not be the smallest: the default is a ball about the origin. Override this
     /// method for sets far from the origin, since constants are better on smaller regions.
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
         Some((SVector::zeros(), self.radius()?))
@@ -185,12 +186,14 @@ pub(crate) fn append_pieces<const D: usize>(
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
+    use std::{cmp::Ordering, sync::Arc};
 
     use nalgebra::{SVector, vector};
+    use tautline_chance::{Random, cases, seed};
     use tautline_scalar::Interval;
 
     use crate::laws::Bare;
+    use crate::proof::compare_distance;
     use crate::{
         AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
         Sphere, Union,
@@ -259,6 +262,67 @@ mod tests {
         Ok(())
     }
 
+    /// Proofs take constants on these balls: no member may lie outside, not even by a rounding. Decided in
+    /// exact arithmetic.
+    #[test]
+    fn enclosing_balls_hold_every_corner_exactly() -> Result<(), SetError> {
+        let mut random = Random(seed(31));
+        let mut nearest_fails = 0;
+        for _ in 0..cases(2000) {
+            let mut vector = || SVector::<f64, 3>::from_fn(|_, _| random.between(-2.0, 2.0));
+            let (x, y, z) = (vector(), vector(), vector());
+            let (lower, upper) = x.inf_sup(&y);
+            let corner = |at: usize| {
+                SVector::<f64, 3>::from_fn(
+                    |i, _| if at >> i & 1 == 0 { lower[i] } else { upper[i] },
+                )
+            };
+            let sets: [Arc<dyn ClosedSet<3>>; 4] = [
+                Arc::new(AxisBox::from_corners(lower, upper)?),
+                Arc::new(Segment::new(x, y)?),
+                Arc::new(FiniteSet::new([x, y, z])?),
+                Arc::new(Point::new(x)?),
+            ];
+            let corners = (0..8).map(corner).collect();
+            for (set, members) in sets.iter().zip([corners, vec![x, y], vec![x, y, z], vec![x]]) {
+                let about_the_origin = (SVector::zeros(), set.radius().expect("bounded"));
+                for (centre, radius) in [set.enclosing_ball().expect("bounded"), about_the_origin] {
+                    for x in &members {
+                        let beyond =
+                            |r: f64| compare_distance(x, &centre, r).is_none_or(Ordering::is_gt);
+                        assert!(!beyond(radius), "{x} {centre} {radius:e}");
+                        nearest_fails += usize::from(beyond((x - centre).norm()));
+                    }
+                }
+            }
+        }
+        // Distances that are rounded to nearest are too small for about a third of the members.
+        assert!(nearest_fails > 1000, "{nearest_fails}");
+        Ok(())
+    }
+
+    /// A union of balls lies in its ball exactly: the sum of a distance and a radius is rounded up, too.
+    #[test]
+    fn the_ball_around_balls_holds_their_farthest_points() -> Result<(), SetError> {
+        let mut random = Random(seed(32));
+        for _ in 0..cases(500) {
+            let mut ball = || {
+                let centre = SVector::<f64, 2>::from_fn(|_, _| random.between(-2.0, 2.0));
+                Ball::new(centre, random.between(0.0, 1.0))
+            };
+            let balls = [ball()?, ball()?];
+            let pieces = balls.map(|ball| Arc::new(ball) as Arc<dyn ClosedSet<2>>);
+            let (centre, radius) = Union::new(pieces.to_vec())?.enclosing_ball().expect("bounded");
+            for ball in balls {
+                // The farthest member is at the distance |c − centre| + r.
+                let rest = (Interval::point(radius) - ball.r()).hi();
+                let inside = compare_distance(ball.centre(), &centre, rest);
+                assert!(inside.is_some_and(Ordering::is_le), "{ball:?} {centre} {radius:e}");
+            }
+        }
+        Ok(())
+    }
+
     /// The balls are centred at the sets themselves, not at the origin.
     #[test]
     fn enclosing_balls_are_small() -> Result<(), SetError> {
@@ -281,7 +345,9 @@ mod tests {
         // Here sums of two coordinates would overflow.
         let most = 2_f64.powi(1023);
         let huge = AxisBox::from_corners([0.5 * most, 0.0], [1.5 * most, 0.0])?;
-        assert_eq!(ball(&huge), about(most, 0.0, 0.5 * most));
+        let (centre, radius) = ball(&huge).expect("bounded");
+        // So near the largest double an interval does not know that a difference is exact.
+        assert!(centre == vector![most, 0.0] && radius <= (0.5 * most).next_up(), "{radius:e}");
         Ok(())
     }
 }

@@ -1,6 +1,45 @@
 //! Euclidean norms and directions, without overflow or underflow of squares.
 
 use nalgebra::SVector;
+use tautline_scalar::{Interval, Scalar};
+
+/// Returns an upper bound on `|v|`, in the unit of `v`, that is tight up to some roundings; NaN if a
+/// coordinate is undefined.
+pub(crate) fn norm_above<const D: usize>(v: &SVector<Interval, D>) -> f64 {
+    if v.iter().any(|x| x.is_undefined()) {
+        return f64::NAN;
+    }
+    let sizes = v.map(Interval::magnitude);
+    let largest = sizes.max();
+    if !largest.is_finite() || sizes.iter().filter(|&&size| size > 0.0).count() < 2 {
+        return largest;
+    }
+    // A power of two below the largest size, so that scaling is exact unless a size gets subnormal.
+    let scale = f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE);
+    let scaled = sizes.map(|size| {
+        let by_scale = size * (1.0 / scale);
+        if by_scale >= f64::MIN_POSITIVE { by_scale } else { by_scale.next_up() }
+    });
+    let squares = scaled.iter().map(|&size| Interval::point(size).sqr());
+    let sum = squares.fold(Interval::point(0.0), |sum, square| sum + square);
+    let root = sum.sqrt().hi();
+    // From 1 on, the product is exact or infinite. Below, all sizes are subnormal.
+    if root >= 1.0 { root * scale } else { (Interval::point(root) * scale).hi() }
+}
+
+/// Returns `x − y`, enclosed.
+pub(crate) fn between<const D: usize>(
+    x: &SVector<f64, D>,
+    y: &SVector<f64, D>,
+) -> SVector<Interval, D> {
+    x.zip_map(y, |x, y| Interval::point(x) - y)
+}
+
+/// Returns `a + b` rounded up, or as it is if a term is not finite.
+pub(crate) fn sum_above(a: f64, b: f64) -> f64 {
+    let sum = a + b;
+    if a.is_finite() && b.is_finite() { (Interval::point(a) + b).hi() } else { sum }
+}
 
 /// Returns `|v|`, in the unit of `v`. The result is infinite only if `|v|` itself overflows.
 pub(crate) fn norm<const D: usize>(v: &SVector<f64, D>) -> f64 {
@@ -42,8 +81,9 @@ pub(crate) fn on_axis<const D: usize>(i: usize, length: f64) -> SVector<f64, D> 
 
 #[cfg(test)]
 mod tests {
-    use super::{norm, polar};
+    use super::{norm, norm_above, polar};
     use nalgebra::{SVector, vector};
+    use tautline_scalar::Interval;
 
     #[test]
     fn norm_is_homogeneous_from_the_smallest_to_the_largest_number() {
@@ -58,6 +98,26 @@ mod tests {
             assert_eq!(length, norm(&v));
             assert!((unit - vector![0.6, 0.8]).amax() <= 4.0 * f64::EPSILON);
         }
+    }
+
+    /// Where the norm is a double, its bound is this double; else it is at most two roundings above.
+    #[test]
+    fn the_bound_on_a_norm_is_tight_from_the_smallest_to_the_largest_number() {
+        let bound = |v: SVector<f64, 2>| norm_above(&v.map(Interval::point));
+        for exponent in -1020..=1020 {
+            let scale = 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
+            assert_eq!(bound(vector![3.0, -4.0] * scale), 5.0 * scale);
+            // √2 lies between these neighbours.
+            let root = 2.0_f64.sqrt();
+            assert!(root * root > 2.0 && root.next_down().powi(2) < 2.0);
+            let found = bound(vector![1.0, 1.0] * scale) / scale;
+            assert!(found >= root && found <= root.next_up().next_up(), "{found:e}");
+        }
+        assert_eq!(bound(vector![0.0, -5e-324]), 5e-324);
+        assert!(bound(vector![5e-324, 5e-324]) >= 1e-323);
+        assert_eq!(bound(vector![f64::MAX, f64::MAX]), f64::INFINITY);
+        assert_eq!(bound(SVector::zeros()), 0.0);
+        assert!(bound(vector![f64::NAN, 1.0]).is_nan());
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
-use crate::norm::norm;
+use crate::norm::norm_above;
 use crate::proof;
 use crate::set_error::{SetError, finite_vector};
 use crate::{ClosedSet, Shape};
@@ -46,7 +46,7 @@ impl<const D: usize> ClosedSet<D> for Point<D> {
     }
 
     fn radius(&self) -> Option<f64> {
-        Some(norm(&self.position))
+        Some(norm_above(&proof::point(&self.position)))
     }
 
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {

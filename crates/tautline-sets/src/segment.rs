@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
 use crate::ClosedSet;
-use crate::norm::{norm, polar};
+use crate::norm::{between, norm_above, polar};
 use crate::proof;
 use crate::set_error::{SetError, finite, finite_vector};
 
@@ -81,13 +81,15 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
     }
 
     fn radius(&self) -> Option<f64> {
-        Some(norm(&self.start).max(norm(&self.end)))
+        let ends = [self.start, self.end].map(|end| norm_above(&proof::point(&end)));
+        Some(ends[0].max(ends[1]))
     }
 
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
         // The ends are halved first, since their sum may overflow.
         let centre = self.start * 0.5 + self.end * 0.5;
-        Some((centre, norm(&(self.start - centre)).max(norm(&(self.end - centre)))))
+        let ends = [self.start, self.end].map(|end| norm_above(&between(&end, &centre)));
+        Some((centre, ends[0].max(ends[1])))
     }
 
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {

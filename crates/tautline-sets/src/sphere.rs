@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
 use crate::ClosedSet;
-use crate::norm::{norm, on_axis, polar};
+use crate::norm::{norm_above, on_axis, polar, sum_above};
 use crate::proof;
 use crate::set_error::{SetError, finite_vector, valid_radius};
 
@@ -72,7 +72,7 @@ impl<const D: usize> ClosedSet<D> for Sphere<D> {
     }
 
     fn radius(&self) -> Option<f64> {
-        Some(norm(&self.centre) + self.r)
+        Some(sum_above(norm_above(&proof::point(&self.centre)), self.r))
     }
 
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {

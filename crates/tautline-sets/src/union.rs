@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
 use crate::closed_set::append_pieces;
-use crate::norm::norm;
+use crate::norm::{between, norm, norm_above, sum_above};
 use crate::{ClosedSet, SetError, Shape};
 
 /// The union of finitely many closed sets.
@@ -86,7 +86,9 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
         let balls = balls?;
         let share = 1.0 / balls.len() as f64;
         let middle = balls.iter().fold(SVector::zeros(), |sum, (centre, _)| sum + centre * share);
-        let reach = |(centre, radius): &(SVector<f64, D>, f64)| norm(&(centre - middle)) + radius;
+        let reach = |(centre, radius): &(SVector<f64, D>, f64)| {
+            sum_above(norm_above(&between(centre, &middle)), *radius)
+        };
         Some((middle, largest(balls.iter().map(reach))))
     }
 
