@@ -2,10 +2,16 @@
 
 use tautline_formula::RecordError;
 use tautline_metrics::HypothesisError;
-use tautline_scalar::{IntervalError, Short};
+use tautline_scalar::{
+    IntervalError,
+    decimal::{shortly_down, shortly_up},
+};
 use thiserror::Error;
 
 use crate::Quantity;
+
+/// The significant digits of a bound in a message.
+const DIGITS: usize = 4;
 
 /// Why a constant or a domain was refused.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -68,7 +74,7 @@ pub enum CertifyError {
     /// rounding.
     #[error(
         "the metric is not positive definite at {point:?}: its least eigenvalue is at most {}",
-        Short(*eigenvalue)
+        shortly_up(*eigenvalue, DIGITS)
     )]
     NotPositiveDefinite {
         /// The point at which it was evaluated, in `ℓ`.
@@ -98,7 +104,7 @@ pub enum CertifyError {
 fn known(quantity: Quantity, lower: f64, upper: f64) -> String {
     let side = match (lower.is_finite(), upper.is_finite()) {
         (true, true) => {
-            let (lower, upper) = (Short(lower), Short(upper));
+            let (lower, upper) = (shortly_down(lower, DIGITS), shortly_up(upper, DIGITS));
             return format!("{quantity} is known only to lie between {lower} and {upper}");
         }
         (true, false) => "upper bound",
@@ -113,5 +119,26 @@ fn by(change: f64) -> String {
     if change.is_nan() {
         return String::new();
     }
-    format!(": it changes by up to {} of itself when the distance is doubled", Short(change))
+    format!(
+        ": it changes by up to {} of itself when the distance is doubled",
+        shortly_up(change, DIGITS)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::CertifyError;
+    use crate::Quantity;
+
+    /// The double 0.1 is a little above 0.1, and -0.1 below: a decimal to nearest would not bound them.
+    #[test]
+    fn bounds_in_messages_are_rounded_outward() {
+        let (quantity, boxes) = (Quantity::C1, 7);
+        let spent = CertifyError::BudgetSpent { quantity, lower: -0.1, upper: 0.1, boxes };
+        let text = spent.to_string();
+        assert!(text.ends_with("between -0.1001 and 0.1001"), "{text}");
+        let indefinite = CertifyError::NotPositiveDefinite { point: vec![0.0], eigenvalue: -0.3 };
+        // The double 0.3 is below 0.3, so that -0.3 is not below the double.
+        assert!(indefinite.to_string().ends_with("at most -0.2999"), "{indefinite}");
+    }
 }

@@ -2,9 +2,9 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use tautline::Constants;
+use tautline::{Constants, decimal::shortly_down};
 
-use crate::{Float, decimal::shortly_down};
+use crate::Float;
 
 /// A curve between the two sets, and bounds on their distance.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]

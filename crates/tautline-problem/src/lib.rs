@@ -27,11 +27,8 @@ mod audited;
 mod bounds;
 mod certify;
 mod constants;
-pub mod decimal;
 mod diagnostic;
 mod dimension;
-#[cfg(test)]
-mod exact_decimal;
 mod examples;
 mod failure;
 mod file;
@@ -67,6 +64,6 @@ pub use sweep::{Axis, Sweep, Values};
 pub use tautline::{
     LARGEST_N,
     certify::{Progress, Watch},
-    check, distance,
+    check, decimal, distance,
 };
 pub use tautline_portrait::{Scene, pdf, png, svg};

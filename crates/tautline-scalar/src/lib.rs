@@ -74,6 +74,9 @@
 //! No mathematical library is trusted. A [`FastInterval`] additionally relies on the functions of
 //! `pxfm` never being off by more than one unit in the last place.
 
+pub mod decimal;
+#[cfg(test)]
+mod exact_decimal;
 mod f64_on_the_left;
 mod float;
 mod interval;

@@ -133,7 +133,7 @@ pub use tautline_optimizers::{
     extrapolate, leading_constants, minimise, minimise_by_batches, minimise_in, minimise_watched,
     newton_step,
 };
-pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table};
+pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table, decimal};
 pub use tautline_sets::{
     AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
     Shape, Sphere, Union,

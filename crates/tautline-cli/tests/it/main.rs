@@ -1,7 +1,7 @@
 //! The command `tautline`, run as a user runs it.
 
 mod certificates;
-#[path = "../../../tautline-problem/src/exact_decimal.rs"]
+#[path = "../../../tautline-scalar/src/exact_decimal.rs"]
 mod exact_decimal;
 mod malformed;
 mod outputs;
