@@ -35,6 +35,23 @@ fn fewer_curves_than_those_below_hi_are_never_followed() {
     }
 }
 
+/// All curves shorter than 5/2 leave no cube, but those as long as 2 may leave the cubes themselves.
+#[test]
+fn no_more_than_hi_is_proved_whatever_is_kept() {
+    let sets = [point([0.5]), point([3.5])];
+    let region = Region::Declared { c1: 0.25 };
+    let functions: [Function<'_, 1>; 2] = [&|x| x[0] - 0.5, &|x| 3.5 - x[0]];
+    let Certificate { formula, sets, hi, levels, .. } =
+        one_level(formula("1 I"), sets, 2.0, region, -2, functions);
+    for keep in [2.0, 2.0_f64.next_up(), 2.5] {
+        let mut chain = Chain::new(&formula, &sets, hi, region).expect("a bound");
+        chain.add(&levels[0], keep).expect("the required cubes");
+        assert!(chain.is_closed(), "{keep}");
+        let (lower, proved) = (chain.lower(), chain.proved(None).expect("a level"));
+        assert_eq!((lower, proved.lower, proved.levels[0].1), (hi, hi, hi), "{keep}");
+    }
+}
+
 /// Only a curve that is shorter than `hi` shows that the corridor holds the shortest ones.
 #[test]
 fn a_curve_as_long_as_hi_is_refused() {

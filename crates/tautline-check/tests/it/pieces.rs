@@ -41,6 +41,26 @@ fn a_vertex_test_that_fails_at_a_corner_fails_on_the_cube() {
     proves_at_most(&found, primitive(0.3) - primitive(0.15));
 }
 
+/// The same with the cube turned round: `H` is least at the last corner, and the first one says nothing of
+/// it.
+#[test]
+fn where_the_vertex_test_fails_all_of_the_cube_counts() {
+    let phi = |x: &SVector<f64, 1>| 2.78 * (0.3 * (1.0 - x[0]) + 0.35 * (1.0 - x[0]).powi(2));
+    let sets = [point([0.85]), point([0.7])];
+    let metric = "(1 + 9*sqr(1 - x1)) I";
+    let found = on_cubes(metric, sets, 0.2, REGION, 0, &[[0]], [&phi, &|x| -phi(x)]);
+    let primitive = |x: f64| 0.5 * x * (1.0 + 9.0 * x * x).sqrt() + (3.0 * x).asinh() / 6.0;
+    assert!(found.is_ok(), "{found:?}");
+    proves_at_most(&found, primitive(0.3) - primitive(0.15));
+    // H is 10 at both corners, and no corner says anything of the middle, where it is 1.
+    let sets = [point([0.25]), point([0.75])];
+    let metric = "(1 + 144*(x1 - 0.5)^4) I";
+    let found = on_cubes(metric, sets, 0.9, REGION, 0, &[[0]], [&|x| x[0], &|x| -x[0]]);
+    assert!(found.is_ok(), "{found:?}");
+    // √(1 + 144u⁴) ≤ 1 + 72u⁴, whose integral over |u| ≤ 1/4 is below 0.5282.
+    proves_at_most(&found, 0.5282);
+}
+
 #[test]
 fn pieces_of_all_kinds_are_read_as_they_were_written() {
     let ball = Shape::Ball(Ball::new([3.0, 0.0], 0.25).expect("a radius"));
