@@ -271,6 +271,30 @@ mod tests {
         assert!(error(0.0) < 1e-7, "{:e}", error(0.0));
     }
 
+    /// Rays of the plane that meet at the arc length −1/4 have fronts of the radius `s + 1/4`, wherever the
+    /// samples begin.
+    #[test]
+    fn curvatures_are_those_at_an_arc_length_from_the_set() {
+        let flat = Formula::<2>::parse("1 I", &[]).expect("a formula");
+        for near in [0.0625, 0.25, 0.5] {
+            let start = (vector![near, 0.0], vector![1.0, 0.0]);
+            let rays = Calibration::integrate(
+                &flat,
+                start,
+                |h, _| h / near,
+                near - 0.25,
+                1.0 / 1024.0,
+                1200,
+            );
+            let rays = rays.expect("defined");
+            for s in [0.25, 0.375, 0.75] {
+                let curvature = rays.curvature(s)[(1, 1)];
+                // A step of the method of fourth order is 1/64 of the first radius, or less.
+                assert!((curvature * (s + 0.25) - 1.0).abs() < 1e-6, "{near} {s}: {curvature}");
+            }
+        }
+    }
+
     /// Under an anisotropic metric the foot is far from the nearest point of the geodesic.
     #[test]
     fn a_foot_far_from_the_nearest_point_is_found() {

@@ -150,6 +150,20 @@ mod tests {
         assert_eq!(tubes(&pole, &sets, &ends, 1.0), None);
     }
 
+    /// The curve leaves the first of two points, and the metric is smaller about the second.
+    #[test]
+    fn the_constant_holds_near_all_pieces_of_a_set() {
+        let slope = Formula::<2>::parse("(1.5 - tanh(x1 - 4)) I", &[]).expect("a formula");
+        let ends = [vector![0.0, 0.0], vector![0.0, 1.0]];
+        let from = Shape::Union(vec![point(ends[0].into()), point([8.0, 0.0])]);
+        let sets = [from, point(ends[1].into())];
+        // 1.5 − tanh 4 and less, about the second point; 1.5 + tanh 4 about the others.
+        match tubes(&slope, &sets, &ends, 1.6) {
+            Some(Region::Tubes { c1, .. }) => assert!(c1 > 0.4 && c1 < 0.501, "{c1}"),
+            other => panic!("{other:?}"),
+        }
+    }
+
     #[test]
     fn the_less_of_two_numbers_is_nan_if_one_of_them_is() {
         assert_eq!((least_of(1.0, 2.0), least_of(2.0, 1.0)), (1.0, 1.0));

@@ -124,3 +124,22 @@ fn a_front_from_a_small_ball_is_no_more_curved_than_one_from_a_point() {
     let bend = End::<2>::Box.bend(&vector![0.0, 0.0], &vector![1.0, 0.01], 0.25);
     assert_eq!((bend[(0, 0)], bend[(1, 1)]), (4.0, 0.0));
 }
+
+/// A ball of radius 0 is a point, alone or in a union: its sphere has no normal.
+#[test]
+fn rays_leave_a_ball_of_radius_0_as_they_leave_a_point() {
+    let flat = Formula::<2>::parse("1 I", &[]).expect("a formula");
+    let ends = [vector![0.0, 0.0], vector![1.0, 0.5]];
+    let [from, to] = ends.map(|x| Shape::Point(Point::new(x).expect("finite")));
+    let ball = Shape::Ball(Ball::new(ends[0], 0.0).expect("a radius"));
+    let union = Shape::Union(vec![side([-3.0, -3.0], [-2.0, -2.0]), ball.clone()]);
+    let geodesic = Geodesic::near(&flat, &ends).expect("a geodesic");
+    let values = |from: Shape<2>| {
+        let pencil = Pencil::along(&flat, &[from, to.clone()], &geodesic, 400).expect("rays");
+        let at = |t: f64| pencil.fans[0].value_near(&vector![t, 0.5 * t + 0.05]);
+        [0.1, 0.5, 0.9].map(at)
+    };
+    let expected = values(from);
+    assert!(expected.iter().all(|value| *value > 0.0), "{expected:?}");
+    assert_eq!([values(ball), values(union)], [expected; 2]);
+}

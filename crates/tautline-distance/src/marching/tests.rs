@@ -83,3 +83,22 @@ fn nodes_that_lack_their_neighbours_have_lengths_of_chords() {
         assert!(*value <= 1.5 * exact + 1.0, "{x} {value} {exact}");
     }
 }
+
+/// Each of two nodes without a metric has the value of its own side, whichever comes first in the order of
+/// the nodes: neither takes what the other has just got.
+#[test]
+fn nodes_in_a_hole_do_not_depend_on_their_order() {
+    let march = |holes: [f64; 2], seeds: [f64; 5]| {
+        let [a, b] = holes;
+        // Undefined at two nodes in a row.
+        let text = format!("(1 + 0*ln(sqr(x1 - {a})*sqr(x1 - {b}))) I");
+        let formula = Formula::<1>::parse(&text, &[]).expect("a formula");
+        let nodes = Nodes::new(&formula, &Cubes::new(1, vec![[0], [1]]).expect("in range"));
+        nodes.march(&formula, seeds.to_vec()).expect("seeds")
+    };
+    let none = f64::INFINITY;
+    let values = march([1.0, 2.0], [5.0, none, none, 0.0, none]);
+    assert_eq!(values, [5.0, 5.0, 0.0, 0.0, 1.0]);
+    let mirrored = march([2.0, 3.0], [none, 0.0, none, none, 5.0]);
+    assert_eq!(mirrored, [1.0, 0.0, 0.0, 5.0, 5.0]);
+}
