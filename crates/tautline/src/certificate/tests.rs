@@ -203,6 +203,10 @@ fn constants_on_a_region_are_refused() {
     let line = Problem::new(OnARegion, ends).solve(Trapezoidal, 16).expect("solved");
     assert_eq!(line.enclosure(), Err(BoundError::LocalConstants));
     assert_eq!(line.suggest_n(1.0), Err(BoundError::LocalConstants));
+    // Nor does a claim make them hold elsewhere.
+    let claim = Bounded::<2>::constants(&Valleys);
+    assert_eq!(line.enclosure_given(claim.on_a_region()), Err(BoundError::LocalConstants));
+    assert!(line.enclosure_given(claim).is_ok());
 }
 
 #[test]

@@ -81,6 +81,24 @@ fn a_longer_local_minimum_is_never_certified() {
     assert!(found.proved.lower > 4.6, "{}", found.proved.lower);
 }
 
+/// Above the hill there is a thin ridge across the way, between two nodes of the rule, which prefers that
+/// way. The certificate is that of the way below, which the search met too and which is shorter.
+#[test]
+fn the_curve_of_a_certificate_is_the_shortest_minimum() {
+    let text = "hill = 4*exp(-2*(x1^2 + x2^2)); ridge = exp(-(x1/0.15)^2)*(1 + tanh(8*x2)); \
+                cost(1 + hill + ridge)";
+    let metric = Formula::<2>::parse(text, &[]).expect("a formula");
+    let ends = Ends::points([-1.5, 0.1], [1.5, 0.1]).expect("finite");
+    let line = Problem::new(metric, ends).solve(Trapezoidal, 8).expect("solved");
+    let shortest = line.other_minima()[0].length().value;
+    assert!(shortest < 0.99 * line.length().value, "{shortest} {}", line.length().value);
+    // The chords are few enough for so large a gap.
+    let found = line.certificate(0.9).expect("a certificate");
+    // A proved length is known to one part in a thousand, or better.
+    let upper = found.proved.upper.expect("a curve");
+    assert!(upper < shortest * 1.002, "{upper} for {shortest}");
+}
+
 #[test]
 fn a_ball_and_a_half_space_are_ends() {
     let ball = Ball::new([-2.0, 0.3], 0.5).expect("a radius");
