@@ -101,9 +101,48 @@ fn in_words(diagnostic: &Diagnostic) -> String {
 
 #[cfg(test)]
 mod tests {
-    use tautline_problem::Failure;
+    use tautline_problem::{Answer, Estimated, Failure, OtherMinimum, Question};
 
     use super::{COLUMNS, Status, fields};
+
+    /// Each doubt alone is the reason why a problem is not solved.
+    #[test]
+    fn every_doubt_is_named() {
+        let file = "[metric]\nphi = \"1 + x1^2\"\n[from]\npoint = [0]\n[to]\npoint = [1]\n\
+                    [certify]\nbound = false\n";
+        let answer = Question::read(file).expect("a problem").solve(&mut |_| ()).expect("solved");
+        let with = |change: &dyn Fn(&mut Answer)| {
+            let mut answer = answer.clone();
+            change(&mut answer);
+            let (fields, status) = fields(&Ok(answer));
+            assert_eq!((COLUMNS[10], fields[10].as_str()), ("status", status.name()));
+            (status, fields[11].clone())
+        };
+        let solved = (Status::Solved, String::new());
+        assert_eq!(with(&|_| ()), solved);
+        assert_eq!(with(&|answer| answer.within_tolerance = Some(true)), solved);
+        let shorter = OtherMinimum {
+            length: Estimated { value: 0.99 * answer.length.value, error: 0.0 },
+            curve: answer.curve.clone(),
+        };
+        let doubtful = |reason: &str| (Status::Doubtful, reason.to_owned());
+        assert_eq!(
+            with(&|answer| answer.search.converged = false),
+            doubtful("the search did not end at a strict minimum")
+        );
+        assert_eq!(
+            with(&|answer| answer.other_minima.push(shorter.clone())),
+            doubtful("another minimum is shorter")
+        );
+        assert_eq!(
+            with(&|answer| answer.resolved = false),
+            doubtful("too few chords for the metric")
+        );
+        assert_eq!(
+            with(&|answer| answer.within_tolerance = Some(false)),
+            doubtful("the tolerance is not reached")
+        );
+    }
 
     #[test]
     fn a_reason_is_one_line() {
