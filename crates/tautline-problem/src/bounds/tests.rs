@@ -92,6 +92,23 @@ fn claims_that_are_attained_hold() {
     assert!(check(stretched, 1.0, 1e12 * (1.0 - 1e-8)).is_err());
 }
 
+/// `H` is 1 up to rounding at both ends of the curve, and 4 or 1/4 between them.
+#[test]
+fn claims_that_fail_inside_the_curve_are_refused() {
+    let sequence = PointSequence::straight([-8.0, 0.0], [8.0, 0.0], 64).expect("finite");
+    let check = |text: &str, c1, c2| {
+        let metric = Formula::<2>::parse(text, &[]).expect("a formula");
+        check_claims(Constants::new(c1, c2, 9.0).expect("constants"), &metric, &sequence)
+    };
+    let (hill, valley) = ("(1 + 3*exp(-x1^2)) I", "(1 - 0.75*exp(-x1^2)) I");
+    assert_eq!([check(hill, 1.0, 4.0), check(valley, 0.25, 1.0)], [Ok(()), Ok(())]);
+    // By steps of 1/4, the first point where H is above 3.
+    let why = check(hill, 1.0, 3.0).expect_err("H is 4 in the middle");
+    assert!(why.contains("the claim c2 = 3") && why.contains("H([-0.5, 0.0])"), "{why}");
+    let why = check(valley, 0.5, 1.0).expect_err("H is 1/4 in the middle");
+    assert!(why.contains("the claim c1 = 0.5") && why.contains("smaller"), "{why}");
+}
+
 #[test]
 fn a_shorter_curve_lowers_the_upper_bound_and_may_refute_the_minimum() {
     let beside = |lengths: &[f64]| bounds(ENCLOSURE).and_no_longer_than(lengths.iter().copied());

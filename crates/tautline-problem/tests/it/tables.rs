@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tautline::{Formula, Spline, Table};
-use tautline_problem::{Diagnostic, Question};
+use tautline_problem::{Diagnostic, Grid, Question};
 
 const GOOD: &str = "\
 [tables.h]
@@ -71,6 +71,39 @@ fn other_parameters_keep_the_tables() {
     let written = Question::read(&file.replace("a = 1", "a = 3")).expect("a file");
     assert_eq!(other.formula::<2>().expect("3"), written.formula::<2>().expect("3"));
     assert_ne!(other.formula::<2>().expect("3"), question.formula::<2>().expect("1"));
+}
+
+/// Two files whose formulas have the same text, since it calls tables by their numbers, have programs of
+/// their own: that of the other table has another length.
+#[test]
+fn programs_are_shared_only_with_the_same_tables() {
+    let [first, second] = [GOOD.to_owned(), GOOD.replace("[3, 4]", "[3, 5]")].map(|file| {
+        let mut question = Question::read(&file).expect("a file");
+        question.without_bounds();
+        question
+    });
+    let text = |question: &Question| question.formula::<2>().expect("a formula").to_string();
+    assert_eq!(text(&first), text(&second));
+    let programs = first.programs(None).expect("a formula");
+    let solved = |question: &Question, last| {
+        let programs = question.programs(last).expect("a formula");
+        question.solve_with(&programs).expect("solved").length
+    };
+    let [shared, own] = [Some(&programs), None].map(|last| solved(&second, last));
+    assert_eq!(shared, own);
+    assert_ne!(own, solved(&first, Some(&programs)));
+}
+
+/// What was asked for in place of the file is asked for with other parameters too.
+#[test]
+fn other_parameters_keep_the_grid_and_the_want_of_bounds() {
+    let file = format!("[parameters]\na = 1\n{GOOD}").replace("\"h(x1, x2)\"", "\"a*h(x1, x2)\"");
+    let mut question = Question::read(&file).expect("a file");
+    question.set_grid(Grid::Chords(7));
+    question.without_bounds();
+    let other = question.with_parameters(&[("a", 3.0)]).expect("a file");
+    let answer = other.solve(&mut |_| ()).expect("solved");
+    assert_eq!((answer.n, answer.bounds, answer.no_bounds), (7, None, None));
 }
 
 /// Three axes are those of a volume only if the file is no picture.

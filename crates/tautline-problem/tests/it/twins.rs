@@ -36,6 +36,16 @@ fn assert_twins<M: Metric<D>, R: Rule, const D: usize>(
     let numbers = [answer.discrete_energy, answer.length.value, answer.energy.value];
     let in_rust = [line.discrete_energy(), line.length().value, line.energy().value];
     assert_eq!(numbers.map(f64::to_bits), in_rust.map(f64::to_bits), "{name}");
+    if let Some(found) = &answer.extrapolated {
+        // An error e of the distance d is an error 2de of its square.
+        let square = line.distance_squared_estimate().expect("an estimate");
+        let (value, error) = (found.value.powi(2), 2.0 * found.value * found.error);
+        assert!((value / square.value - 1.0).abs() < 1e-15, "{name}: {found:?} {square:?}");
+        assert!(
+            (error - square.error).abs() <= 1e-15 * square.error,
+            "{name}: {found:?} {square:?}"
+        );
+    }
     assert_eq!(answer.search.residual.to_bits(), line.residual().to_bits(), "{name}");
     assert_eq!(answer.search.newton_steps, line.minimum().iterations, "{name}");
     let others: Vec<_> =
