@@ -55,7 +55,7 @@ def check(certificate, report=lambda line: None):
     lower, kept = 0.0, None
     for number, level in enumerate(c.levels):
         if number == 0:
-            required = required_cubes(c.region, c.sets, c.hi, level.exponent, c.dimension)
+            required = required_cubes(c.region, c.sets, c.hi, level.exponent, c.dimension, work)
         else:
             required = [following(kept, c.levels[number - 1].exponent - level.exponent)]
         for places in required:

@@ -47,13 +47,17 @@ def prove_tubes(formula, sets, hi, radius, c1, work=UNLIMITED):
             left += [(lo[:, part], hi_[:, part]) for part in batches(lo.shape[1], BATCH)]
 
 
-def required_cubes(region, sets, hi, exponent, n):
+def required_cubes(region, sets, hi, exponent, n, work=UNLIMITED):
     """The cubes that the first level has to contain, some at a time."""
     kind, *numbers = region
+
+    def seen(count):
+        work.spend(count * sum(map(len, sets)))
+
     if kind in ("exit-one", "exit-two"):
         for pieces in sets[: 1 if kind == "exit-one" else 2]:
             yield from cubes_near(
-                pieces, 0.0, exponent, n, lambda box: ~(distance_below(pieces, box) > 0)
+                (pieces, 0.0), exponent, n, lambda box: ~(distance_below(pieces, box) > 0), seen
             )
         return
     root = of(numbers[-1]).sqrt()
@@ -70,14 +74,15 @@ def required_cubes(region, sets, hi, exponent, n):
 
     bounded = [pieces for pieces in sets if bounding_box(pieces, n)]
     require(bounded, "no set is bounded")
-    yield from cubes_near(bounded[0], reach, exponent, n, near)
+    yield from cubes_near((bounded[0], reach), exponent, n, near, seen)
 
 
-def cubes_near(pieces, reach, exponent, n, near):
+def cubes_near(within, exponent, n, near, seen):
     """The cubes of side 2^exponent in the box within reach of a bounded set that are near.
 
-    Larger cubes are halved; one that is not near has no cube that is. Those found last are halved
+    `seen` is told how many cubes are looked at. Larger cubes are halved; one that is not near has no cube that is. Those found last are halved
     first, so that a file that lacks cubes is soon found out."""
+    pieces, reach = within
     around = bounding_box(pieces, n)
     require(around, "a set is unbounded that must be bounded")
     around = [side + Interval(-reach, reach) for side in around]
@@ -97,6 +102,7 @@ def cubes_near(pieces, reach, exponent, n, near):
     left = [(coarse, places)]
     while left:
         coarse, places = left.pop()
+        seen(len(places))
         box = [
             Interval(places[:, i] * 2.0**coarse, (places[:, i] + 1) * 2.0**coarse) for i in range(n)
         ]

@@ -98,8 +98,7 @@ impl Region {
         self.required_within(sets, hi, (exponent, MOST, &UNLIMITED))
     }
 
-    /// Does the same, given the exponent, if there are no more than so many cubes, also of those that
-    /// are larger.
+    /// Does the same, given the exponent, if there are no more than so many cubes.
     pub(crate) fn required_within<const D: usize>(
         &self,
         sets: [&Shape<D>; 2],
@@ -191,26 +190,30 @@ fn cubes_in<const D: usize>(
         let cube = lattice::cube(largest, place);
         meets(&cube) && counts(&cube)
     };
-    let mut left: Vec<Place<D>> = (0..4_usize.pow(D as u32))
+    let mut left: Vec<(i32, Place<D>)> = (0..4_usize.pow(D as u32))
         .map(|at| std::array::from_fn(|i| first(i) as i32 + (at >> (2 * i) & 3) as i32))
-        .filter(|place| required(largest, place))
+        .map(|place| (largest, place))
         .collect();
-    while largest > exponent {
-        largest -= 1;
-        let mut smaller = Vec::new();
-        for place in left.iter().flat_map(halves) {
-            work.go_on()?;
-            if required(largest, &place) {
-                smaller.push(place);
-            }
-            // No more are kept in memory than are needed to know that they are too many.
-            if smaller.len() > most {
-                return Err(CheckError::TooLarge { most });
-            }
+    let (mut found, mut seen) = (Vec::new(), 0);
+    // The halves of a cube come before the other cubes, so that few are kept in memory.
+    while let Some((size, place)) = left.pop() {
+        work.spend_seen()?;
+        seen += 1;
+        if !work.is_limited() && seen > (most << D).saturating_mul(2) {
+            return Err(CheckError::TooLarge { most });
         }
-        left = smaller;
+        if !required(size, &place) {
+            continue;
+        }
+        if size > exponent {
+            left.extend(halves(&place).map(|half| (size - 1, half)));
+        } else if found.len() < most {
+            found.push(place);
+        } else {
+            return Err(CheckError::TooLarge { most });
+        }
     }
-    Ok(left)
+    Ok(found)
 }
 
 /// Proves that curves shorter than `hi` stay in the tubes, and that `H ≥ c₁ I` there.

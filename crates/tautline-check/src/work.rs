@@ -68,6 +68,12 @@ impl<'g> Work<'g> {
         self.spend(cube.saturating_mul(count as u64))
     }
 
+    /// Pays for a cube, of any size, that is looked at in the search for those that the first level has to
+    /// contain.
+    pub(crate) fn spend_seen(&self) -> Result<(), CheckError> {
+        self.spend(self.pieces)
+    }
+
     /// Pays for a piece of a set that may meet a cube.
     pub(crate) fn spend_meeting<const D: usize>(&self, piece: &Shape<D>) -> Result<(), CheckError> {
         let functions = if matches!(piece, Shape::AxisBox(_)) { 2 * D } else { 1 };
@@ -94,10 +100,14 @@ impl<'g> Work<'g> {
     }
 
     /// Returns how many cubes are searched for that a first level of so many cubes has to contain. If
-    /// many more are required, it lacks one. The larger cubes, in which the search finds them, are hardly
-    /// more than they are.
+    /// many more are required, it lacks one.
     pub(crate) fn most_cubes<const D: usize>(&self, cubes: usize) -> usize {
-        if self.budget == u64::MAX { MOST } else { MOST.min(4 * cubes + (1 << (2 * D))) }
+        if self.is_limited() { MOST.min(4 * cubes + (1 << (2 * D))) } else { MOST }
+    }
+
+    /// Returns whether there is a budget.
+    pub(crate) fn is_limited(&self) -> bool {
+        self.budget < u64::MAX
     }
 }
 
@@ -194,9 +204,10 @@ mod tests {
         assert_eq!(work.budget, ALWAYS + FOR_A_NUMBER * 149);
         certificate.check_within(&work).expect("all cubes are there");
         let spent = work.spent.into_inner();
-        // Two chords; 12 cubes with 10 evaluations and 3 pieces; the point is in one cube, and the ball
-        // in another.
-        assert_eq!(spent, 2 * 6 * 11 + 12 * (10 * 11 + 3) + 128 * (1 + 1));
+        // Two chords; 16 cubes of side 2, of which those at (0, 0) and (0, -1) are halved; 12 cubes with
+        // 10 evaluations and 3 pieces; the point is in one cube, and the ball in another.
+        let seen = (16 + 2 * 4) * 3;
+        assert_eq!(spent, 2 * 6 * 11 + seen + 12 * (10 * 11 + 3) + 128 * (1 + 1));
     }
 
     /// The budget counts, and so does the last unit of it.

@@ -220,16 +220,40 @@ class Budget(unittest.TestCase):
         # Three lines, two pieces, each in or beside two cubes; the chord is one part.
         file, cubes = certificate()
         per_cube, near = (4 + 6) * 3 + 2, 2 * 2 * 64 * 2
+        # The search begins with 16 cubes of side 4. Those that would be required are halved.
+        halved = sum(len(required(1.0001, ENDS, larger, 0.999)) for larger in range(-2, 3))
+        near += (16 + 4 * halved) * 2
         work = self.spent(text(file))
         self.assertEqual(work.spent, cubes * per_cube + near + 6 * 3)
         self.assertEqual(work.budget, 2**24 + 2**16 * Certificate(text(file)).size)
         file, cubes = certificate(levels=2, curve=())
-        self.assertEqual(self.spent(text(file)).spent, 2 * (cubes * per_cube + near))
+        twice = 2 * (cubes * per_cube + near) - (16 + 4 * halved) * 2
+        self.assertEqual(self.spent(text(file)).spent, twice)
         # H ≥ c1 on the whole box of each tube: one box each.
         file, cubes = certificate(region=f"tubes {bits(0.51, 0.999)}")
         self.assertEqual(
             self.spent(text(file)).spent, cubes * per_cube + near + 6 * 3 + 2 * (3 + 2)
         )
+
+    def test_a_search_for_required_cubes_that_finds_none_ends(self):
+        # Curves shorter than hi, a little less than the distance, are in no cube of this side, but in
+        # more and more cubes of smaller and smaller sides.
+        ends = [("point", 0.0, 0.0), ("point", 1.0, 0.75)]
+        one = level(-25, [(0, 0)], [lambda x: 0.0] * 2)
+        file = lines(flat(2), ends, 1.25 * (1 - 2**-24), f"declared {bits(1.0)}", [one])
+        code, _, complained = ran(text(file))
+        self.assertEqual(code, 1)
+        self.assertIn("units of work", complained)
+
+    def test_more_large_cubes_may_be_looked_at_than_the_level_has(self):
+        # Between ends that are farther apart than hi no cube is required, but large cubes meet both.
+        one = level(-3, [(56,)], [lambda x: 0.0] * 2)
+        ends = [("point", 0.0), ("point", 3.0)]
+        file = lines(flat(1), ends, 2.0, f"declared {bits(1.0)}", [one])
+        for name, shift in (("to", 3), ("from", 0)):
+            at = next(n for n, line in enumerate(file) if line.startswith(name)) + 1
+            file[at:at] = [f"{name} point {bits(10 * k + shift)}" for k in range(1, 100)]
+        self.assertEqual(check.check(Certificate(text(file)))[0], 2.0)
 
     def test_each_near_piece_of_a_cube_is_counted_and_a_box_for_each_of_its_sides(self):
         metric, one = flat(3), level(0, [(0, 0, 0)], [lambda x: 0.0] * 2)
@@ -237,7 +261,7 @@ class Budget(unittest.TestCase):
         far = ("point", 5.0, 5.0, 5.0)
         for ends, near in (((box, box), 12), ((ball, box), 7), ((ball, ball), 2), ((ball, far), 1)):
             file = text(lines(metric, ends, 1e-3, f"declared {bits(9.0)}", [one]))
-            units = (8 + 10) * 3 + 2 + 64 * 6 * near
+            units = 64 * 2 + (8 + 10) * 3 + 2 + 64 * 6 * near
             self.assertEqual(self.spent(file).spent, units, ends)
 
     def test_there_are_at_most_1024_tables(self):

@@ -73,6 +73,37 @@ fn many_pieces_and_a_wide_region_are_refused_soon() {
     assert!(matches!(refused, CheckError::TooLarge { .. }), "{refused}");
 }
 
+/// Curves shorter than `hi`, a little less than the distance, are in no cube of the level's side, but in more
+/// and more cubes of smaller and smaller sides.
+#[test]
+fn a_search_for_required_cubes_that_finds_none_ends() {
+    let sets = [point([0.0, 0.0]), point([1.0, 0.75])];
+    let cubes = tautline_check::Cubes::new(-25, vec![[0, 0]]).expect("in range");
+    let levels = vec![level(0, &cubes, [&|_| 0.0, &|_| 0.0])];
+    let region = Region::Declared { c1: 1.0 };
+    let hi = 1.25 * (1.0 - 0.5_f64.powi(24));
+    let certificate =
+        Certificate { formula: formula("1 I"), sets, hi, region, curve: None, levels };
+    let refused = soon(&certificate.to_string());
+    assert!(matches!(refused, CheckError::Work { .. }), "{refused}");
+}
+
+/// Between ends that are farther apart than `hi` no cube is required, but large cubes meet both: there may be
+/// more of those than the level has.
+#[test]
+fn more_large_cubes_may_be_looked_at_than_the_level_has() {
+    let comb = |shift: f64| {
+        Shape::Union((0..100).map(|k| point([10.0 * f64::from(k) + shift, 0.0])).collect())
+    };
+    let sets = [comb(0.0), comb(3.0)];
+    let cubes = tautline_check::Cubes::new(-3, vec![[56, 0]]).expect("in range");
+    let levels = vec![level(0, &cubes, [&|_| 0.0, &|_| 0.0])];
+    let region = Region::Declared { c1: 1.0 };
+    let certificate =
+        Certificate { formula: formula("1 I"), sets, hi: 2.0, region, curve: None, levels };
+    assert_eq!(certificate.check().map(|proved| proved.lower), Ok(2.0));
+}
+
 /// All pieces meet all cubes.
 #[test]
 fn pieces_that_meet_all_cubes_cost_their_work() {
