@@ -71,29 +71,33 @@ pub(crate) type Values = [Vec<f64>; 2];
 
 impl<const D: usize> Search<'_, D> {
     /// Returns values at the nodes of the cubes, all of them finite. Returns `None` if there are no
-    /// rays for them, no node near a set has a metric, or a ray gives a value that is not finite.
-    /// `marched` keeps the nodes of a march for the next one.
+    /// rays for them, no node near a set has a metric, a ray gives a value that is not finite, or a march
+    /// lacks places around the cubes. `marched` keeps the nodes of a march for the next one.
     pub(crate) fn propose(
         &self,
         cubes: &Cubes<D>,
         source: Source,
         marched: &mut Option<Nodes<D>>,
-    ) -> Result<Option<Values>, DistanceError> {
+    ) -> Option<Values> {
         if source != Source::March && self.pencils.is_empty() {
-            return Ok(None);
+            return None;
         }
         if matches!(source, Source::Rays | Source::Fans) {
-            let Some(values) = self.along_rays(cubes, source) else { return Ok(None) };
+            let values = self.along_rays(cubes, source)?;
             let is_finite = values.iter().flatten().all(|value| value.is_finite());
-            return Ok(is_finite.then_some(values));
+            return is_finite.then_some(values);
         }
         let nodes = match marched.take() {
             Some(nodes) => nodes,
-            None => Nodes::new(self.formula, &dilated(cubes, dilation(D))?),
+            None => {
+                // Next to the farthest places there is no room around the cubes.
+                let around = dilated(cubes, dilation(D)).ok()?;
+                Nodes::new(self.formula, &around)
+            }
         };
         let values = self.marched(&nodes, &cubes.nodes(), source);
         *marched = Some(nodes);
-        Ok(values)
+        values
     }
 
     /// Returns the values of a march at some of its nodes; `None` if there is a set near which no node has

@@ -168,8 +168,8 @@ impl<const D: usize> Search<'_, D> {
                 break Ended::TooManyCubes;
             }
             cubes += next.places().len();
-            let (level, next) =
-                self.next_level(&chain, next, (levels.len(), wanted.gap), &mut lost)?;
+            let proposed = self.next_level(&chain, next, (levels.len(), wanted.gap), &mut lost)?;
+            let Some((level, next)) = proposed else { break Ended::TooFar };
             pace.add(self.gap(&chain), self.gap(&next));
             chain = next;
             levels.push(level);
@@ -217,7 +217,8 @@ impl<const D: usize> Search<'_, D> {
         (self.length - chain.lower()) / self.length
     }
 
-    /// Returns the best level on these cubes of those that are proposed, and the proof with it. Sources
+    /// Returns the best level on these cubes of those that are proposed, and the proof with it; `None` if
+    /// there are no values, since so far from the origin no cubes have room around them. Sources
     /// that `lost` at the level before are tried last; then it has those that lose at this one.
     fn next_level<'c>(
         &self,
@@ -225,7 +226,7 @@ impl<const D: usize> Search<'_, D> {
         cubes: Cubes<D>,
         (number, wanted): (usize, f64),
         lost: &mut Vec<Source>,
-    ) -> Result<(Level<D>, Chain<'c, D>), DistanceError> {
+    ) -> Result<Option<(Level<D>, Chain<'c, D>)>, DistanceError> {
         let before = self.gap(chain);
         // Slopes above 1 cost less than slopes below 1.
         let scale = 1.0 + 0.3 * before.min(0.01);
@@ -247,7 +248,7 @@ impl<const D: usize> Search<'_, D> {
         }
         sources.sort_by_key(|source| lost.contains(source));
         for source in sources {
-            let Some(values) = self.propose(&cubes, source, &mut marched)? else { continue };
+            let Some(values) = self.propose(&cubes, source, &mut marched) else { continue };
             let values = values.map(|values| scaled(values, scale));
             let level =
                 Level::new(number, cubes.clone(), values).map_err(DistanceError::Refused)?;
@@ -273,7 +274,7 @@ impl<const D: usize> Search<'_, D> {
         lost.extend(
             gaps.into_iter().filter(|&(_, gap)| gap > LOST * least).map(|(source, _)| source),
         );
-        best.ok_or(DistanceError::NoValues { level: number })
+        Ok(best)
     }
 }
 
