@@ -4,13 +4,14 @@ use std::{ops::ControlFlow, sync::Arc};
 
 use nalgebra::SVector;
 use tautline_bounds::{Enclosure, FromBelow};
+use tautline_certify::AdmissibleCurve;
 use tautline_check::{CheckError, length_above};
-use tautline_discretizations::{Rule, Trapezoidal};
+use tautline_discretizations::{PointSequence, Rule, Trapezoidal};
 use tautline_distance::{DistanceError, Found, Progress, Wanted, search};
 use tautline_formula::{Formula, RecordError};
-use tautline_metrics::{Metric, is_gram};
+use tautline_metrics::Metric;
 use tautline_optimizers::{Options, SolveError, Starts, Stop, Workspace, minimise_by_batches};
-use tautline_sets::{Shape, proved_common_point};
+use tautline_sets::{Ends, Shape, proved_common_point};
 
 use crate::TautLine;
 
@@ -158,7 +159,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         Ok(search(&formula, &sets, &curves, wanted, observe)?)
     }
 
-    /// Returns a point that is proved to be a member of both sets, where the metric is defined, in `ℓ`.
+    /// Returns a point that is proved to be a member of both sets, where the metric is proved to be positive
+    /// definite, in `ℓ`.
     /// Then the distance is 0.
     ///
     /// The result is `None` if the search did not end where the sets
@@ -174,7 +176,14 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         let shared = self.ends().pairs().find_map(|(a, b)| {
             [first, last].into_iter().find_map(|x| proved_common_point(&*a, &*b, x))
         });
-        shared.filter(|x| is_gram(&self.metric().gram(x)))
+        shared.filter(|x| self.is_proved_metric_at(x))
+    }
+
+    /// Returns whether the metric is proved to be positive definite at a point.
+    fn is_proved_metric_at(&self, x: &SVector<f64, D>) -> bool {
+        let (ends, curve) = (Ends::points(*x, *x), PointSequence::new(vec![*x, *x]));
+        let (Ok(ends), Ok(curve)) = (ends, curve) else { return false };
+        AdmissibleCurve::new(self.metric(), &curve, &ends).is_ok()
     }
 
     /// Returns a chord from a member of the first set to one of the second next to the ends of this line,

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use tautline::{
     Ball, CertificateError, Ends, Formula, HalfSpace, KnownDistance, Metric, Options,
-    PointSequence, Problem, Sphere, Starts, Trapezoidal,
+    Point, PointSequence, Problem, Sphere, Starts, Trapezoidal,
     certify::Accuracy,
     check::AnyCertificate,
     distance::{Ended, Found, Wanted},
@@ -247,4 +247,17 @@ fn points_an_ulp_apart_do_not_touch() {
     let length = near.length();
     assert!(length.value + length.error >= d * (1.0 - 1e-15), "{length:?}");
     assert!(line(1.0).common_point().is_some());
+}
+
+/// A common point proves the distance 0 only under a metric. In doubles this `H` is 0.5, exactly it is −0.4.
+#[test]
+fn a_common_point_without_a_metric_is_no_proof() {
+    let formula = |text: &str| Formula::<1>::parse(text, &[]).expect("a formula");
+    let line = |text: &str| {
+        let ball = Ball::new([-1.0], 0.5).expect("a ball");
+        let ends = Ends::new(Point::new([-0.9]).expect("finite"), ball).expect("bounded");
+        Problem::new(formula(text), ends).solve(Trapezoidal, 4).expect("solved")
+    };
+    assert_eq!(line("0.5 I").common_point(), Some([-0.9].into()));
+    assert_eq!(line("(((x1 + 1e16) - 1e16) + 0.5) I").common_point(), None);
 }
