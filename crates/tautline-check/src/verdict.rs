@@ -2,6 +2,8 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use tautline_scalar::{Interval, decimal::up_to};
+
 use crate::{AnyCertificate, Certificate, CheckError, Proved};
 
 /// What a certificate proves, whatever its dimension.
@@ -73,9 +75,14 @@ impl Display for Verdict {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let lower = not_above(self.lower);
         writeln!(f, "lower bound  {lower:.17e}  no curve between the sets is shorter")?;
-        if let (Some(upper), Some(gap)) = (self.upper, self.gap) {
+        if let Some(upper) = self.upper {
             writeln!(f, "upper bound  {:.17e}  the length of the curve", not_below(upper))?;
-            writeln!(f, "gap          {gap:.2e}  (upper - lower)/upper")?;
+            let gap = match upper {
+                0.0 => 0.0,
+                _ => ((Interval::point(upper) - self.lower) / Interval::point(upper)).hi(),
+            };
+            let gap = up_to(gap, 3);
+            writeln!(f, "gap          {gap}  (upper - lower)/upper")?;
             let (cubes, side) = self.corridor;
             writeln!(f, "corridor     {cubes} cubes of side {side:e} hold every shortest curve")?;
         }
@@ -121,5 +128,21 @@ mod tests {
         assert!(lower.as_str() < "1.0000019073486328125", "{lower}");
         assert!(upper.as_str() > "1.0000019073486328125", "{upper}");
         assert!(lower.starts_with("1.00000190734863") && upper.starts_with("1.00000190734863"));
+        assert!(text.contains("\ngap          0.00e0  "), "{text}");
+    }
+
+    /// To nearest it would be 1.23e-4, less than the gap.
+    #[test]
+    fn a_printed_gap_is_rounded_up() {
+        let verdict = Verdict {
+            statement: String::new(),
+            lower: 1.0 - 1.234e-4,
+            upper: Some(1.0),
+            gap: Some(1.234e-4),
+            declared: None,
+            corridor: (1, 0.5),
+            levels: Vec::new(),
+        };
+        assert!(verdict.to_string().contains("\ngap          1.24e-4  "), "{verdict}");
     }
 }

@@ -13,7 +13,11 @@ use std::{
 };
 
 use indicatif::{ProgressBar, ProgressStyle};
-use tautline_problem::{Progress, Watch, distance};
+use tautline_problem::{
+    Progress, Watch,
+    decimal::{shortly_down, shortly_up},
+    distance,
+};
 
 use crate::error::CommandError;
 
@@ -22,6 +26,9 @@ const STACK: usize = 64 << 20;
 
 /// How often the line on the terminal is renewed.
 const TICK: Duration = Duration::from_millis(100);
+
+/// The digits of what is proved so far.
+const DIGITS: usize = 5;
 
 /// How long a proof may take to end once time has run out. A round of boxes takes less.
 const GRACE: Duration = Duration::from_secs(1);
@@ -36,7 +43,8 @@ pub(crate) struct Clock {
 impl Watch for Clock {
     fn goes_on(&self, Progress { quantity, boxes, bound, value }: Progress) -> bool {
         let (least, most) = if bound < value { (bound, value) } else { (value, bound) };
-        self.shows(format!("proving {quantity}: {least:.4} to {most:.4} after {boxes} boxes"))
+        let (least, most) = (shortly_down(least, DIGITS), shortly_up(most, DIGITS));
+        self.shows(format!("proving {quantity}: {least} to {most} after {boxes} boxes"))
     }
 }
 
@@ -44,8 +52,9 @@ impl Clock {
     /// Returns whether a search for a certificate goes on to its next level.
     pub(crate) fn next_level(&self, progress: distance::Progress) -> ControlFlow<()> {
         let distance::Progress { cubes, lower, upper, .. } = progress;
-        let goes_on = self
-            .shows(format!("proving the distance: {lower:.4} to {upper:.4} after {cubes} cubes"));
+        let (lower, upper) = (shortly_down(lower, DIGITS), shortly_up(upper, DIGITS));
+        let goes_on =
+            self.shows(format!("proving the distance: {lower} to {upper} after {cubes} cubes"));
         if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 

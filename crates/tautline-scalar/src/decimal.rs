@@ -48,7 +48,7 @@ pub fn one_digit_up(x: f64) -> String {
     up_to(x, 1)
 }
 
-/// Returns a number to so many significant digits with an exponent, rounded up.
+/// Returns a number to so many significant digits, at least one, with an exponent, rounded up.
 #[must_use]
 pub fn up_to(x: f64, digits: usize) -> String {
     if !x.is_finite() {
@@ -97,6 +97,7 @@ fn directed(x: f64, digits: usize, towards: Towards) -> String {
 /// the decimal with the first ones is nearer to 0; away from 0 lies the next one.
 fn cut(x: f64, count: usize, towards: Towards) -> (Vec<u8>, i32) {
     let (mut digits, mut exponent) = parts(&format!("{x:.*e}", ALL - 1));
+    let count = count.max(1);
     let has_rest = digits.iter().skip(count).any(|digit| *digit != 0);
     digits.truncate(count);
     let away = (x < 0.0) == (towards == Towards::Below);
@@ -181,6 +182,12 @@ mod tests {
         nearest, one_digit_up, places_up, rounded_down, rounded_up, shortly_down, shortly_up, up_to,
     };
     use crate::exact_decimal::{compare, exact};
+
+    #[test]
+    fn a_decimal_has_a_digit_at_least() {
+        assert_eq!(up_to(0.5, 0), up_to(0.5, 1));
+        assert_eq!((shortly_up(0.45, 0), shortly_down(-0.45, 0)), ("0.5".into(), "-0.5".into()));
+    }
 
     #[test]
     fn decimals_are_compared_exactly() {

@@ -50,6 +50,22 @@ fn a_proof_and_a_refusal_have_exit_codes() {
     assert!(code == Some(2) && error.starts_with("usage"), "{error}");
 }
 
+/// A name of a file is bytes.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_may_have_a_name_that_is_not_unicode() {
+    use std::os::unix::ffi::OsStringExt;
+    let name = std::ffi::OsString::from_vec(b"missing-\xff.cert".to_vec());
+    let (code, out, error) = said(&program().arg(&name).output().expect("the program"));
+    assert!(code == Some(2) && out.is_empty() && error.starts_with("missing-"), "{code:?} {error}");
+    let path = std::env::temp_dir().join(&name);
+    fs::write(&path, BASE.certificate.to_string()).expect("a temporary file");
+    let output = program().arg(&path).output();
+    let _ = fs::remove_file(&path);
+    let (code, out, _) = said(&output.expect("the program"));
+    assert!(code == Some(0) && out.contains("lower bound"), "{code:?} {out}");
+}
+
 /// What was not checked is not proved, and not refused either.
 #[test]
 fn a_limit_of_time_ends_the_check_and_says_what_was_not_checked() {
