@@ -1,5 +1,6 @@
 //! The command `tautline`, run as a user runs it.
 
+mod audit;
 mod certificates;
 #[path = "../../../tautline-scalar/src/exact_decimal.rs"]
 mod exact_decimal;
