@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use tautline::{
-    Ball, CertificateError, Ends, Formula, HalfSpace, KnownDistance, Metric, Options,
-    Point, PointSequence, Problem, Sphere, Starts, Trapezoidal,
+    Ball, CertificateError, Ends, Formula, HalfSpace, KnownDistance, Metric, Options, Point,
+    PointSequence, Problem, Sphere, Starts, Trapezoidal,
     certify::Accuracy,
     check::AnyCertificate,
     distance::{Ended, Found, Wanted},
