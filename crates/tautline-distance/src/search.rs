@@ -188,6 +188,9 @@ impl<const D: usize> Search<'_, D> {
 
     /// Returns whether a cube may meet a piece of a set from which no rays start.
     fn meets_others(&self, cubes: &Cubes<D>) -> bool {
+        if self.sets.iter().all(|set| set.pieces().len() == 1) {
+            return false;
+        }
         let half = 0.5 * cubes.side();
         let reach = half * (D as f64).sqrt();
         let centre = |place| point::<D>(place, cubes.side()).add_scalar(half);

@@ -3,6 +3,8 @@
 use nalgebra::SVector;
 use tautline_scalar::{Interval, Scalar};
 
+use crate::proof::power_of_two;
+
 /// Returns an upper bound on `|v|`, in the unit of `v`, that is tight up to some roundings; NaN if a
 /// coordinate is undefined.
 pub(crate) fn norm_above<const D: usize>(v: &SVector<Interval, D>) -> f64 {
@@ -14,8 +16,8 @@ pub(crate) fn norm_above<const D: usize>(v: &SVector<Interval, D>) -> f64 {
     if !largest.is_finite() || sizes.iter().filter(|&&size| size > 0.0).count() < 2 {
         return largest;
     }
-    // A power of two below the largest size, so that scaling is exact unless a size gets subnormal.
-    let scale = f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE);
+    // Scaling is exact unless a size gets subnormal.
+    let scale = power_of_two(largest);
     let scaled = sizes.map(|size| {
         let by_scale = size * (1.0 / scale);
         if by_scale >= f64::MIN_POSITIVE { by_scale } else { by_scale.next_up() }

@@ -94,7 +94,7 @@ fn programs_are_shared_only_with_the_same_tables() {
     assert_ne!(own, solved(&first, Some(&programs)));
 }
 
-/// What was asked for in place of the file is asked for with other parameters too.
+/// The caller overrides the file: seven chords, no bounds. With other parameters the question keeps both.
 #[test]
 fn other_parameters_keep_the_grid_and_the_want_of_bounds() {
     let file = format!("[parameters]\na = 1\n{GOOD}").replace("\"h(x1, x2)\"", "\"a*h(x1, x2)\"");
