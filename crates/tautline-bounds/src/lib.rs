@@ -83,11 +83,14 @@
 //!
 //! Values are computed in `f64`, rounded to nearest, with a relative error below `10⁻¹³` unless
 //! they underflow. This is accurate enough to compare and plot bounds, but it certifies nothing in
-//! the last digits. For proofs, [`enclose_outward`], [`strict_convexity_outward`],
-//! [`convex_excess_outward`] and [`reach_outward`] evaluate the same formulas in intervals, with
-//! outward rounding: what they return is a bound to the last digit. On overflow the result is `+∞`, and an argument may be the `+∞` of an earlier
+//! the last digits. On overflow the result is `+∞`, and an argument may be the `+∞` of an earlier
 //! overflow. If `L_H = M_H = 0` or `d = 0`, every bound on an error of a minimiser's energy is
 //! exactly `0`, whatever the other inputs. No bound is NaN, and no bound on an error is negative.
+//!
+//! For proofs, [`enclose_outward`], [`strict_convexity_outward`], [`convex_excess_outward`] and
+//! [`reach_outward`] evaluate the same formulas in intervals, with outward rounding: what they return
+//! is a bound to the last digit. Where intervals overflow or decide nothing, nothing is proved: no
+//! strict convexity, or an infinite reach.
 //!
 //! # Features
 //!

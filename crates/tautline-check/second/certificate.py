@@ -4,6 +4,7 @@ import hashlib
 import itertools
 import math
 import re
+from fractions import Fraction
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from table import Table
 # The greatest coordinate of a cube, in sides.
 FARTHEST = 1 << 28
 
-MOST_TABLES = 1024
+MOST_TABLES, MOST_LINES = 1024, 500_000
 
 
 class Lines:
@@ -54,6 +55,12 @@ def doubles(words):
     return values
 
 
+def is_half_space(normal, offset):
+    """Whether there is a normal, and the offset is at most 2^1000 times as large. Both are exact."""
+    largest = Fraction(np.abs(normal).max())
+    return largest > 0 and abs(Fraction(offset)) <= 2**1000 * largest
+
+
 class Certificate:
     def __init__(self, text):
         lines = Lines(text)
@@ -69,9 +76,11 @@ class Certificate:
             shape, numbers = tables[-1].coefficients.shape, tables[-1].coefficients
             digest = hashlib.sha256(numbers.astype("<f8").tobytes()).hexdigest()
             self.statement.append(f"table {' '.join(map(str, shape))} sha256 {digest}")
+        require(len(set(self.statement)) == len(tables), "two tables are equal")
         start = lines.at
         count = integer(lines.word("metric"))
         require(1 <= count <= len(lines.lines), "the formula has no lines")
+        require(count <= MOST_LINES, f"the formula has more than {MOST_LINES} lines")
         self.formula = Formula(
             [lines.next("(.*)")[0] for _ in range(count)], self.dimension, tables
         )
@@ -122,12 +131,13 @@ class Certificate:
             self.size += len(x)
             sizes = {"point": n, "ball": n + 1, "box": 2 * n, "half-space": n + 1}
             valid = sizes.get(kind) == len(x)
-            valid = (
-                valid and (kind != "ball" or x[n] >= 0) and (kind != "half-space" or x[:n].any())
+            valid = valid and (
+                kind == "point"
+                or (kind == "ball" and x[n] >= 0)
+                or (kind == "box" and (x[:n] <= x[n:]).all())
+                or (kind == "half-space" and is_half_space(x[:n], x[n]))
             )
-            require(
-                valid and (kind != "box" or (x[:n] <= x[n:]).all()), f"no valid set: {kind[:60]!r}"
-            )
+            require(valid, f"no valid set: {kind[:60]!r}")
             pieces.append((kind, x))
         require(pieces, f"there is no set {name!r}")
         return pieces

@@ -108,38 +108,23 @@ def main(arguments):
         limit = None
     if len(arguments) != 1 or arguments[0].startswith("-"):
         return ended(2, USAGE)
-    (path,) = arguments
+    checked = []
     try:
         if limit is not None:
             start_clock(limit)
-        with open(path, encoding="utf-8", newline="") as file:
-            text = file.read()
-    except (OSError, ValueError) as reason:
-        return ended(2, f"{path}: {reason}")
-    except OutOfTime:
-        return ended(2, "not checked in the time: nothing is proved")
-    checked = []
-    try:
-        test_rounding()
-        certificate = Certificate(text)
-        lower, upper_bound = check(certificate, checked.append)
+        code, said = attempt(*arguments, checked)
         # What is proved is printed even if the time is over now.
         signal.setitimer(signal.ITIMER_REAL, 0)
+    except ValueError as reason:
+        return ended(2, str(reason))
     except OutOfTime:
         done = "".join(f"\nchecked: {line}" for line in checked)
-        return ended(
-            2, f"not checked in the time: what follows is neither proved nor refused{done}"
-        )
-    except MemoryError:
-        return ended(2, "not checked: there is not enough memory")
-    except Refused as reason:
-        return ended(1, f"refused: {reason}")
-    except Exception as error:
-        # A mistake of this program proves nothing.
-        return ended(1, f"refused: an error in the checker: {type(error).__name__}: {error}")
-    said = [*checked, *statement(certificate, lower, upper_bound)]
+        code = 2
+        said = f"not checked in the time: what follows is neither proved nor refused{done}"
+    if code != 0:
+        return ended(code, said)
     try:
-        print("\n".join(said), flush=True)
+        print(said, flush=True)
     except BrokenPipeError:
         # A reader that has seen enough closes the pipe.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -148,13 +133,39 @@ def main(arguments):
     return 0
 
 
+def attempt(path, checked):
+    """The exit code, and what is proved or why nothing is. All but OutOfTime is caught."""
+    try:
+        with open(path, encoding="utf-8", newline="") as file:
+            text = file.read()
+    except (OSError, ValueError) as reason:
+        return 2, f"{path}: {reason}"
+    try:
+        test_rounding()
+        certificate = Certificate(text)
+        bounds = check(certificate, checked.append)
+        return 0, "\n".join([*checked, *statement(certificate, *bounds)])
+    except OutOfTime:
+        raise
+    except MemoryError:
+        return 2, "not checked: there is not enough memory"
+    except Refused as reason:
+        return 1, f"refused: {reason}"
+    except Exception as error:
+        # A mistake of this program proves nothing.
+        return 1, f"refused: an error in the checker: {type(error).__name__}: {error}"
+
+
 def start_clock(limit):
     """Raises OutOfTime after so many seconds."""
 
     def stop(*_):
         raise OutOfTime
 
-    seconds = float(limit)
+    try:
+        seconds = float(limit)
+    except ValueError:
+        seconds = math.nan
     if not 0 < seconds < math.inf:
         raise ValueError(f"{limit!r} is no number of seconds")
     signal.signal(signal.SIGALRM, stop)

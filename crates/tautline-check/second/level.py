@@ -1,10 +1,14 @@
 """One level: cubes of one side, and two numbers at each of their nodes."""
 
 import itertools
+import math
 
 import numpy as np
 
 from refused import require
+
+# The most places in a box around the cubes.
+WIDEST = 1 << 48
 
 
 class Level:
@@ -15,8 +19,11 @@ class Level:
         self.dimension = cubes.shape[1]
         require(len(cubes), "a level has no cubes")
         self.low = cubes.min(axis=0)
-        self.extent = cubes.max(axis=0) - self.low + 3
-        require(np.prod(2.0 * self.extent + 3) < 2**62, "the cubes of a level are too far apart")
+        widths = cubes.max(axis=0) - self.low + 1
+        # So the keys below have less than 64 bits.
+        apart = math.prod(widths.tolist()) > WIDEST
+        require(not apart, "a box around the cubes of a level has more than 2^48 places")
+        self.extent = widths + 2
         _, self.nodes = self.numbers(2)
         found = self.nodes.max(initial=-1) + 1
         require(found == len(values), f"{len(values)} pairs of values for {found} nodes")

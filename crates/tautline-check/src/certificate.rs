@@ -9,8 +9,15 @@ use crate::{
     polygon::length_within,
     region::MOST,
     sweep::Sweep,
-    work::{UNLIMITED, Work},
+    work::{UNLIMITED, Work, lines},
 };
+
+/// The most lines of a formula. No reader has to know formulas of any length.
+const MOST_LINES: usize = 500_000;
+
+/// How many times as large as its normal the offset of a half-space may be: `2¹⁰⁰⁰`. The quotient is then
+/// a double.
+const FARTHEST_WALL: f64 = f64::from_bits((1023 + 1000) << 52);
 
 /// A certificate of the distance between two sets under a metric.
 ///
@@ -132,8 +139,10 @@ impl<'c, const D: usize> Chain<'c, D> {
     /// # Errors
     ///
     /// [`CheckError::Bound`] unless `hi` is positive and finite, [`CheckError::Dimension`] in more
-    /// than four dimensions, [`CheckError::Halves`] if two entries of the matrix that mirror each other
-    /// are different steps, and the errors of [`Region::prove`].
+    /// than four dimensions, [`CheckError::Formula`] for more than 500,000 lines, [`CheckError::Halves`]
+    /// if two entries of the matrix that mirror each other are different steps,
+    /// [`CheckError::HalfSpace`] if one has an offset above `2¹⁰⁰⁰` times its normal, and the errors of
+    /// [`Region::prove`].
     pub fn new(
         formula: &'c Formula<D>,
         sets: &'c [Shape<D>; 2],
@@ -155,6 +164,16 @@ impl<'c, const D: usize> Chain<'c, D> {
         }
         if !(hi > 0.0 && hi.is_finite()) {
             return Err(CheckError::Bound { hi });
+        }
+        if lines(formula) > MOST_LINES {
+            return Err(CheckError::Formula { lines: lines(formula), most: MOST_LINES });
+        }
+        for piece in sets.iter().flat_map(Shape::pieces) {
+            let Shape::HalfSpace(wall) = piece else { continue };
+            let (normal, offset) = wall.given();
+            if offset.abs() > FARTHEST_WALL * normal.amax() {
+                return Err(CheckError::HalfSpace { offset, normal: normal.amax() });
+            }
         }
         let mut pairs = (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j)));
         let differ = pairs.find(|&(i, j)| formula.entry(i, j) != formula.entry(j, i));

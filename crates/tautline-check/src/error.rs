@@ -32,6 +32,25 @@ pub enum CheckError {
         /// Its place along one axis, in sides.
         place: i32,
     },
+    /// The cubes of a level are too far from each other.
+    #[error("a box around the cubes of a level has more than 2^48 places")]
+    Apart,
+    /// The formula is too long.
+    #[error("the formula has {lines} lines: at most {most} are allowed")]
+    Formula {
+        /// The number of lines.
+        lines: usize,
+        /// The most lines.
+        most: usize,
+    },
+    /// The offset of a half-space is too large for its normal.
+    #[error("a half-space with the offset {offset:e} and a normal of at most {normal:e}: too far")]
+    HalfSpace {
+        /// The offset.
+        offset: f64,
+        /// The largest magnitude of a coordinate of the normal.
+        normal: f64,
+    },
     /// A set is too far from the origin for cubes of this size.
     #[error("cubes of side 2^{exponent} near the sets are too far from the origin: move it")]
     TooFar {

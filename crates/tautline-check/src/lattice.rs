@@ -16,6 +16,9 @@ const EXPONENTS: std::ops::RangeInclusive<i32> = -200..=200;
 /// The greatest coordinate of a place.
 const FARTHEST: i32 = 1 << 28;
 
+/// The most places in a box around all cubes. So a checker can number the nodes with 64 bits.
+const WIDEST: u128 = 1 << 48;
+
 /// A finite set of cubes, all of side `2ᵉ`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cubes<const D: usize> {
@@ -29,7 +32,8 @@ impl<const D: usize> Cubes<D> {
     ///
     /// # Errors
     ///
-    /// [`CheckError::Side`] or [`CheckError::Place`] if a side or a place is out of range.
+    /// [`CheckError::Side`] or [`CheckError::Place`] if a side or a place is out of range;
+    /// [`CheckError::Apart`] if a box around all cubes has more than `2⁴⁸` places.
     pub fn new(exponent: i32, mut places: Vec<Place<D>>) -> Result<Self, CheckError> {
         if !EXPONENTS.contains(&exponent) {
             return Err(CheckError::Side { exponent });
@@ -37,6 +41,14 @@ impl<const D: usize> Cubes<D> {
         let far = |&k: &i32| !(-FARTHEST..=FARTHEST).contains(&k);
         if let Some(&place) = places.iter().flatten().find(|k| far(k)) {
             return Err(CheckError::Place { place });
+        }
+        let width = |i: usize| {
+            let along = || places.iter().map(|place| i64::from(place[i]));
+            along().max().zip(along().min()).map_or(0, |(most, least)| most - least + 1)
+        };
+        let widths = (0..D).map(|i| width(i) as u128);
+        if widths.fold(1, u128::saturating_mul) > WIDEST {
+            return Err(CheckError::Apart);
         }
         places.sort_unstable();
         places.dedup();

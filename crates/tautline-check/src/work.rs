@@ -122,8 +122,6 @@ fn size<const D: usize>(certificate: &Certificate<D>) -> u64 {
     let Certificate { formula, sets, region, curve, levels, .. } = certificate;
     let spline = |table| (table as &dyn Any).downcast_ref::<Spline>();
     let tables = formula.tables().iter().filter_map(|table| spline(&**table));
-    let is_line =
-        |operation: &&Operation| !matches!(operation, Operation::Coordinate(_) | Operation::Second);
     let of_piece = |piece: &Shape<D>| match piece {
         Shape::Point(_) => D,
         Shape::AxisBox(_) => 2 * D,
@@ -136,13 +134,21 @@ fn size<const D: usize>(certificate: &Certificate<D>) -> u64 {
         Region::ExitOne | Region::ExitTwo => 0,
     };
     let numbers = tables.map(|spline| spline.coefficients().len()).sum::<usize>()
-        + formula.operations().iter().filter(is_line).count()
+        + lines(formula)
         + sets.iter().flat_map(Shape::pieces).map(of_piece).sum::<usize>()
         + of_region
         + D * curve.as_ref().map_or(0, Vec::len)
         + levels.iter().map(|level| 2 * level.nodes().len()).sum::<usize>();
-    // The last line of the formula, and `hi`.
-    numbers as u64 + 2
+    // And `hi`.
+    numbers as u64 + 1
+}
+
+/// Returns the number of lines of the formula, as a file has it.
+pub(crate) fn lines<const D: usize>(formula: &Formula<D>) -> usize {
+    let is_step =
+        |operation: &&Operation| !matches!(operation, Operation::Coordinate(_) | Operation::Second);
+    // The matrix is the last line.
+    formula.operations().iter().filter(is_step).count() + 1
 }
 
 /// Returns the sum of the weights of the lines.

@@ -125,10 +125,14 @@ pub(crate) struct Certify {
 #[command(after_help = "\
 Example:
   $ tautline check two_channels.cert
-prints the metric, the sets and what is proved. Exit code 1 if the certificate proves nothing.")]
+prints the metric, the sets and what is proved. Exit code 1 if the certificate proves nothing, 2 if it
+was not read or not checked in time.")]
 pub(crate) struct Check {
     /// The certificate; - reads standard input.
     pub(crate) file: PathBuf,
+    /// Stop after this time in seconds; what was not checked is neither proved nor refused.
+    #[arg(long, value_name = "SECONDS")]
+    pub(crate) time_limit: Option<f64>,
 }
 
 /// Tests the metric and its constants against every law and every statement of the paper.

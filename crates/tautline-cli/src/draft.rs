@@ -16,7 +16,7 @@ const DRAFT: &str = ".part";
 
 /// A file that is written under another name next to its own, and gets its own once it is complete and on
 /// the disk. A draft that is dropped is removed. What is no file, such as a pipe or a device, is written
-/// to; a symbolic link remains one.
+/// to; a symbolic link remains one, and a file keeps its permissions.
 #[derive(Debug)]
 pub(crate) struct Draft {
     /// It is there until the draft is finished.
@@ -38,7 +38,13 @@ impl Draft {
                 temporary: None,
             });
         }
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let path = behind_links(path);
+        // A file that must not be written to must not be replaced, either.
+        let before = match File::options().write(true).open(&path) {
+            Ok(file) => file.metadata().ok(),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(failed(error)),
+        };
         remove_abandoned(&path);
         // Processes of several machines may write to one folder.
         let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
@@ -47,10 +53,16 @@ impl Draft {
         name.push(own);
         let temporary = path.with_file_name(name);
         let file = File::create_new(&temporary).map_err(failed)?;
-        // The lock only says that the draft is in use. Where there are no locks, drafts of processes that
-        // were killed remain.
-        let _ = file.try_lock();
-        Ok(Self { file: Some(BufWriter::new(file)), path, temporary: Some(temporary) })
+        let draft = Self { file: Some(BufWriter::new(file)), path, temporary: Some(temporary) };
+        if let Some(file) = draft.file.as_ref().map(BufWriter::get_ref) {
+            // The lock only says that the draft is in use. Where there are no locks, drafts of processes
+            // that were killed remain.
+            let _ = file.try_lock();
+            if let Some(before) = before {
+                inherit(file, &before).map_err(failed)?;
+            }
+        }
+        Ok(draft)
     }
 
     /// Appends to the file.
@@ -84,6 +96,31 @@ impl Drop for Draft {
             let _ = fs::remove_file(temporary);
         }
     }
+}
+
+/// Returns the path of the file itself, behind all symbolic links, also if it is not there yet.
+fn behind_links(path: &Path) -> PathBuf {
+    let mut path = path.to_owned();
+    // A circle of links is found out when the file is opened.
+    for _ in 0..40 {
+        if let Ok(found) = fs::canonicalize(&path) {
+            return found;
+        }
+        let Ok(target) = fs::read_link(&path) else { break };
+        path = folder(&path).join(target);
+    }
+    path
+}
+
+/// Gives a file the permissions of the file that it will replace, and its owner where that is allowed.
+fn inherit(file: &File, before: &fs::Metadata) -> io::Result<()> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::{MetadataExt, fchown};
+        let _ = fchown(file, Some(before.uid()), Some(before.gid()));
+    }
+    // After the owner: a change of the owner takes some permissions away.
+    file.set_permissions(before.permissions())
 }
 
 /// Returns how the names of the drafts of a file begin.
@@ -142,6 +179,48 @@ mod tests {
         draft.write("two\n").expect("written");
         drop(draft);
         assert_eq!((fs::read_to_string(&path).expect("a file").as_str(), count()), ("one\n", 1));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_to_files_that_are_not_there_yet_remain_links() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().expect("a folder");
+        let in_folder = |name: &str| folder.path().join(name);
+        fs::create_dir(in_folder("deep")).expect("made");
+        symlink("deep/two", in_folder("one")).expect("linked");
+        symlink("../three", in_folder("deep/two")).expect("linked");
+        let mut draft = Draft::of(&in_folder("one")).expect("a draft");
+        draft.write("here\n").expect("written");
+        draft.finish().expect("renamed");
+        assert_eq!(fs::read_to_string(in_folder("three")).expect("a file"), "here\n");
+        assert!(["one", "deep/two"].iter().all(|name| in_folder(name).is_symlink()));
+        // A circle has no file.
+        symlink("a", in_folder("b")).expect("linked");
+        symlink("b", in_folder("a")).expect("linked");
+        assert!(Draft::of(&in_folder("a")).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_file_keeps_its_permissions() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.cert");
+        fs::write(&path, "one\n").expect("written");
+        for mode in [0o600, 0o640, 0o755] {
+            fs::set_permissions(&path, fs::Permissions::from_mode(mode)).expect("set");
+            let mut draft = Draft::of(&path).expect("a draft");
+            draft.write("two\n").expect("written");
+            draft.finish().expect("renamed");
+            let found = fs::metadata(&path).expect("a file").permissions().mode();
+            assert_eq!(found & 0o777, mode);
+        }
+        // Whoever may write to any file, such as root, may replace it.
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o400)).expect("set");
+        let may_write = fs::File::options().write(true).open(&path).is_ok();
+        assert_eq!(Draft::of(&path).is_ok(), may_write);
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1);
     }
 
     /// A draft of a killed process has no lock.

@@ -22,18 +22,22 @@ pub(crate) enum CommandError {
     /// Nothing was computed or proved.
     #[error("error: {0}")]
     NotDone(String),
+    /// Time ran out before it was known whether a certificate proves something.
+    #[error("error: {0}")]
+    NotChecked(String),
     /// Nobody reads the output any more. There is nobody to tell, either.
     #[error("")]
     Unread,
 }
 
 impl CommandError {
-    /// Returns the exit code: 2 for bad input, otherwise 1.
+    /// Returns the exit code: 2 for bad input and for a check that was not finished, otherwise 1.
     pub(crate) fn code(&self) -> ExitCode {
         match self {
-            CommandError::BadFile(_) | CommandError::BadArgument(_) | CommandError::File { .. } => {
-                ExitCode::from(2)
-            }
+            CommandError::BadFile(_)
+            | CommandError::BadArgument(_)
+            | CommandError::File { .. }
+            | CommandError::NotChecked(_) => ExitCode::from(2),
             CommandError::NotDone(_) | CommandError::Unread => ExitCode::from(1),
         }
     }

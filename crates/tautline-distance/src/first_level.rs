@@ -61,8 +61,11 @@ impl<const D: usize> Search<'_, D> {
             while largest.as_ref().is_none_or(|cubes| cubes.places().len() < few) {
                 let hi = self.hi * (1.0 + KEPT);
                 let cubes = match region.required(self.sets.each_ref(), hi, exponent) {
+                    Ok(cubes) => cubes,
+                    // Larger cubes will do.
+                    Err(_) if largest.is_some() => break,
                     Err(CheckError::TooLarge { .. }) => break,
-                    cubes => cubes.map_err(DistanceError::Refused)?,
+                    Err(error) => return Err(DistanceError::Refused(error)),
                 };
                 if cubes.places().len() > many {
                     break;

@@ -161,7 +161,9 @@ impl<const D: usize> Search<'_, D> {
             }
             let exponent = levels[levels.len() - 1].cubes().exponent() - 1;
             let next = match chain.required(exponent) {
-                Err(CheckError::TooFar { .. } | CheckError::Place { .. }) => break Ended::TooFar,
+                Err(CheckError::TooFar { .. } | CheckError::Place { .. } | CheckError::Apart) => {
+                    break Ended::TooFar;
+                }
                 next => next.map_err(DistanceError::Refused)?,
             };
             if cubes + next.places().len() > wanted.cubes {

@@ -200,15 +200,16 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
             let back = b.and_then(|b| Some([first.proved_member(&b)?, b]));
             [there, back, a.zip(b).map(|(a, b)| [a, b])]
         });
-        let curves = pairs.flatten().map(|pair| {
-            let length = length_above(formula, [first, second], &pair);
-            (pair.to_vec(), length.unwrap_or(f64::INFINITY))
-        });
-        let none = || {
-            let end = "first";
-            CertificateError::from(DistanceError::Refused(CheckError::CurveEnd { end }))
-        };
-        curves.min_by(|(_, a), (_, b)| a.total_cmp(b)).ok_or_else(none)
+        let mut shortest = Err(CheckError::CurveEnd { end: "first" });
+        for pair in pairs.flatten() {
+            match (length_above(formula, [first, second], &pair), &shortest) {
+                (Ok(length), Ok((_, least))) if length >= *least => {}
+                (Ok(length), _) if length.is_finite() => shortest = Ok((pair.to_vec(), length)),
+                (Err(reason), Err(_)) => shortest = Err(reason),
+                _ => {}
+            }
+        }
+        shortest.map_err(|reason| DistanceError::Curve(reason).into())
     }
 
     /// Searches for a certificate that proves about as much as this enclosure does under the

@@ -39,6 +39,15 @@ def text(lines):
     return "\n".join(lines) + "\n"
 
 
+def is_refused(content):
+    """Whether the text is no certificate, whatever it proves."""
+    try:
+        Certificate(content)
+    except Refused:
+        return True
+    return False
+
+
 def ran(content, *options):
     """The exit code and what is printed for a file with these bytes."""
     with tempfile.TemporaryDirectory() as folder:
@@ -142,6 +151,50 @@ class Files(unittest.TestCase):
                     Certificate(content)
             else:
                 Certificate(content)
+
+    def test_cubes_are_not_too_far_from_each_other(self):
+        for last, far in (((2**24 - 4, 2**24 + 4), False), ((2**24 - 4, 2**24 + 5), True)):
+            one = level(0, [(-3, 5), last], along((0.0, 0.0), (1.0, 0.0)))
+            file = text(lines(flat(2), [("point", 0.0, 0.0)] * 2, 1.0, "exit-one", [one]))
+            self.assertEqual(is_refused(file), far, last)
+        # So many places that a product of doubles is needed to count them, or of integers of any size.
+        one = level(0, [[-(2**28)] * 4, [2**28] * 4], along((0.0,) * 4, (1.0, 0.0, 0.0, 0.0)))
+        file = text(lines(flat(4), [("point", *[0.0] * 4)] * 2, 1.0, "exit-one", [one]))
+        self.assertTrue(is_refused(file))
+
+    def test_half_spaces_are_not_too_far(self):
+        for normal, offset, far in (
+            ((2.0**-100, 2.0**-3), 2.0**997, False),
+            ((2.0**-100, -(2.0**-3)), -(2.0**997), False),
+            ((2.0**-100, 2.0**-3), np.nextafter(2.0**997, np.inf), True),
+            ((-(2.0**-3), 0.0), -np.nextafter(2.0**997, np.inf), True),
+            ((0.0, 2.0**-1074), -(2.0**-74), False),
+            ((2.0**-1074, 0.0), np.nextafter(2.0**-74, 1.0), True),
+            ((0.0, 0.0), 0.0, True),
+        ):
+            ends = [("point", 0.0, 0.0), ("half-space", *normal, offset)]
+            file = text(lines(flat(2), ends, 1.0, "exit-one"))
+            self.assertEqual(is_refused(file), far, (normal, offset))
+
+    def test_a_formula_is_not_too_long(self):
+        file = text(lines(flat(2), ENDS, 1.0, "exit-one"))
+        for most, far in ((3, False), (2, True)):
+            with mock.patch("certificate.MOST_LINES", most):
+                self.assertEqual(is_refused(file), far, most)
+
+    def test_no_two_tables_are_equal(self):
+        """They differ by a bit, or by their lengths."""
+        steps = ["s1 = table1({});", "s2 = table2({});", "s3 = s1 + s2;", "[s3, s3; s3, s3]"]
+        for first, second, calls, equal in (
+            (["table 1", bits(1.0)], ["table 1", bits(1.0)], ("x1", "x2"), True),
+            (["table 1", bits(0.0)], ["table 1", bits(-0.0)], ("x1", "x1"), False),
+            (["table 2", bits(1.0, 2.0)], ["table 2", bits(1.0, 2.0)], ("x1", "x1"), True),
+            (["table 2", bits(1.0, 2.0)], ["table 1 2", bits(1.0, 2.0)], ("x1", "x1, x2"), False),
+        ):
+            metric = [*(s.format(c) for s, c in zip(steps, calls)), *steps[2:]]
+            file = lines(metric, ENDS, 1.0, "exit-one")
+            file[2:2] = [*first, *second]
+            self.assertEqual(is_refused(text(file)), equal, (first, second))
 
     def test_infinite_numbers_are_refused_wherever_they_are(self):
         good = text(certificate()[0])
@@ -272,7 +325,7 @@ class Budget(unittest.TestCase):
                 for k in range(1, count)
             ]
             file = lines([*steps, f"[s{2 * count - 1}]"], [("point", 0.0)] * 2, 1.0, "exit-one")
-            file[2:2] = ["table 1", bits(1.0)] * count
+            file[2:2] = [line for k in range(count) for line in ("table 1", bits(1.0 + k))]
             if count == 1024:
                 Certificate(text(file))
             else:

@@ -197,3 +197,22 @@ fn certify_keeps_a_time_limit() {
     let answer = text(&output.stdout);
     assert!(answer.starts_with("distance    between "), "{answer} {}", text(&output.stderr));
 }
+
+/// What was not checked in the time is neither proved nor refused.
+#[test]
+fn check_keeps_a_time_limit() {
+    let folder = folder("check-time");
+    fs::write(folder.join("v.toml"), VALLEYS).expect("written");
+    tautline(&folder, &["certify", "v.toml", "--gap", "1e-2", "-o", "v.cert"]);
+    let checked = |limit: &str| {
+        let output = tautline(&folder, &["check", "v.cert", "--time-limit", limit]);
+        (output.status.code(), text(&output.stdout), text(&output.stderr))
+    };
+    let (code, proved, said) = checked("1e-9");
+    assert_eq!((code, proved.as_str()), (Some(2), ""));
+    assert!(said.contains("not checked in the time: stopped after 0 of "), "{said}");
+    let (code, proved, said) = checked("600");
+    assert_eq!((code, said.as_str()), (Some(0), ""));
+    assert!(proved.contains("\nlower bound "), "{proved}");
+    assert_eq!(checked("-1").0, Some(2));
+}

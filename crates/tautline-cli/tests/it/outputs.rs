@@ -108,6 +108,23 @@ fn a_reader_that_has_gone_away_is_no_panic_and_no_success() {
     assert!(folder.join("v.svg").exists());
 }
 
+/// With 1 a check says that nothing is proved. A reader that has seen enough does not change what is, and
+/// a full output leaves it unsaid.
+#[test]
+fn the_code_of_a_check_tells_what_is_proved() {
+    let folder = written("check-code");
+    let made = tautline(&folder, &["certify", "v.toml", "--gap", "0.1", "-o", "v.cert"]);
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
+    let output = command(&folder, &["check", "v.cert"]).stdout(writer).output().expect("started");
+    assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), String::new()));
+    let full = Stdio::from(File::options().write(true).open("/dev/full").expect("a device"));
+    let output = command(&folder, &["check", "v.cert"]).stdout(full).output().expect("started");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("standard output"), "{}", text(&output.stderr));
+}
+
 /// Runs the command in a shell where no file may have more than a few thousand bytes. With the signal
 /// ignored, a write fails as on a full disk; otherwise the process is killed in the middle of it.
 fn limited(folder: &Path, arguments: &[&str], is_killed: bool) -> Output {

@@ -6,8 +6,8 @@ use tautline::{
     Ball, CertificateError, Ends, Formula, HalfSpace, KnownDistance, Metric, Options, Point,
     PointSequence, Problem, Sphere, Starts, Trapezoidal,
     certify::Accuracy,
-    check::AnyCertificate,
-    distance::{Ended, Found, Wanted},
+    check::{AnyCertificate, CheckError},
+    distance::{DistanceError, Ended, Found, Wanted},
     gallery,
 };
 
@@ -259,5 +259,10 @@ fn a_common_point_without_a_metric_is_no_proof() {
         Problem::new(formula(text), ends).solve(Trapezoidal, 4).expect("solved")
     };
     assert_eq!(line("0.5 I").common_point(), Some([-0.9].into()));
-    assert_eq!(line("(((x1 + 1e16) - 1e16) + 0.5) I").common_point(), None);
+    let no_metric = line("(((x1 + 1e16) - 1e16) + 0.5) I");
+    assert_eq!(no_metric.common_point(), None);
+    // Nor is there a bound, and the reason is told.
+    let refused = no_metric.certificate(0.1).map(|_| ());
+    let reason = CheckError::CurveDomain { chord: 0 };
+    assert_eq!(refused, Err(DistanceError::Curve(reason).into()));
 }

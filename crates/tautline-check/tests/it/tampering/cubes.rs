@@ -123,6 +123,14 @@ fn sides_and_places_beyond_their_bounds_are_refused() {
     for place in [(1 << 28) + 1, -(1 << 28) - 1, i32::MAX, i32::MIN] {
         assert_eq!(Cubes::new(0, vec![[0, place]]), Err(CheckError::Place { place }));
     }
+    // 2²⁴ · 2²⁴ places, and as many and a row.
+    let (corner, wide) = (1 << 24, 1 << 24);
+    assert!(Cubes::new(0, vec![[-3, 5], [wide - 4, corner + 4]]).is_ok());
+    for far in [[wide - 3, corner + 4], [wide - 4, corner + 5]] {
+        assert_eq!(Cubes::new(0, vec![[-3, 5], far]), Err(CheckError::Apart));
+    }
+    // The product is above 2⁶⁴ here.
+    assert_eq!(Cubes::new(0, vec![[-(1 << 28); 4], [1 << 28; 4]]), Err(CheckError::Apart));
     // All cubes moved by one place, or to another side.
     for at in 0..4 {
         let mut certificate = BASE.certificate.clone();

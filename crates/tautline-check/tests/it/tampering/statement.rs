@@ -1,8 +1,9 @@
 //! Changed statements: the region, `hi`, the sets and the metric.
 
 use nalgebra::{SVector, vector};
-use tautline_check::{CheckError, Level, Region};
-use tautline_sets::{Ball, Shape};
+use tautline_check::{Chain, CheckError, Level, Region};
+use tautline_formula::Formula;
+use tautline_sets::{Ball, HalfSpace, Shape};
 
 use super::BASE;
 use crate::{
@@ -212,4 +213,45 @@ fn a_proof_that_contradicts_its_curve_is_refused() {
     let upper = 0.9 * BASE.d;
     let refused = chain.proved(Some(upper));
     assert_eq!(refused, Err(CheckError::Contradiction { lower: BASE.proved.lower, upper }));
+}
+
+/// The quotient of offset and normal is a double for every half-space that a file may have.
+#[test]
+fn half_spaces_are_not_too_far() {
+    let power = |n: i32| 2.0_f64.powi(n);
+    let [from, _] = &BASE.certificate.sets;
+    for (normal, offset, is_near) in [
+        ([power(-100), power(-3)], power(997), true),
+        ([power(-100), -power(-3)], -power(997), true),
+        ([power(-100), power(-3)], power(997).next_up(), false),
+        ([-power(-3), 0.0], -power(997).next_up(), false),
+        ([0.0, power(-1074)], -power(-74), true),
+        ([power(-1074), 0.0], power(-74).next_up(), false),
+    ] {
+        let wall = Shape::HalfSpace(HalfSpace::new(normal, offset).expect("a double"));
+        let sets = [from.clone(), Shape::Union(vec![from.clone(), wall])];
+        let region = Region::Declared { c1: BASE.wave.c1() };
+        let begun = Chain::new(&BASE.certificate.formula, &sets, 1.0, region);
+        match begun {
+            Ok(_) => assert!(is_near, "{normal:?} {offset:e}"),
+            Err(error) => {
+                let normal = normal[0].abs().max(normal[1].abs());
+                assert!(!is_near && error == CheckError::HalfSpace { offset, normal }, "{error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_formula_has_at_most_500_000_lines() {
+    let sets = [point([0.0]), point([1.0])];
+    for (steps, is_short) in [(499_999, true), (500_000, false)] {
+        let next = |n: usize| format!("s{} = s{n} + 1;\n", n + 1);
+        let text: String = (1..steps).map(next).collect();
+        let text = format!("s1 = x1 + 1;\n{text}[s{steps}]");
+        let formula = Formula::<1>::parse(&text, &[]).expect("a formula");
+        let begun = Chain::new(&formula, &sets, 1.0, Region::Declared { c1: 1.0 }).err();
+        let refused = CheckError::Formula { lines: steps + 1, most: 500_000 };
+        assert_eq!(begun, (!is_short).then_some(refused));
+    }
 }
