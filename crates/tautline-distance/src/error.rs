@@ -32,12 +32,9 @@ pub enum DistanceError {
         /// What the last region lacked.
         reason: CheckError,
     },
-    /// No values could be proposed for a level, since near a set no metric is defined.
-    #[error("no values for level {level}: near a set the metric is not defined")]
-    NoValues {
-        /// The level, from 0.
-        level: usize,
-    },
+    /// No values could be proposed for the first level, since near a set no metric is defined.
+    #[error("no values for the first level: near a set the metric is not defined")]
+    NoValues,
     /// The checker refused a level: there is none for this dimension, or the sets are too far from the
     /// origin for cubes of the size that is needed. Every other reason is a fault of this library.
     #[error("a level was refused: {0}")]

@@ -126,7 +126,7 @@ impl<const D: usize> Search<'_, D> {
     fn on(&self, region: Region, cubes: &Cubes<D>) -> Result<First<'_, D>, DistanceError> {
         let nodes = Nodes::new(self.formula, &dilated(cubes, DILATION)?);
         let values = self.marched(&nodes, &cubes.nodes(), Source::March);
-        let values = values.ok_or(DistanceError::NoValues { level: 0 })?;
+        let values = values.ok_or(DistanceError::NoValues)?;
         let values = values.map(|values| scaled(values, SCALE));
         let refused = DistanceError::Refused;
         let level = Level::new(0, cubes.clone(), values).map_err(refused)?;
