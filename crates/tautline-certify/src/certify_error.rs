@@ -141,4 +141,29 @@ mod tests {
         // The double 0.3 is below 0.3, so that -0.3 is not below the double.
         assert!(indefinite.to_string().ends_with("at most -0.2999"), "{indefinite}");
     }
+
+    #[test]
+    fn a_change_in_a_message_is_rounded_up() {
+        let settles = |change: f64| CertifyError::NotSettled { coordinate: 2, change }.to_string();
+        let text = settles(0.1);
+        assert!(text.contains("along x3") && text.contains(" up to 0.1001 of itself"), "{text}");
+        let unknown = settles(f64::NAN);
+        assert!(unknown.ends_with("become constant"), "{unknown}");
+    }
+
+    #[test]
+    fn a_message_names_the_bound_that_is_missing() {
+        let says = |lower: f64, upper: f64| {
+            let spent = CertifyError::BudgetSpent { quantity: Quantity::LH, lower, upper, boxes: 9 };
+            spent.to_string()
+        };
+        let (all, none) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (text, expected) in [
+            (says(1.0, all), "L_H has no upper bound"),
+            (says(none, 1.0), "L_H has no lower bound"),
+            (says(none, all), "L_H has no bound"),
+        ] {
+            assert!(text.starts_with(&format!("after 9 boxes, {expected}:")), "{text}");
+        }
+    }
 }

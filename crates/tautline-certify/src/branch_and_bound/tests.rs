@@ -209,3 +209,60 @@ fn a_point_is_a_domain_too() {
     assert!(found.reached && value.contains(found.upper), "{found:?} {value:?}");
     assert_eq!(found.boxes, 1);
 }
+
+/// If the budget ends a search between two rounds, the boxes that were about to be bounded keep the
+/// largest bound of those they were cut from, whichever was cut last. What is told after each round is
+/// the same bound.
+#[test]
+fn boxes_that_are_no_longer_bounded_keep_the_largest_bound() {
+    for on_the_left in [true, false] {
+        // The bound is 9 on the whole, then 5 on one half and 1 on the other.
+        let left: fn(Interval) -> f64 = |x| {
+            if x.width() > 0.75 {
+                9.0
+            } else if x.hi() <= 0.5 {
+                5.0
+            } else {
+                1.0
+            }
+        };
+        let right: fn(Interval) -> f64 = |x| {
+            if x.width() > 0.75 {
+                9.0
+            } else if x.lo() >= 0.5 {
+                5.0
+            } else {
+                1.0
+            }
+        };
+        let bound = if on_the_left { left } else { right };
+        let steps = OnTheLine { bound, value: |_| 0.0, is_refuted: |_, _| false };
+        let three = Accuracy { budget: 3, ..EFFORT };
+        let found = maximise(&steps, &segment(0.0, 1.0), three);
+        assert!(found.upper == 5.0 && found.boxes == 3 && !found.reached, "{found:?}");
+        let mut told = Vec::new();
+        let mut watch = |boxes: usize, value: f64, bound: f64| {
+            told.push((boxes, value, bound));
+            told.len() < 2
+        };
+        let stopped = super::maximise(&steps, &segment(0.0, 1.0), EFFORT, &mut watch);
+        assert_eq!(told, [(1, 0.0, 9.0), (3, 0.0, 5.0)]);
+        assert!(stopped.upper == 5.0 && stopped.boxes == 3 && !stopped.reached, "{stopped:?}");
+    }
+}
+
+/// The best value is the largest of all, not the last one: where bounds are exact, the search ends as
+/// soon as no other box can exceed it.
+#[test]
+fn the_best_value_is_the_largest_and_not_the_last() {
+    let falling = OnTheLine { bound: |x| -x.lo(), value: |x| -x, is_refuted: |_, _| false };
+    let rising = OnTheLine { bound: |x| x.hi(), value: |x| x, is_refuted: |_, _| false };
+    let accuracy = Accuracy { tolerance: 1e-3, budget: 1000 };
+    for (function, cell, most) in
+        [(&falling, segment(1.0, 2.0), -1.0), (&rising, segment(1.0, 2.0), 2.0)]
+    {
+        let found = maximise(function, &cell, accuracy);
+        assert!(found.reached && found.upper >= most, "{found:?}");
+        assert!(found.upper <= most + 4e-3, "{found:?}");
+    }
+}

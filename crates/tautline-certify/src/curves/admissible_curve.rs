@@ -145,6 +145,7 @@ mod tests {
     use std::sync::Arc;
 
     use nalgebra::{SMatrix, SVector, vector};
+    use tautline_chance::Random;
     use tautline_discretizations::{LeftEndpoint, PointSequence};
     use tautline_formula::{Formula, RecordError};
     use tautline_metrics::gallery::{Constant, Hyperbolic, Valleys};
@@ -359,5 +360,86 @@ mod tests {
         assert!(points.iter().all(|x| x == &points[0]), "{points:?}");
         let curve = AdmissibleCurve::new(&Valleys, &curve, &ends).expect("proved");
         assert_eq!(curve.distance_squared_at_most(), 0.0);
+    }
+
+    /// Returns the determinant of the first `n` rows and columns.
+    fn minor(a: &[Vec<i64>], n: usize) -> i64 {
+        fn determinant(a: &[Vec<i64>]) -> i64 {
+            let Some(first) = a.first() else { return 1 };
+            let without = |j: usize| -> Vec<Vec<i64>> {
+                let row = |row: &Vec<i64>| [&row[..j], &row[j + 1..]].concat();
+                a[1..].iter().map(row).collect()
+            };
+            let term = |j: usize| if j.is_multiple_of(2) { first[j] } else { -first[j] };
+            (0..first.len()).map(|j| term(j) * determinant(&without(j))).sum()
+        }
+        let part: Vec<Vec<i64>> = a[..n].iter().map(|row| row[..n].to_vec()).collect();
+        determinant(&part)
+    }
+
+    /// Symmetric matrices of small integers, whose leading minors are computed exactly. A curve has a
+    /// length if all of them are positive, and none otherwise. Pivots are quotients of minors, far
+    /// from 0 unless they are 0.
+    #[test]
+    fn a_constant_matrix_is_a_metric_if_its_leading_minors_are_positive() {
+        fn check<const D: usize>(random: &mut Random) -> [usize; 2] {
+            let mut seen = [0, 0];
+            let below = |n: u64, random: &mut Random| (random.bits() % n) as i64;
+            for _ in 0..300 {
+                let mut a = vec![vec![0_i64; D]; D];
+                for i in 0..D {
+                    a[i][i] = 2 + below(6, random);
+                    for j in 0..i {
+                        a[i][j] = below(7, random) - 3;
+                        a[j][i] = a[i][j];
+                    }
+                }
+                let row = |row: &Vec<i64>| {
+                    row.iter().map(|entry| entry.to_string()).collect::<Vec<_>>().join(", ")
+                };
+                let text = a.iter().map(row).collect::<Vec<_>>().join("; ");
+                let metric = Formula::<D>::parse(&format!("[{text}]"), &[]).expect("a formula");
+                let mut to = [0.0; D];
+                to[D - 1] = 1.0;
+                let curve = PointSequence::straight([0.0; D], to, 1).expect("finite");
+                let ends = Ends::points([0.0; D], to).expect("finite");
+                let found = AdmissibleCurve::new(&metric, &curve, &ends);
+                let is_metric = (1..=D).all(|n| minor(&a, n) > 0);
+                assert_eq!(found.is_ok(), is_metric, "{a:?}: {found:?}");
+                seen[usize::from(is_metric)] += 1;
+            }
+            seen
+        }
+        let mut random = Random(tautline_chance::seed(81));
+        let seen =
+            [check::<2>(&mut random), check::<3>(&mut random), check::<4>(&mut random)].concat();
+        assert!(seen.iter().all(|&count| count > 5), "{seen:?}");
+    }
+
+    /// The third derivative of a spline jumps at its knots. A chord crosses two of them; no part of it
+    /// has a knot at an end. Over the cell from `i` to `i + 1` the integral of the spline is
+    /// `(c₋₁ + 11 c₀ + 11 c₁ + c₂)/24`, with the coefficients around the cell.
+    #[test]
+    fn the_energy_across_the_knots_of_a_table_is_enclosed() {
+        let points = [1.0, 4.0].map(|x| vector![x]).to_vec();
+        let curve = PointSequence::new(points).expect("finite");
+        for coefficients in [
+            [0, 1, 0, 0, 1, 0],
+            [0, 90, -70, 40, 80, -60],
+            [3, 0, 0, 96, 0, 0],
+            [0, 0, 64, -64, 0, 1],
+        ] {
+            let numbers = coefficients.map(f64::from).to_vec();
+            let table = Arc::new(Spline::new(&[6], numbers).expect("a table"));
+            let tables: [(&str, Arc<dyn Table>); 1] = [("t", table)];
+            let metric = Formula::<1>::parse_with("[1000 + t(x1)]", &[], &tables);
+            let energy = Polygon::new(&curve).energy(&metric.expect("a formula"));
+            // The step is 3, so that E = 3 ∫ H = 3 (3000 + Σ/24), where Σ/8 is a double.
+            let weights = [1, 12, 23, 23, 12, 1];
+            let sum: i32 = coefficients.iter().zip(weights).map(|(c, w)| c * w).sum();
+            let exact = 9000.0 + f64::from(sum) / 8.0;
+            assert!(energy.contains(exact), "{coefficients:?}: {energy:?} misses {exact}");
+            assert!(energy.width() < 2e-8, "{coefficients:?}: {energy:?}");
+        }
     }
 }

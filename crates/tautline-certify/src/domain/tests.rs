@@ -226,3 +226,20 @@ fn in_doubt_a_point_is_not_missed_and_not_taken() {
     }
     assert!(inside > 500 && outside > 500, "{inside} {outside}");
 }
+
+/// A bump anywhere on the last octave, which has vanished at both of its ends, is a change.
+#[test]
+fn the_whole_octave_must_have_settled() {
+    for place in ["0.55", "0.75", "0.95"] {
+        for sign in ["-", "+"] {
+            // At the ends of the octave the bump and its changes are below 10⁻³ (5 · 10⁴)⁻⁴ · 10³.
+            let text = format!("1 + 1e-3/(1 + sqr(sqr((x1*2^-100 {sign} {place})*1e6))) I");
+            match Domain::<1>::settled_space(&parsed(&text)) {
+                Err(CertifyError::NotSettled { coordinate: 0, .. }) => {}
+                other => panic!("{text}: {other:?}"),
+            }
+        }
+    }
+    let without = Domain::<1>::settled_space(&parsed("1 + 1e-3/(1 + sqr(sqr(x1))) I"));
+    assert!(without.is_ok_and(|space| space.is_all_of_space()));
+}

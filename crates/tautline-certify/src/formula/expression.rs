@@ -283,4 +283,52 @@ mod tests {
             assert!(!super::is_isotropic::<2>(&parsed(text)), "{text}");
         }
     }
+
+    /// Entries that are nearly the same expression, and zeros that may be undefined.
+    #[test]
+    fn entries_that_differ_in_one_place_are_not_equal() {
+        for text in [
+            "[2, 0*ln(x1); 0*ln(x1), 2]",
+            "[2, ln(x1)*0; ln(x1)*0, 2]",
+            "[2, 0; 0, 2 + 0*ln(x1)]",
+            "diag(x1/x2, x2/x1)",
+            "diag(x1 - x2, x2 - x1)",
+            "diag(x1*x2, x1/x2)",
+            "diag(x1 + x2, x1*x2)",
+            "diag(x1 + 2, x1*2)",
+            "diag(x1^3, x1^4)",
+            "diag(x1^3, x1^-3)",
+            "diag(sin(x1), cos(x1))",
+            "diag(x1, -x1)",
+            "diag(2, 3)",
+            "diag(1/x1, x1/1)",
+            "a, b = sin_cos(x1); diag(a, b)",
+            "a, b = sinh_cosh(x1); diag(a, b)",
+        ] {
+            assert!(!super::is_isotropic::<2>(&parsed(text)), "{text}");
+        }
+        for text in [
+            "diag(x1 + x2, x2 + x1)",
+            "diag(x1*x2, x2*x1)",
+            "diag(x1/1, 1*x1 + 0)",
+            "diag(x1^2, x1*x1)",
+            "[x1, 0*3; 0*3, x1]",
+            "a, b = sin_cos(x1); diag(b, cos(x1))",
+        ] {
+            assert!(super::is_isotropic::<2>(&parsed(text)), "{text}");
+        }
+    }
+
+    /// A quotient, a table or a function of the coordinates themselves is no function of the norm.
+    #[test]
+    fn both_sides_of_each_operation_are_followed() {
+        for factor in ["r/(x1 + 3)", "(x1 + 3)/r", "r - x2", "x2*r", "r + x1^2", "-x1", "exp(-x2)"] {
+            let text = format!("r = sqr(x1) + sqr(x2); {factor} I");
+            assert!(!super::is_radial::<2>(&parsed(&text)), "{text}");
+        }
+        for factor in ["r/(r + 3)", "3/r", "r - 2", "-r", "exp(-r)*r^3"] {
+            let text = format!("r = sqr(x1) + sqr(x2); {factor} I");
+            assert!(super::is_radial::<2>(&parsed(&text)), "{text}");
+        }
+    }
 }
