@@ -154,7 +154,8 @@ mod tests {
     #[test]
     fn a_message_names_the_bound_that_is_missing() {
         let says = |lower: f64, upper: f64| {
-            let spent = CertifyError::BudgetSpent { quantity: Quantity::LH, lower, upper, boxes: 9 };
+            let spent =
+                CertifyError::BudgetSpent { quantity: Quantity::LH, lower, upper, boxes: 9 };
             spent.to_string()
         };
         let (all, none) = (f64::INFINITY, f64::NEG_INFINITY);

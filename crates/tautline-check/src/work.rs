@@ -278,4 +278,103 @@ mod tests {
         }
         assert_eq!(work.spend(1), Ok(()));
     }
+
+    /// The lines of a formula, each by itself: they are as many as its weights say, and the matrix.
+    #[test]
+    fn each_kind_of_line_has_its_weight() {
+        use std::sync::Arc;
+
+        use tautline_scalar::Table;
+        use tautline_spline::Spline;
+        let table = |axes: usize| -> Arc<dyn Table> {
+            let count = 2_usize.pow(axes as u32);
+            Arc::new(Spline::new(&vec![2; axes], vec![1.0; count]).expect("a shape"))
+        };
+        let tables = [("t", table(1)), ("h", table(2)), ("f", table(3))];
+        for (line, expected) in [
+            ("-x1", 1),
+            ("sqr(x1)", 1),
+            ("recip(x1)", 1),
+            ("x1 - 2", 1),
+            ("x1*x1", 1),
+            ("number(3)", 1),
+            ("x1^0", 1),
+            ("x1^1", 1),
+            ("x1^2", 2),
+            ("x1^3", 2),
+            ("x1^4", 3),
+            ("x1^-1", 1),
+            ("x1^-8", 4),
+            ("x1^2147483647", 31),
+            ("x1^-2147483648", 32),
+            ("sqrt(x1)", 4),
+            ("exp(x1)", 4),
+            ("ln(x1)", 4),
+            ("tan(x1)", 4),
+            ("atan(x1)", 4),
+            ("tanh(x1)", 4),
+            ("sin(x1)", 4),
+            ("t(x1)", 16),
+            ("t_2(x1)", 16),
+            ("h(x1, x1)", 64),
+            ("f(x1, x1, x1)", 256),
+        ] {
+            let formula = Formula::<1>::parse_with(&format!("[{line}]"), &[], &tables).expect(line);
+            assert_eq!(weight(&formula), expected + 1, "{line}");
+        }
+    }
+
+    /// Each kind of region, piece and table, counted by hand.
+    #[test]
+    fn the_size_of_a_certificate_counts_all_of_its_numbers() {
+        use std::sync::Arc;
+
+        use tautline_scalar::Table;
+        use tautline_sets::HalfSpace;
+        use tautline_spline::Spline;
+        let table: Arc<dyn Table> = Arc::new(Spline::new(&[2, 3], vec![1.0; 6]).expect("a shape"));
+        let formula = Formula::<2>::parse_with("h(x1, x2) I", &[], &[("h", table)]);
+        let wall = Shape::HalfSpace(HalfSpace::new([1.0, 0.0], -9.0).expect("a wall"));
+        let mut certificate = Certificate { formula: formula.expect("a formula"), ..certificate() };
+        certificate.curve = None;
+        // The table and its call, the zero beside the diagonal, the matrix; a point, a ball and a box;
+        // hi; the nodes.
+        let others = 6 + 3 + 2 + 3 + 4 + 1 + 126;
+        for (region, numbers) in [
+            (Region::Tubes { radius: 1.0, c1: 1.0 }, 2),
+            (Region::Declared { c1: 1.0 }, 1),
+            (Region::ExitOne, 0),
+            (Region::ExitTwo, 0),
+        ] {
+            certificate.region = region;
+            assert_eq!(size(&certificate), others + numbers, "{region:?}");
+        }
+        certificate.sets[0] = Shape::Union(vec![wall.clone(), wall]);
+        assert_eq!(size(&certificate), others - 2 + 6);
+        certificate.curve = Some(vec![vector![0.0, 0.0]; 5]);
+        certificate.levels.push(certificate.levels[0].clone());
+        assert_eq!(size(&certificate), others - 2 + 6 + 10 + 126);
+    }
+
+    /// A box has two sides along each axis, and a cube of three dimensions six simplices.
+    #[test]
+    fn a_piece_that_meets_a_cube_costs_its_sides_and_simplices() {
+        let cost = |spend: &dyn Fn(&Work<'_>) -> Result<(), CheckError>| {
+            let certificate = certificate();
+            let work = Work::limited(&certificate, &|| true);
+            spend(&work).expect("within the budget");
+            work.spent.into_inner()
+        };
+        let point = Shape::Point(Point::new([0.5; 3]).expect("finite"));
+        let side = Shape::AxisBox(AxisBox::from_corners([0.0; 3], [1.0; 3]).expect("a box"));
+        assert_eq!(cost(&|work| work.spend_meeting(&point)), 64 * 6);
+        assert_eq!(cost(&|work| work.spend_meeting(&side)), 64 * 6 * 6);
+        let side = Shape::AxisBox(AxisBox::from_corners([0.0; 2], [1.0; 2]).expect("a box"));
+        assert_eq!(cost(&|work| work.spend_meeting(&side)), 64 * 2 * 4);
+        // The formula of the certificate has the weight 11, and there are three pieces.
+        assert_eq!(cost(&|work| work.spend_cubes::<1>(5)), 5 * ((2 + 3) * 11 + 3));
+        assert_eq!(cost(&|work| work.spend_cubes::<3>(2)), 2 * ((8 + 10) * 11 + 3));
+        assert_eq!(cost(&|work| work.spend_cubes::<4>(1)), (16 + 15) * 11 + 3);
+        assert_eq!(cost(&|work| work.spend_seen()), 3);
+    }
 }

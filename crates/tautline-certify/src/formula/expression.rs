@@ -322,7 +322,8 @@ mod tests {
     /// A quotient, a table or a function of the coordinates themselves is no function of the norm.
     #[test]
     fn both_sides_of_each_operation_are_followed() {
-        for factor in ["r/(x1 + 3)", "(x1 + 3)/r", "r - x2", "x2*r", "r + x1^2", "-x1", "exp(-x2)"] {
+        for factor in ["r/(x1 + 3)", "(x1 + 3)/r", "r - x2", "x2*r", "r + x1^2", "-x1", "exp(-x2)"]
+        {
             let text = format!("r = sqr(x1) + sqr(x2); {factor} I");
             assert!(!super::is_radial::<2>(&parsed(&text)), "{text}");
         }

@@ -152,3 +152,73 @@ fn slopes_are_rounded_down() {
         assert!(q * square > 1.0 - 1e-15, "{q}");
     }
 }
+
+/// Returns a number in units of `2⁻¹¹⁰`, exactly.
+fn units(x: f64) -> i128 {
+    let bits = x.abs().to_bits();
+    let biased = (bits >> 52) as i32;
+    let mantissa = i128::from(bits & ((1 << 52) - 1)) | if biased > 0 { 1 << 52 } else { 0 };
+    let shift = biased.max(1) - 1075 + 110;
+    let size = if mantissa == 0 {
+        0
+    } else if shift >= 0 {
+        mantissa << shift
+    } else {
+        assert!(mantissa.trailing_zeros() as i32 >= -shift, "{x:e} is too small");
+        mantissa >> -shift
+    };
+    if x < 0.0 { -size } else { size }
+}
+
+/// Where all slopes are 1, `f(t)` is `t − t₀`, exactly. Two kinds of bins make two pieces of `f`. Every
+/// bound is on its side of the exact number, and close to it.
+#[test]
+fn heights_and_sums_are_rounded_to_their_sides() {
+    let mut random = Random(seed(22));
+    for _ in 0..cases(400) {
+        let start = random.between(0.05, 0.4);
+        let end = random.between(0.6, 2.0);
+        let middle = random.between(start, end);
+        // The bounds 0 and 1 both allow the slope 1.
+        let f = level_sets(&[(middle, 9.0, 1.0)], start, end);
+        let last = f.levels[f.levels.len() - 1];
+        let t = random.between(start, end);
+        for t in [t, end, last.next_up(), 2.5] {
+            let exact = units(t.min(last)) - units(start);
+            let found = f.below(t);
+            assert!(units(found) <= exact && found >= t.min(last) - start - 1e-12, "{found} {t}");
+            let excess = f.excess_above(t);
+            assert!(units(excess) >= units(t) - units(found), "{excess} {t} {found}");
+            assert!(excess <= t - found + 2e-15, "{excess} {t} {found}");
+        }
+        let g = level_sets(&[], 0.5 * start, end);
+        let (u, v) = (random.between(start, end), random.between(start, end));
+        let apart = least_sum([&f, &g], [(u, 1.0), (v, 1.0)], f64::NEG_INFINITY);
+        assert!(units(apart) <= units(f.below(u)) + units(g.below(v)), "{apart}");
+        assert!(apart >= f.below(u) + g.below(v) - 1e-15, "{apart}");
+        // The least values are below both starts, so that only the sum counts.
+        let sum = random.between(2.5, 3.0);
+        let together = least_sum([&f, &g], [(0.0, u), (0.0, v)], sum);
+        let exact = units(sum) - units(f.excess_above(u)) - units(g.excess_above(v));
+        assert!(units(together) <= exact, "{together}");
+        assert!(together >= sum - f.excess_above(u) - g.excess_above(v) - 1e-14, "{together}");
+    }
+}
+
+/// With the slope `1/√q`, `q f(t)²` is at most `(t − t₀)²`: the numbers are small, so that their squares
+/// are exact in 128 bits.
+#[test]
+fn heights_with_irrational_slopes_are_rounded_down() {
+    for q in [2.0, 3.0, 5.0, 7.0, 11.0, 1.75, 2.625] {
+        let f = level_sets(&[(-1.0, 9.0, q)], 0.0, 1.0);
+        for k in 1..64 {
+            let t = f64::from(k) / 64.0;
+            let found = f.below(t);
+            // q f² − t² with one rounding of q f² + …: the square is s + r.
+            let square = found * found;
+            let rest = found.mul_add(found, -square);
+            assert!(q.mul_add(square, -(t * t)) + q * rest <= 0.0, "{q} {t} {found}");
+            assert!(q * square >= t * t * (1.0 - 1e-12), "{q} {t} {found}");
+        }
+    }
+}

@@ -160,3 +160,121 @@ fn values_at_points_are_rounded_outward() {
         assert!(range.width() < 1e-14, "{range:?}");
     }
 }
+
+/// Returns whether `(bound + shift)² · factor ≤ square`, exactly, for a bound between 1 and 2¹⁰.
+fn is_at_most_root(bound: f64, shift: i128, factor: i128, square: i128) -> bool {
+    // The bound is a multiple of 2⁻⁵².
+    let unit = 1_i128 << 52;
+    let bound = (bound * unit as f64) as i128 + shift * unit;
+    bound * bound * factor <= square * unit * unit
+}
+
+/// Sets and cubes of small integers: the distance is a root, less a radius or divided by a root. It is
+/// never below the bound, not even by a rounding error.
+#[test]
+fn no_distance_is_below_its_bound_by_a_rounding() {
+    let origin = SVector::<f64, 2>::zeros();
+    let shape = |normal: [i32; 2], offset: i32| {
+        Shape::HalfSpace(HalfSpace::new(normal.map(f64::from), f64::from(offset)).expect("a wall"))
+    };
+    let mut seen = [0; 4];
+    for (a, b, side) in
+        (-6..6).flat_map(|a| (-6..6).flat_map(move |b| [(a, b, 0), (a, b, 1), (a, b, 3)]))
+    {
+        let cube =
+            SVector::from([a, b].map(|low: i32| {
+                Interval::new(f64::from(low), f64::from(low + side)).expect("a side")
+            }));
+        // The distance of the cube from the interval from 0 to `far` along an axis.
+        let away = |low: i32, far: i32| (low - far).max(-(low + side)).max(0);
+        let square = |far: [i32; 2]| {
+            let [x, y] = [away(a, far[0]), away(b, far[1])];
+            i128::from(x * x + y * y)
+        };
+        let mut check = |kind: usize, set: &Shape<2>, shift: i128, factor: i128, square: i128| {
+            let bound = distance_below(set, &cube);
+            let near = (square as f64 / factor as f64).sqrt() - shift as f64;
+            assert!(bound >= near - 1e-13, "{bound} {near}: {set:?} {cube:?}");
+            if bound >= 1.0 {
+                seen[kind] += 1;
+                let holds = is_at_most_root(bound, shift, factor, square);
+                assert!(holds, "{bound} {near}: {set:?} {cube:?}");
+            } else {
+                assert!(bound >= 0.0 && bound <= near.max(0.0) + 1e-15, "{bound} {near}: {set:?}");
+            }
+        };
+        check(0, &Shape::Point(Point::new(origin).expect("finite")), 0, 1, square([0, 0]));
+        for r in [1, 2, 3] {
+            let ball = Shape::Ball(Ball::new(origin, f64::from(r)).expect("a ball"));
+            check(1, &ball, i128::from(r), 1, square([0, 0]));
+        }
+        let far = AxisBox::from_corners([0.0, 0.0], [1.0, 2.0]).expect("a box");
+        check(2, &Shape::AxisBox(far), 0, 1, square([1, 2]));
+        for (normal, offset) in [([1, 2], 3), ([-3, 1], 1), ([2, -2], -1), ([0, 3], 2), ([5, 4], 0)]
+        {
+            let corners =
+                [0, side].map(|x| [0, side].map(|y| (a + x) * normal[0] + (b + y) * normal[1]));
+            let least = corners.concat().into_iter().min().expect("corners") - offset;
+            let length = i128::from(normal[0] * normal[0] + normal[1] * normal[1]);
+            let least = i128::from(least.max(0));
+            check(3, &shape(normal, offset), 0, length, least * least);
+        }
+    }
+    assert!(seen.iter().all(|&count| count > 100), "{seen:?}");
+}
+
+/// A union is as near as the nearest of its pieces, wherever that stands.
+#[test]
+fn the_distance_of_a_union_is_that_of_its_nearest_piece() {
+    let cube = SVector::from([0.0, 0.0].map(Interval::point));
+    let piece = |x: f64| Shape::Point(Point::new([x, 0.0]).expect("finite"));
+    for order in [[1.0, 2.0, 3.0], [3.0, 1.0, 2.0], [2.0, 3.0, 1.0]] {
+        let bound = distance_below(&Shape::Union(order.map(piece).to_vec()), &cube);
+        assert!(bound <= 1.0 && bound > 1.0 - 1e-15, "{bound}");
+    }
+}
+
+/// The centre plus the radius is rounded, but the box must not become too small.
+#[test]
+fn the_box_around_a_ball_holds_its_ends() {
+    for i in 1..200 {
+        let (c, r) = (f64::from(i) * 0.1, f64::from(i * i) * 0.37);
+        let ball = Shape::Ball(Ball::new([c, -c], r).expect("a ball"));
+        let around = bounding_box(&ball).expect("bounded");
+        for (side, c) in around.iter().zip([c, -c]) {
+            let (c, r) = (Interval::point(c), Interval::point(r));
+            assert!(side.contains_interval(c - r) && side.contains_interval(c + r), "{side:?}");
+        }
+    }
+    let piece = |lower: [f64; 2], upper: [f64; 2]| {
+        Shape::AxisBox(AxisBox::from_corners(lower, upper).expect("a box"))
+    };
+    let (one, other) = (piece([-3.0, 1.0], [0.5, 2.0]), piece([-1.0, -4.0], [7.0, 1.5]));
+    for pieces in [vec![one.clone(), other.clone()], vec![other, one]] {
+        let around = bounding_box(&Shape::Union(pieces)).expect("bounded");
+        assert_eq!([around[0].lo(), around[0].hi()], [-3.0, 7.0]);
+        assert_eq!([around[1].lo(), around[1].hi()], [-4.0, 2.0]);
+    }
+}
+
+/// A box holds a facet if that is between all of its sides.
+#[test]
+fn a_box_holds_a_facet_only_between_all_of_its_sides() {
+    let simplex = &simplices(2)[0];
+    let low = SVector::zeros();
+    let spot = Spot { simplex, low: &low, side: 1.0 };
+    assert_eq!(simplex.axes[0], 0);
+    for (lower, upper, holds) in [
+        ([1.0, 0.0], [2.0, 1.0], true),
+        ([0.5, -1.0], [1.0, 3.0], true),
+        ([1.0, 0.001], [2.0, 1.0], false),
+        ([1.0, 0.0], [2.0, 0.999], false),
+        ([1.001, 0.0], [2.0, 1.0], false),
+        ([0.0, 0.0], [0.999, 1.0], false),
+        ([1.0, 3.0], [2.0, 4.0], false),
+    ] {
+        let side = AxisBox::from_corners(lower, upper).expect("a box");
+        let piece = Piece::of(&Shape::AxisBox(side)).remove(0);
+        assert_eq!(piece.holds_facet(spot, 0), holds, "{lower:?} {upper:?}");
+    }
+}

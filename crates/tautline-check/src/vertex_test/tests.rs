@@ -190,3 +190,58 @@ fn indefinite_matrices_have_no_decomposition() {
         assert_eq!(half.inverse_square(&[unknown; 2]), f64::INFINITY);
     }
 }
+
+/// The sum of the bounds along the axes is rounded up. Twice a number is exact, and so is the sum of
+/// three in integers.
+#[test]
+fn the_sum_of_the_curvatures_is_rounded_up() {
+    let mut random = Random(seed(45));
+    let units = |x: f64| (x * 2.0_f64.powi(60)) as i128;
+    let mut rounded = 0;
+    for _ in 0..cases(200) {
+        let [a, b, c] = [(); 3].map(|()| random.between(0.5, 1.0));
+        let parameters = [("a", a), ("b", b), ("c", c)];
+        let text = "(9 + a*sqr(x1) + b*sqr(x2) + c*sqr(x3)) I";
+        let formula = Formula::<3>::parse(text, &parameters).expect("a formula");
+        let cube = SVector::repeat(Interval::new(0.0, 1.0).expect("a side"));
+        let found = curvature(&formula, &cube);
+        let exact: i128 = [a, b, c].map(|x| units(2.0 * x)).iter().sum();
+        assert!(units(found) >= exact && found <= 2.0 * (a + b + c) * (1.0 + 1e-14), "{found}");
+        rounded += usize::from(units(found) > exact);
+    }
+    assert!(rounded > 10, "{rounded}");
+}
+
+/// For matrices and vectors of small integers the square is a quotient of integers.
+#[test]
+fn squares_of_integers_are_rounded_up() {
+    let mut random = Random(seed(46));
+    let mut below = |n: u64| (random.bits() % n) as i64;
+    let mut seen = 0;
+    for _ in 0..cases(1000) {
+        let [a, b, c] = [1 + below(9), 1 + below(9), 1 + below(9)];
+        let [d, e, f] = [below(7) - 3, below(7) - 3, below(7) - 3];
+        let p = [below(19) - 9, below(19) - 9, below(19) - 9];
+        let h = [[a, d, e], [d, b, f], [e, f, c]];
+        // The adjugate, by cofactors in cyclic order.
+        let cofactor = |i: usize, j: usize| {
+            let (k, l, m, n) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
+            h[k][m] * h[l][n] - h[k][n] * h[l][m]
+        };
+        let determinant: i64 = (0..3).map(|j| h[0][j] * cofactor(0, j)).sum();
+        if a * b - d * d <= 0 || determinant <= 0 {
+            continue;
+        }
+        let pairs = (0..3).flat_map(|i| (0..3).map(move |j| (i, j)));
+        let numerator: i64 = pairs.map(|(i, j)| p[i] * cofactor(i, j) * p[j]).sum();
+        let matrix = SMatrix::<Interval, 3, 3>::from_fn(|i, j| Interval::point(h[i][j] as f64));
+        let s = Decomposed::new(matrix, Interval::point(0.0)).expect("positive definite");
+        let bound = s.inverse_square(&p.map(|p| Interval::point(p as f64)));
+        let (numerator, determinant) = (numerator as f64, determinant as f64);
+        // A fused operation is rounded once, which keeps its sign.
+        assert!(bound.mul_add(determinant, -numerator) >= 0.0, "{h:?} {p:?}: {bound}");
+        assert!(bound * determinant <= numerator + 1e-9 * determinant, "{h:?} {p:?}: {bound}");
+        seen += 1;
+    }
+    assert!(seen > 100, "{seen}");
+}

@@ -149,3 +149,19 @@ fn chords_along_all_axes_have_their_lengths() {
     let length = length_above(&metric, ends.each_ref(), &points).expect("a metric");
     assert!((14.0..14.0 + 1e-13).contains(&length), "{length}");
 }
+
+/// Under `H = h I` the square of the length of a chord between points with integer coordinates is an
+/// integer.
+#[test]
+fn the_length_of_a_chord_is_not_below_its_root() {
+    for (a, b, h) in (0..12).flat_map(|a| (1..12).flat_map(move |b| [1, 2, 7].map(|h| (a, b, h)))) {
+        let points = [vector![0.0, 0.0], vector![f64::from(a), f64::from(b)]];
+        let ends = points.map(|x| point(x.into()));
+        let metric = formula::<2>(&format!("{h} I"));
+        let length = length_above(&metric, ends.each_ref(), &points).expect("a metric");
+        let square = f64::from(h * (a * a + b * b));
+        // A fused operation is rounded once, which keeps its sign.
+        assert!(length.mul_add(length, -square) >= 0.0, "{a} {b} {h}: {length}");
+        assert!(length * length <= square * (1.0 + 1e-14), "{a} {b} {h}: {length}");
+    }
+}

@@ -4,6 +4,7 @@ mod budget;
 mod chain;
 mod domain;
 mod extreme_numbers;
+mod files;
 mod helpers;
 mod hostile_values;
 mod invariances;

@@ -116,3 +116,43 @@ fn all_pieces_of_a_union_are_in_the_region() {
     let found = on_cubes("1 I", sets, 1.5, region, 0, &[[1000]], [&|_| 0.0, &|_| 0.0]);
     proves_at_most(&found, 1.0);
 }
+
+/// Where `hi > √c₁ n`, the nearest double to the product may be `hi` itself. Curves that are shorter than
+/// `hi` may then be longer than `√c₁ n`: tubes of this width are too thin, and cubes at this distance are
+/// required.
+#[test]
+fn the_width_of_regions_is_decided_to_the_last_digit() {
+    let mut seen = 0;
+    for (c1, n) in (2..200).flat_map(|c1| [1, 2, 3, 5, 7].map(|n| (c1, n))) {
+        let square = f64::from(c1 * n * n);
+        let hi = square.sqrt();
+        // A fused operation is rounded once, which keeps its sign.
+        if hi.mul_add(hi, -square) <= 0.0 {
+            continue;
+        }
+        seen += 1;
+        let (c1, far) = (f64::from(c1), f64::from(n));
+        let sets = [point([0.0]), point([far])];
+        let metric = formula::<1>(&format!("{} I", 2.0 * c1));
+        for (to, radius) in [(sets[1].clone(), 0.5 * far), (wall(far), far)] {
+            let tubes = Region::Tubes { radius, c1 }.prove(&metric, [&sets[0], &to], hi);
+            assert!(matches!(tubes, Err(CheckError::Tubes { .. })), "{c1} {n}: {tubes:?}");
+        }
+        // Both cubes touch one set, and are at the distance n from the other.
+        let cubes = Region::Declared { c1 }.required(sets.each_ref(), hi, 0).expect("bounded");
+        assert!(cubes.contains(&[-1]) && cubes.contains(&[n]), "{c1} {n}: {:?}", cubes.places());
+        let same = [&sets[0], &sets[0]];
+        let cubes = Region::Declared { c1 }.required(same, 2.0 * hi, 0).expect("bounded");
+        assert!(
+            cubes.contains(&[n]) && cubes.contains(&[-n - 1]),
+            "{c1} {n}: {:?}",
+            cubes.places()
+        );
+    }
+    assert!(seen > 100, "{seen}");
+}
+
+/// All that is at least as far as this.
+fn wall(far: f64) -> Shape<1> {
+    Shape::HalfSpace(HalfSpace::at_least([1.0], far).expect("a normal"))
+}

@@ -148,7 +148,11 @@ fn coefficients_of_tables_agree_with_nested_jets() {
             // 10. At most 35 of them enter, with factors of at most 2.
             for k in 0..5 {
                 let error = (taylor.coefficient(k) - jets[k]).abs();
-                assert!(error <= 1e-9, "{name} at {x}, coefficient {k}: {error:e} of {:e}", jets[k]);
+                assert!(
+                    error <= 1e-9,
+                    "{name} at {x}, coefficient {k}: {error:e} of {:e}",
+                    jets[k]
+                );
             }
         }
     }
