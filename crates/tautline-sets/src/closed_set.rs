@@ -192,8 +192,9 @@ mod tests {
     use tautline_chance::{Random, cases, seed};
     use tautline_scalar::Interval;
 
+    use crate::exact::{Exact, squared_distances};
     use crate::laws::Bare;
-    use crate::proof::compare_distance;
+    use crate::proof::{compare_distance, point};
     use crate::{
         AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
         Sphere, Union,
@@ -320,6 +321,32 @@ mod tests {
                 assert!(inside.is_some_and(Ordering::is_le), "{ball:?} {centre} {radius:e}");
             }
         }
+        Ok(())
+    }
+
+    /// The farthest member from the origin is at the distance `|c| + r`. Decided in exact arithmetic.
+    #[test]
+    fn the_radii_of_balls_and_spheres_reach_their_farthest_points() -> Result<(), SetError> {
+        let mut random = Random(seed(33));
+        let mut nearest_fails = 0;
+        for _ in 0..cases(500) {
+            let centre = SVector::<f64, 3>::from_fn(|_, _| random.between(-2.0, 2.0));
+            let r = random.between(0.0, 2.0);
+            let (_, squared) = squared_distances(&point(&centre), &SVector::zeros());
+            let reaches = |radius: f64| {
+                let rest = Exact::new(radius).minus(&Exact::new(r));
+                squared.at_most(&rest.times(&rest))
+            };
+            let nearest = centre.norm() + r;
+            let sets: [&dyn ClosedSet<3>; 2] = [&Ball::new(centre, r)?, &Sphere::new(centre, r)?];
+            for set in sets {
+                let radius = set.radius().expect("bounded");
+                // Fewer than twenty roundings of positive numbers.
+                assert!(reaches(radius) && radius <= nearest * (1.0 + 4e-15), "{set:?} {radius:e}");
+            }
+            nearest_fails += usize::from(!reaches(nearest));
+        }
+        assert!(nearest_fails > 100, "{nearest_fails}");
         Ok(())
     }
 

@@ -109,6 +109,22 @@ mod tests {
         assert!(!both.contains(&vector![9.0, 6.0]));
     }
 
+    #[test]
+    fn one_coordinate_outside_is_outside() {
+        let (lower, upper) = (vector![-1.0, 2.0, -0.5], vector![1.0, 2.5, 0.75]);
+        let side = Shape::AxisBox(AxisBox::from_corners(lower, upper).expect("ordered"));
+        let spot = Shape::Point(Point::new(lower).expect("finite"));
+        for corner in [lower, upper] {
+            assert!(side.contains(&corner), "{corner}");
+            for i in 0..3 {
+                let mut x = corner;
+                x[i] = if corner == lower { x[i].next_down() } else { x[i].next_up() };
+                assert!(!side.contains(&x) && !spot.contains(&x), "{x}");
+            }
+        }
+        assert!(spot.contains(&lower) && !spot.contains(&upper));
+    }
+
     /// A sphere is no shape, so a union with one has no data, wherever the sphere stands in it.
     #[test]
     fn a_union_is_a_shape_only_if_each_of_its_pieces_is() {
