@@ -10,4 +10,5 @@ mod pyramids;
 mod sampled;
 mod shapes;
 mod smoothing;
+mod table;
 mod tightness;
