@@ -139,7 +139,7 @@ fn slope_of_the_gap<T: Number>(
 
 #[cfg(test)]
 mod tests {
-    use super::convex_excess;
+    use super::{convex_excess, convex_excess_outward};
     use crate::{
         BetweenPoints, Constants, PaperRule, Setting,
         by_hand::{close, n, with_m_h},
@@ -273,5 +273,27 @@ mod tests {
         for rule in BOTH {
             assert_eq!(convex_excess(flat, 2, &computed(rule, 7)), Some(0.0));
         }
+    }
+
+    /// On a constant metric only the residual counts: one chord has the excess `R²/4c₁`. A fused
+    /// product has the right sign.
+    #[test]
+    fn the_excess_is_rounded_up() {
+        let mut nearest_fails = 0;
+        for (c1, residual) in (2..100_u8).flat_map(|c1| (1..6_u8).map(move |r| (c1, r))) {
+            let (c1, residual) = (f64::from(c1), f64::from(residual));
+            let flat = with_m_h(c1, 400.0, 0.0, 0.0);
+            for rule in BOTH {
+                let one = BetweenPoints { residual, ..computed(rule, 1) };
+                let is_below = |excess: f64| excess.mul_add(4.0 * c1, -(residual * residual)) < 0.0;
+                let found = convex_excess_outward(flat, 2, &one).expect("convex");
+                // A few roundings, and those of the sine of π/2.
+                let most = residual * residual / (4.0 * c1) * (1.0 + 1e-13);
+                assert!(!is_below(found) && found <= most, "{one:?}: {found}");
+                let nearest = convex_excess(flat, 2, &one).expect("convex");
+                nearest_fails += usize::from(is_below(nearest));
+            }
+        }
+        assert!(nearest_fails > 100, "{nearest_fails}");
     }
 }

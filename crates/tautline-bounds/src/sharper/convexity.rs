@@ -187,7 +187,9 @@ fn greatest_ratio<T: Number>(setting: Setting, rule: PaperRule, n: NonZeroUsize)
 
 #[cfg(test)]
 mod tests {
-    use super::{BetweenPoints, convexity_modulus, poincare, strict_convexity};
+    use super::{
+        BetweenPoints, convexity_modulus, poincare, strict_convexity, strict_convexity_outward,
+    };
     use crate::{
         Constants, PaperRule, Setting, Spread,
         by_hand::{self, n, with_m_h},
@@ -312,6 +314,37 @@ mod tests {
             // of 0.03.
             assert!(((energy - found) / lost - 1.0).abs() < 1e-12, "{energy}: {found}, {lost}");
         }
+    }
+
+    /// With one chord the energy exceeds the minimum by at most `R²/4c₁`. The difference of two
+    /// doubles within a factor of 2 is exact, and a fused product has the right sign.
+    #[test]
+    fn the_least_energy_is_rounded_down() {
+        let mut nearest_fails = 0;
+        for (c1, residual) in (2..100_u8).flat_map(|c1| (1..6_u8).map(move |r| (c1, r))) {
+            let (c1, residual) = (f64::from(c1), f64::from(residual));
+            let constants = with_m_h(c1, 400.0, 1.0, 2.0);
+            for rule in PaperRule::BOTH {
+                let energy = 8.0;
+                let one = BetweenPoints {
+                    rule,
+                    n: n(1),
+                    discrete_energy: energy,
+                    length: 1.0,
+                    greatest_difference: 1.0,
+                    residual,
+                };
+                let is_too_much =
+                    |least: f64| (energy - least).mul_add(4.0 * c1, -(residual * residual)) < 0.0;
+                let least = strict_convexity_outward(constants, 2, &one, energy).expect("convex");
+                let lost = residual * residual / (4.0 * c1);
+                // A few roundings of numbers up to 8, and those of the sine of π/2.
+                assert!(!is_too_much(least) && energy - least <= lost + 1e-13, "{one:?}: {least}");
+                let nearest = strict_convexity(constants, 2, &one).expect("convex");
+                nearest_fails += usize::from(is_too_much(nearest));
+            }
+        }
+        assert!(nearest_fails > 100, "{nearest_fails}");
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! Balls of competitors on the sphere, and where there are none.
 
-use super::{LocalityError, Region, competitors, competitors_within, shrink};
+use super::{LocalityError, Region, competitors, competitors_within, reach, reach_outward, shrink};
 use std::{convert::Infallible, num::NonZeroUsize};
 
 use crate::{
-    BoundError, Constants, PaperRule,
+    BoundError, Constants, PaperRule, Setting,
     by_hand::{constants, n, with_m_h},
 };
 
@@ -161,4 +161,27 @@ fn invalid_numbers_are_errors() {
     }
     let error = competitors(0, TRA, N, 1.0, sphere).expect_err("no dimension");
     assert_eq!(error, LocalityError::Bound(BoundError::NoDimension));
+}
+
+/// On a metric with equal constants the reach is `d/√c₁`. It is squared exactly, as the sum of a
+/// double and its rounding error.
+#[test]
+fn the_reach_is_rounded_up() {
+    let mut nearest_fails = 0;
+    for (c1, d) in (2..200_u8).flat_map(|c1| (1..10_u8).map(move |d| (c1, d))) {
+        let (c1, d) = (f64::from(c1), f64::from(d));
+        let setting = Setting::new(constants(c1, 400.0, 0.0), d, 2).expect("valid");
+        let is_below = |q: f64| {
+            let square = q * q;
+            square.mul_add(c1, -(d * d)) + q.mul_add(q, -square) * c1 < 0.0
+        };
+        for rule in PaperRule::BOTH {
+            let found = reach_outward(setting, rule, n(2));
+            // Fewer than ten roundings.
+            let most = d / c1.sqrt() * (1.0 + 4e-15);
+            assert!(!is_below(found) && found <= most, "{c1} {d}: {found:e}");
+            nearest_fails += usize::from(is_below(reach(setting, rule, n(2))));
+        }
+    }
+    assert!(nearest_fails > 500, "{nearest_fails}");
 }
