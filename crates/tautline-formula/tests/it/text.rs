@@ -27,6 +27,22 @@ fn a_text_records_the_same_tape_as_rust() {
     assert_eq!(Ok(typed), Formula::record(&Sheet(0.9)));
 }
 
+/// A matrix need not be symmetric, and is not made so.
+#[test]
+fn a_matrix_is_written_row_by_row() {
+    let text = "[1, x1, 3; 4, x2, 6; x3, 8, 9]";
+    let formula = Formula::<3>::parse(text, &[]).expect("a formula");
+    let rows = matrix![1.0, -0.5, 3.0; 4.0, 0.25, 6.0; 7.0, 8.0, 9.0];
+    assert_eq!(formula.gram(&vector![-0.5, 0.25, 7.0]), rows);
+    let printed = formula.to_string();
+    let again = Formula::<3>::parse(&printed, &[]).expect("a formula");
+    assert_eq!(again.gram(&vector![-0.5, 0.25, 7.0]), rows, "{printed}");
+    assert_eq!(Formula::record(&formula).as_ref(), Ok(&formula));
+    assert_eq!((formula.entry(0, 1), formula.entry(2, 0)), (0, 2));
+    let upper = matrix![1.0, -0.5, 3.0; -0.5, 0.25, 6.0; 3.0, 6.0, 9.0];
+    assert_eq!(formula.of_upper_half().gram(&vector![-0.5, 0.25, 7.0]), upper);
+}
+
 #[test]
 fn arithmetic_between_numbers_gives_numbers() {
     let of = |text: &str| Formula::<1>::parse(text, &[]).expect("a formula");

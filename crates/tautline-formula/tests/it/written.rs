@@ -52,6 +52,31 @@ fn each_way_of_writing_records_the_tape_of_one_text() {
     assert_eq!(h, (2.0 * 0.5_f64.exp() * nalgebra::matrix![1.0, 0.0; 0.0, 1.0]));
 }
 
+/// No matrix is made symmetric, and neither are blocks.
+#[test]
+fn each_entry_is_in_its_row_and_column() {
+    let rows = |rows: &[&[&'static str]]| rows.iter().map(|row| parts(row)).collect::<Vec<_>>();
+    let full = rows(&[&["1", "2", "3"], &["4", "x1", "6"], &["7", "8", "x2"]]);
+    assert_is::<3>(&Written::Matrix(full), "[1, 2, 3; 4, x1, 6; 7, 8, x2]");
+    let upper = rows(&[&["1", "2", "3", "4"], &["5", "x1", "6"], &["7", "8"], &["9"]]);
+    let text = "[1, 2, 3, 4; 2, 5, x1, 6; 3, x1, 7, 8; 4, 6, 8, 9]";
+    assert_is::<4>(&Written::Upper(upper), text);
+    let block = Written::Matrix(rows(&[&["1", "x4"], &["3", "4"]]));
+    let rest = Written::Matrix(rows(&[&["5", "6"], &["x1", "8"]]));
+    let product = Written::Product(vec![(vec![2, 0], block), (vec![1, 3], rest)]);
+    let h = Formula::<4>::compose(&[], &[], &[], &product).expect("a metric");
+    let expected = nalgebra::matrix![
+        4.0, 0.0, 3.0, 0.0;
+        0.0, 5.0, 0.0, 6.0;
+        2.5, 0.0, 1.0, 0.0;
+        0.0, 0.5, 0.0, 8.0
+    ];
+    assert_eq!(h.gram(&vector![0.5, 1.5, -1.0, 2.5]), expected);
+    let recorded = Written::Recorded(AnyFormula::from(&h));
+    let again = Formula::<4>::compose(&[], &[], &[], &recorded).expect("a metric");
+    assert_eq!(again.gram(&vector![0.5, 1.5, -1.0, 2.5]), expected);
+}
+
 /// The texts of a block read all coordinates, but its rows and derivatives are those of the block.
 #[test]
 fn a_product_has_its_blocks_on_the_diagonal() {
