@@ -94,6 +94,32 @@ fn a_batch_is_that_of_a_metric_only_if_every_lane_is() {
     }
 }
 
+/// The halves of `H` may differ by `10⁻¹² √(Hᵢᵢ Hⱼⱼ)`, here `6 · 10⁻¹²`, wherever they are.
+#[test]
+fn halves_that_differ_by_more_than_roundings_are_no_metric() {
+    for text in [
+        "[4, x1, 0; x2, 9, 0; 0, 0, 1e-100]",
+        "[4, 0, x1; 0, 1e-100, 0; x2, 0, 9]",
+        "[1e100, 0, 0; 0, 4e-100, x1; 0, x2, 9e100]",
+    ] {
+        let (prepared, plain) = (Prepared::new(parsed::<3>(text)), Plain::new(parsed::<3>(text)));
+        for kind in [Kind::Checked, Kind::Momentum, Kind::Contraction] {
+            assert!(prepared.size(kind).is_some(), "{text} {kind:?}");
+            for metric in [&prepared as &dyn Batches<3>, &plain] {
+                let mut batch = Batch::new(metric, kind, 1, 1);
+                for (off, is_metric) in [(0.0, true), (0.9, true), (1.1, false)] {
+                    let (one, other) = (1.0, 1.0 + off * 6e-12);
+                    for x in [[one, other, 0.5], [other, one, 0.5]] {
+                        let place = (SVector::from(x), SVector::from([0.5, -1.0, 0.25]));
+                        let found = evaluate(&mut batch, &[place]);
+                        assert_eq!(found, is_metric, "{text} {kind:?} at {x:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// Nothing of the batch before is left, in any lane that is computed.
 #[test]
 fn a_batch_does_not_know_the_one_before() {

@@ -184,6 +184,40 @@ fn a_black_box_has_jets_but_neither_intervals_nor_a_formula() {
     }
 }
 
+/// Each entry and each derivative is in its place, also if `H` is not symmetric. All derivatives of
+/// the entries up to order six are at most 64 here. Differences of two directions have an error of
+/// `h² (∂ₖ³∂ₗH + ∂ₖ∂ₗ³H) / 6`.
+#[test]
+fn the_jets_of_a_black_box_are_those_of_its_formula() {
+    const PLACES: &str = "[4 + x1*x2, sin(x1 - 2*x2), x3^2; cos(x2*x3), 5, x1; x2^3, x1*x3, 6]";
+    let place = vector![0.5, -0.3, 0.7];
+    let x = SVector::from(Jet2::<f64, 3>::variables(&[0.5, -0.3, 0.7]));
+    let formula = parsed::<3>(PLACES);
+    let rounding = 64.0 * f64::EPSILON;
+    let first = 64.0 * H.powi(4) / 30.0 + 2.0 * rounding / H;
+    let second = 64.0 * H.powi(2) / 3.0 + 8.0 * rounding / H.powi(2);
+    for (order, slopes, bends) in
+        [(2, rounding, rounding), (1, rounding, first), (0, first, second)]
+    {
+        let black_box = BlackBox::<3>::new(Hidden::<3>::new(PLACES, order), H).expect("a step");
+        let off = black_box.gram(&place) - formula.gram(&place);
+        assert!(off.abs().max() <= rounding, "order {order}: {off}");
+        let (found, expected): (SMatrix<_, 3, 3>, _) = (black_box.gram(&x), formula.gram(&x));
+        for (n, (found, expected)) in found.iter().zip(&expected).enumerate() {
+            let near = |a: f64, b: f64, tolerance: f64| {
+                assert!((a - b).abs() <= tolerance, "order {order}, entry {n}: {a} {b}");
+            };
+            near(found.value(), expected.value(), rounding);
+            for k in 0..3 {
+                near(found.first(k), expected.first(k), slopes);
+                for l in k..3 {
+                    near(found.second(k, l), expected.second(k, l), bends);
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_step_is_positive_and_finite() {
     for step in [0.0, -1e-3, f64::NAN, f64::INFINITY] {
