@@ -190,7 +190,7 @@ fn a_black_box_has_jets_but_neither_intervals_nor_a_formula() {
 #[test]
 fn the_jets_of_a_black_box_are_those_of_its_formula() {
     const PLACES: &str = "[4 + x1*x2, sin(x1 - 2*x2), x3^2; cos(x2*x3), 5, x1; x2^3, x1*x3, 6]";
-    let place = vector![0.5, -0.3, 0.7];
+    let place = vector![0.5_f64, -0.3, 0.7];
     let x = SVector::from(Jet2::<f64, 3>::variables(&[0.5, -0.3, 0.7]));
     let formula = parsed::<3>(PLACES);
     let rounding = 64.0 * f64::EPSILON;

@@ -64,7 +64,7 @@ fn a_table_has_the_values_and_the_bounds_of_its_spline() {
 #[test]
 fn fourth_derivatives_have_bounds_only_between_neighbouring_nodes() {
     let beyond = [f64::NEG_INFINITY, f64::INFINITY];
-    for n in 1..=4 {
+    for n in 1..=4_i32 {
         let halves = (-5..=2 * n + 4).map(|i| f64::from(i) / 2.0);
         let ends: Vec<f64> = halves.chain(beyond).collect();
         let (line, plane) = (powers(&[n as usize]), powers(&[n as usize, 3]));
