@@ -188,8 +188,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
 #[cfg(test)]
 mod tests {
     use tautline_discretizations::{LeftEndpoint, Trapezoidal};
-    use tautline_metrics::gallery::Bump;
-    use tautline_sets::Ends;
+    use tautline_metrics::gallery::{Bump, Constant};
+    use tautline_sets::{Ball, Ends};
 
     use tautline_optimizers::Stop;
 
@@ -216,6 +216,31 @@ mod tests {
         let wide = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
         let line = wide.solve(Trapezoidal, 256).expect("solved");
         assert!(line.is_resolved() && line.distance_squared_estimate().is_some());
+    }
+
+    /// Balls whose surfaces are `2⁻⁵¹` apart touch up to rounding. The nearest points of both are at most
+    /// `√2 · 6 ε max |xᵢ|` away from each of the two ends, and `H` is at most its trace, 16.
+    #[test]
+    fn what_a_rounding_may_be_worth_is_in_the_errors_of_both_integrals() {
+        let metric = Constant::<2>::new([[4.0, 0.0], [0.0, 12.0]].into()).expect("definite");
+        let line = |gap: f64| {
+            let [first, second] =
+                [0.0, 2.0 + gap].map(|x| Ball::new([x, 0.0], 1.0).expect("a ball"));
+            let ends = Ends::new(first, second).expect("bounded");
+            Problem::new(metric, ends).solve(Trapezoidal, 8).expect("solved")
+        };
+        let nearly = line(0.5_f64.powi(51));
+        assert_eq!((nearly.minimum().stop, nearly.common_point()), (Stop::EndsTouch, None));
+        let exact = 2.0 * (2.0_f64.sqrt() * 6.0 * f64::EPSILON) * 4.0;
+        for (error, exact) in [(nearly.length().error, exact), (nearly.energy().error, exact * exact)]
+        {
+            // The ends are at 1 up to rounding.
+            assert!(error >= exact * (1.0 - 1e-12) && error < 2.0 * exact, "{error:e} {exact:e}");
+        }
+        // A proved common point leaves nothing open.
+        let touching = line(0.0);
+        assert!(touching.common_point().is_some());
+        assert_eq!([touching.length().error, touching.energy().error], [0.0, 0.0]);
     }
 
     #[test]

@@ -3,18 +3,19 @@
 use std::sync::Arc;
 
 use tautline_bounds::{
-    BoundError, Computed, Constants, DiscreteMinimum, FromBelow, PaperRule, Setting, enclose,
-    suggest_n,
+    BoundError, Computed, Constants, DiscreteMinimum, FromBelow, PaperRule, Setting,
+    convex_excess_outward, enclose, suggest_n,
 };
 use tautline_discretizations::PointSequence;
 use tautline_formula::Prepared;
 use tautline_metrics::gallery::{Constant, Separable, Shear, Valleys};
 use tautline_metrics::{Bounded, KnownDistance, Metric};
-use tautline_sets::{Ball, Ends};
+use tautline_sets::{Ball, ClosedSet, Ends, Point};
 
-use super::RuleOfThePaper;
+use super::{Extent, RuleOfThePaper, gap};
 use crate::{
-    LeftEndpoint, Level, Options, Problem, SMatrix, SVector, Scalar, Starts, TautLine, Trapezoidal,
+    Interval, LeftEndpoint, Level, Options, Problem, SMatrix, SVector, Scalar, Starts, TautLine,
+    Trapezoidal,
 };
 
 #[test]
@@ -95,7 +96,10 @@ fn suggested_grids_reach_the_tolerance() {
     let excess = coarse.length().value.powi(2) - d2;
     let again = coarse.suggest_n(excess).expect("finite").expected.expect("known").get();
     assert!((508..=516).contains(&again), "{again}");
-    assert_eq!(coarse.suggest_n(0.0).expect("finite").expected, None);
+    // Neither are grids suggested that nobody can solve on.
+    for tolerance in [0.0, 1e-40, -1.0] {
+        assert_eq!(coarse.suggest_n(tolerance).expect("finite").expected, None);
+    }
     assert_eq!(coarse.suggest_n(f64::NAN).expect("finite").proven, None);
 }
 
@@ -272,4 +276,208 @@ fn convexity_needs_the_longest_chord_and_every_residual() {
         let square = residuals.map(|residual| residual * residual).sum::<f64>() / 4.0;
         assert!((between.residual / square.sqrt() - 1.0).abs() < 1e-15, "{}", between.residual);
     }
+}
+
+/// Returns the sign of `x² − k/4^q` for a positive `x`, exactly. Needs: `k` has few bits.
+fn against_root(x: f64, k: u64, q: i32) -> std::cmp::Ordering {
+    // x is a whole number of units 2^−e.
+    let e = 52 - x.log2().floor() as i32;
+    let whole = (x * 2.0_f64.powi(e)) as u128;
+    (whole * whole).cmp(&(u128::from(k) << (2 * e - 2 * q)))
+}
+
+/// A sequence of pseudorandom numbers (Knuth's MMIX).
+struct Draws(u64);
+
+impl Draws {
+    /// Returns a whole number from `-most` to `most`.
+    fn whole(&mut self, most: i64) -> i64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (self.0 >> 33) as i64 % (2 * most + 1) - most
+    }
+}
+
+/// The quadratures of the length and of the energy have errors, which are taken to the side that each
+/// bound needs.
+#[test]
+fn the_errors_of_the_quadratures_are_in_the_numbers_of_a_curve() {
+    let metric = Separable::new([1e-3], [1e5]).expect("valid");
+    let ends = Ends::points([0.0], [1.0]).expect("finite");
+    let line = Problem::new(metric, ends).solve(Trapezoidal, 1).expect("one chord");
+    let (length, energy, extent) = (line.length(), line.energy(), line.extent());
+    assert!(length.error > 1e-7 && energy.error > 1e-7, "{length:?} {energy:?}");
+    assert!(extent.length >= length.value + length.error);
+    assert!(extent.length_squared >= (length.value + length.error).powi(2));
+    assert!(extent.energy >= energy.value + energy.error);
+    assert!(extent.energy_at_least <= energy.value - energy.error);
+    // And not more.
+    assert!(extent.length <= length.value + 2.0 * length.error);
+    assert!(extent.energy_at_least >= energy.value - 2.0 * energy.error);
+}
+
+/// Points of whole quarters under `H = 4 I`: the squares of the longest difference, of the residual and
+/// of the gap are whole numbers, and the numbers are on the right side of their roots, to the last digit.
+#[test]
+fn the_numbers_of_a_polygon_are_on_their_side_of_the_roots() {
+    let metric = Constant::<2>::new([[4.0, 0.0], [0.0, 4.0]].into()).expect("positive definite");
+    let mut draws = Draws(3);
+    let mut sharp = 0;
+    for _ in 0..60 {
+        let mut quarters: Vec<[i64; 2]> =
+            (0..5).map(|_| [(); 2].map(|()| draws.whole(20))).collect();
+        // The ends are apart.
+        quarters[4][0] = quarters[0][0] + 1 + draws.whole(20).abs();
+        let points = quarters.iter().map(|x| SVector::from(x.map(|k| k as f64 / 4.0))).collect();
+        let sequence = PointSequence::new(points).expect("finite");
+        let ends = Ends::points(*sequence.first(), *sequence.last()).expect("finite");
+        let options =
+            Options { starts: Starts::Only(vec![sequence]), iterations: 0, ..Options::default() };
+        let line = Problem::new(metric, ends).solve_with(Trapezoidal, 4, &options).expect("a line");
+        let square = |x: [i64; 2]| (x[0] * x[0] + x[1] * x[1]) as u64;
+        let minus = |a: [i64; 2], b: [i64; 2]| [a[0] - b[0], a[1] - b[1]];
+        // β = 4 Δ: in quarters of Δ, whole numbers.
+        let greatest = quarters.windows(2).map(|pair| square(minus(pair[1], pair[0]))).max();
+        let greatest = greatest.expect("four chords");
+        // ρₙ = 4 N² (2xₙ − xₙ₋₁ − xₙ₊₁) is 16 times a whole number, and 1/N times 16² is 64.
+        let bend = |x: &[[i64; 2]]| square(minus(minus(x[1], x[0]), minus(x[2], x[1])));
+        let residual = 64 * quarters.windows(3).map(bend).sum::<u64>();
+        let apart = square(minus(quarters[4], quarters[0]));
+        let curve = line.admissible_curve().expect("a curve");
+        let close = |x: f64, k: u64| (x * x / k as f64 - 1.0).abs() < 1e-13;
+        for extent in [line.extent(), line.proved_extent(&curve)] {
+            let between = line.between_points(extent).expect("two points");
+            assert!(close(between.greatest_difference, greatest), "{quarters:?} {between:?}");
+            assert!(residual == 0 || close(between.residual, residual), "{quarters:?} {between:?}");
+            assert!(close(4.0 * extent.gap_at_least, apart), "{quarters:?} {extent:?}");
+            assert!(against_root(extent.gap_at_least, apart, 2).is_le(), "{quarters:?} {extent:?}");
+        }
+        let between = line.between_points(line.proved_extent(&curve)).expect("two points");
+        assert!(against_root(between.greatest_difference, greatest, 0).is_ge(), "{quarters:?}");
+        assert!(residual == 0 || against_root(between.residual, residual, 0).is_ge());
+        let nearest = (greatest as f64).sqrt();
+        sharp += usize::from(against_root(nearest, greatest, 0).is_lt());
+    }
+    // Rounding to nearest would be on the wrong side for many of them.
+    assert!(sharp > 10, "{sharp}");
+}
+
+/// The gap is rounded down, and 0 or less than the distance if it overflows.
+#[test]
+fn a_gap_is_no_more_than_the_distance_of_the_points() {
+    let point = |x: [f64; 2]| SVector::from(x).map(Interval::point);
+    for (x, y, most) in [
+        ([-1e200, 0.0], [1e200, 0.0], 2e200),
+        ([0.0, 0.0], [3e-200, 0.0], 3e-200),
+        ([1.0, 1.0], [1.0, 1.0], 0.0),
+    ] {
+        let found = gap(&point(x), &point(y));
+        assert!((0.0..=most).contains(&found), "{found} of {most}");
+    }
+    // Boxes may be as near as their nearest sides.
+    let wide = SVector::from([Interval::new(-1.0, 1.0).expect("in order"), Interval::point(0.0)]);
+    let found = gap(&wide, &point([4.0, 0.0]));
+    assert!(found <= 3.0 && found > 2.999, "{found}");
+    assert_eq!(gap(&wide, &wide), 0.0);
+}
+
+/// A point at 0 whose proved member lies beside it.
+#[derive(Debug)]
+struct Beside(f64);
+
+impl ClosedSet<1> for Beside {
+    fn project(&self, _: &SVector<f64, 1>) -> SVector<f64, 1> {
+        SVector::from([0.0])
+    }
+    fn projection_derivative(&self, _: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
+        SMatrix::zeros()
+    }
+    fn radius(&self) -> Option<f64> {
+        Some(self.0.abs())
+    }
+    fn member_near(&self, _: &SVector<f64, 1>) -> Option<SVector<Interval, 1>> {
+        Some(SVector::from([Interval::point(self.0)]))
+    }
+}
+
+/// The minimum is that of the points that were found, and the curve is that of the points that were moved:
+/// the discrete energies of both are in the bounds. With two chords from 0 to 1 it is `2 (1/4 + 1/4)`, and
+/// with the first point at `∓ 1/4` it is `2 (9/16 + 1/4)` and `2 (1/16 + 1/4)`.
+#[test]
+fn the_points_before_they_were_moved_count_as_well_as_those_after() {
+    let metric = Constant::<1>::new([[1.0]].into()).expect("positive definite");
+    for (by, least, most) in [(-0.25, 1.0, 1.625), (0.25, 0.625, 1.0)] {
+        let ends = Ends::new(Beside(by), Point::new([1.0]).expect("finite")).expect("bounded");
+        let line = Problem::new(metric, ends).solve(Trapezoidal, 2).expect("solved");
+        let curve = line.admissible_curve().expect("a curve");
+        let extent = line.proved_extent(&curve);
+        // The middle is known up to rounding.
+        let close = |x: f64, exact: f64| (x - exact).abs() < 1e-12;
+        assert!(close(extent.discrete_energy_at_least, least), "{extent:?}");
+        assert!(close(extent.discrete_energy, most), "{extent:?}");
+        // The length is that of the curve.
+        assert!(close(extent.length, 1.0 - by) && extent.energy >= extent.energy_at_least);
+        // Ends that are sets say nothing of a gap, and may move.
+        assert!(extent.gap_at_least == 0.0 && extent.stationarity.is_none());
+    }
+}
+
+/// Each number of a curve enters the bounds on its own side: the least discrete energy bounds `d²` from
+/// below, and a larger one changes nothing.
+#[test]
+fn each_number_of_a_curve_bounds_its_own_side() {
+    let ends = Ends::points([0.0, 0.0], [0.1, 0.1]).expect("finite");
+    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+    let constants = Bounded::<2>::constants(&Valleys);
+    let of = |extent: Extent| line.enclosure_by(constants, extent).expect("bounds");
+    let extent = line.extent();
+    // As between sets: by the discrete minimum, which is assumed.
+    let sets = Extent { stationarity: None, gap_at_least: 0.0, ..extent };
+    let assumed = of(sets);
+    assert_eq!(assumed.from_below, FromBelow::Minimum);
+    let least = 0.5 * extent.discrete_energy_at_least;
+    let lower = of(Extent { discrete_energy_at_least: least, ..sets }).lower;
+    assert!(lower <= least && lower > 0.9 * least, "{lower} {least}");
+    let larger = Extent { discrete_energy: 2.0 * extent.discrete_energy, ..sets };
+    assert_eq!(of(larger), assumed);
+    // By the gap alone.
+    let apart = of(Extent { discrete_energy_at_least: 0.0, gap_at_least: 0.125, ..sets });
+    let exact = constants.c1() / 64.0;
+    assert!(apart.lower <= exact && apart.lower > exact - 1e-15, "{apart:?}");
+    // By convexity: the energy that the curve has at least, less the excess.
+    let convex = of(extent);
+    assert_eq!(convex.from_below, FromBelow::Convexity);
+    let less = extent.energy_at_least - convex.width();
+    let shifted = of(Extent { energy_at_least: less, ..extent });
+    let fallen = convex.lower - shifted.lower;
+    assert!((fallen / convex.width() - 1.0).abs() < 1e-6, "{convex:?} {shifted:?}");
+    let higher = of(Extent { energy: 2.0 * extent.energy, ..extent });
+    assert_eq!((higher.lower, higher.upper), (convex.lower, extent.length_squared));
+    // From above: the smaller of both.
+    let longer = of(Extent { length_squared: 2.0 * extent.length_squared, ..extent });
+    assert_eq!(longer.upper, extent.energy);
+}
+
+/// The difference of the energy and of the excess is rounded down.
+#[test]
+fn a_bound_by_convexity_is_rounded_down() {
+    let ends = Ends::points([0.0, 0.0], [0.1, 0.1]).expect("finite");
+    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+    let constants = Bounded::<2>::constants(&Valleys);
+    let extent = line.extent();
+    let between = line.between_points(extent).expect("two points");
+    let excess = convex_excess_outward(constants, 2, &between).expect("convex");
+    let mut inexact = 0;
+    for k in 0..40 {
+        let energy_at_least = extent.energy_at_least * (1.0 - f64::from(k) * 1e-9);
+        let found = line.enclosure_by(constants, Extent { energy_at_least, ..extent });
+        let lower = found.expect("bounds").lower;
+        let nearest = energy_at_least - excess;
+        // Exact, since the excess is the smaller one.
+        let rest = (energy_at_least - nearest) - excess;
+        assert!(lower <= nearest && (lower < nearest || rest >= 0.0), "{lower} {nearest} {rest:e}");
+        assert!(lower >= nearest * (1.0 - 1e-15), "{lower} {nearest}");
+        inexact += usize::from(rest < 0.0);
+    }
+    // To nearest, these would be too large.
+    assert!(inexact > 5, "{inexact}");
 }

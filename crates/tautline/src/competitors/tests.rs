@@ -1,14 +1,15 @@
 //! Balls that hold all competitors of known lines.
 
 use tautline_bounds::{
-    BoundError, Constants, LocalityError, PaperRule, Setting, competitors, theorem_d_length_excess,
+    BoundError, Constants, LocalityError, PaperRule, Setting, competitors, reach_outward,
+    theorem_d_length_excess,
 };
 use tautline_discretizations::PointSequence;
 use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Sphere};
 use tautline_metrics::{KnownDistance, LocalError, LocallyBounded};
 use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
 
-use super::Competitors;
+use super::{BoundedEnds, Competitors, Extent, upper};
 use crate::{LeftEndpoint, Options, Problem, SVector, Starts, TautLine, Trapezoidal};
 
 fn line<M: LocallyBounded<2>>(
@@ -240,4 +241,139 @@ fn ends_that_are_too_far_apart_are_refused() {
         LocalityError::NoConstants { reason: LocalError::LeavesTheDomain { limit: 1.0, .. }, .. }
     );
     assert!(named, "{error}");
+}
+
+/// A sequence of pseudorandom numbers (Knuth's MMIX).
+struct Draws(u64);
+
+impl Draws {
+    /// Returns a whole number below `2^bits`, of at most 53 bits.
+    fn whole(&mut self, bits: u32) -> i128 {
+        let mut next = || {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            i128::from(self.0 >> 37)
+        };
+        ((next() << 27) | next()) >> (54 - bits)
+    }
+}
+
+/// All numbers are whole in this unit, and smaller than `2^90` of it.
+const UNIT: i32 = -80;
+
+/// Returns the number that is so many units times a power of two.
+fn double(whole: i128, power: i32) -> f64 {
+    whole as f64 * 2.0_f64.powi(power)
+}
+
+/// Returns a number that is a whole number of units.
+fn units(x: f64) -> i128 {
+    (x * 2.0_f64.powi(-UNIT)) as i128
+}
+
+/// On the line the least radii are sums and differences, which are known exactly. Those that are found are
+/// not smaller, and larger by rounding alone.
+#[test]
+fn radii_are_rounded_up_from_the_exact_ones() {
+    let mut draws = Draws(7);
+    for _ in 0..500 {
+        let mut place = || double(draws.whole(53) - (1 << 52), -52);
+        let (at, centre) = ([place(), place()], place());
+        let r = [(); 2].map(|()| double(draws.whole(53), -55));
+        let length = double(draws.whole(53), -54);
+        let away = [0, 1].map(|k| (units(at[k]) - units(centre)).abs() + units(r[k]));
+        let long = units(length);
+        // Twice the radii.
+        let left = (2 * away[0].min(away[1]) + 2 * long).min(away[0] + away[1] + long);
+        let middle = (units(at[0]) + units(at[1]) - 2 * units(centre)).abs();
+        let filled = left.min(middle + units(r[0]) + units(r[1]) + long);
+        let [one, two] = [0, 1].map(|k| (SVector::from([at[k]]), r[k]));
+        let (both, centre) = (BoundedEnds::<1>(vec![one, two]), SVector::from([centre]));
+        let first = BoundedEnds::<1>(vec![one]);
+        for (found, exact) in [
+            (both.left_by(length, &centre), left),
+            (both.filled_by(length, &centre), filled),
+            // With one bounded end, a curve may be on its way to anywhere.
+            (first.left_by(length, &centre), 2 * (away[0] + long)),
+            (first.filled_by(length, &centre), 2 * (away[0] + long)),
+        ] {
+            assert!(2 * units(found) >= exact, "{at:?} {r:?} {length} {centre}: {found}");
+            assert!(found <= double(exact, UNIT - 1) * (1.0 + 1e-14), "{at:?} {r:?}: {found}");
+        }
+    }
+    let both = BoundedEnds::<1>(vec![(SVector::from([0.0]), 1.0), (SVector::from([1.0]), 1.0)]);
+    let neither = BoundedEnds::<1>(Vec::new());
+    let centre = SVector::from([0.5]);
+    for infinite in [
+        both.left_by(f64::INFINITY, &centre),
+        both.filled_by(f64::NAN, &centre),
+        neither.left_by(1.0, &centre),
+        neither.filled_by(1.0, &centre),
+    ] {
+        assert_eq!(infinite, f64::INFINITY);
+    }
+}
+
+/// The bound on both numbers is at least the length and at least the root of the discrete energy.
+#[test]
+fn the_root_of_the_discrete_energy_is_rounded_up() {
+    let ends = Ends::points([0.3, 0.1], [0.5, 0.2]).expect("finite");
+    let line = Problem::new(Sphere, ends).solve(Trapezoidal, 16).expect("solved");
+    let extent = line.extent();
+    let of = |length: f64, discrete_energy: f64| upper(Extent { length, discrete_energy, ..extent });
+    let mut draws = Draws(11);
+    for _ in 0..100 {
+        // Between 1 and 2, where a root is a whole number of units 2⁻⁵².
+        let energy = double((1 << 52) + draws.whole(52), -52);
+        let root = of(0.0, energy);
+        let whole = (root * 2.0_f64.powi(52)) as u128;
+        assert!(whole * whole >= ((energy * 2.0_f64.powi(52)) as u128) << 52, "{energy} {root}");
+        assert!(root <= energy.sqrt() * (1.0 + 1e-15), "{energy} {root}");
+    }
+    assert_eq!([of(3.0, 4.0), of(0.5, 0.0), of(0.0, 0.0)], [3.0, 0.5, 0.0]);
+    assert!(of(1.0, 4.0) >= 2.0);
+    assert!(of(f64::NAN, 4.0).is_nan() && of(1.0, f64::NAN).is_nan());
+}
+
+/// Each ball is as large as the constants of the one before it need, to the last digit: with the radius
+/// that they need it is accepted, and with the next smaller one it is refused. Its own constants do not
+/// count for its own size, and no competitor may touch the boundary of the first or of the last one.
+#[test]
+fn each_ball_is_measured_by_the_constants_of_the_ball_before_it() {
+    let line = line(Sphere, [0.3, 0.1], [0.5, 0.2], 64);
+    let extent = line.extent();
+    let own = line.competitors().expect("near");
+    let mut balls = own.outer.clone();
+    balls.push((own.within, own.constants));
+    assert!(balls.len() > 1);
+    let bounded = BoundedEnds::of(line.ends());
+    let long = |constants: Constants| {
+        let setting = Setting::new(constants, upper(extent), 2).expect("a length");
+        reach_outward(setting, PaperRule::Trapezoidal, line.sequence().n())
+    };
+    let holds = |balls: &[(Ball<2>, Constants)]| {
+        let (outer, own) = balls.split_at(balls.len() - 1);
+        let (within, constants) = own[0];
+        let chain = Competitors { constants, within, outer: outer.to_vec() };
+        chain.hold_those_of(&line, extent).is_ok()
+    };
+    assert!(holds(&balls));
+    for (k, &(ball, constants)) in balls.iter().enumerate() {
+        let reach = match k {
+            0 => bounded.left_by(long(constants), ball.centre()),
+            _ => bounded.filled_by(long(balls[k - 1].1), ball.centre()),
+        };
+        let with = |r: f64| {
+            let mut balls = balls.clone();
+            balls[k].0 = Ball::new(*ball.centre(), r).expect("a radius");
+            holds(&balls)
+        };
+        // By the constants of the last ball, competitors are away from its boundary.
+        assert_eq!([reach.next_down(), reach, reach.next_up()].map(with), [false, k > 0, true]);
+    }
+    // If the constants of the last ball are worse than those before, they say less.
+    let worse = |c1: f64| Constants::new(c1, own.constants.c2(), own.constants.l_h());
+    let worse = worse(0.5 * own.constants.c1()).expect("constants").on_a_region();
+    let last = balls.len() - 1;
+    balls[last].1 = worse;
+    assert!(!holds(&balls));
 }
