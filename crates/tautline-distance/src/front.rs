@@ -239,4 +239,50 @@ mod tests {
             assert_eq!(front.neighbours(5).count() + front.neighbours(usize::MAX).count(), 0);
         }
     }
+
+    /// Returns 25 nodes in a square, at half a unit from each other, with this diagonal of `H⁻¹`.
+    fn square(diagonal: [f64; 2]) -> Front {
+        let neighbour = |node: usize, offset: &[i32; 2]| {
+            let at = |k: usize, by: i32| usize::try_from(k as i32 + by).ok().filter(|&k| k < 5);
+            Some(5 * at(node / 5, offset[0])? + at(node % 5, offset[1])?)
+        };
+        let inverse = SMatrix::<f64, 2, 2>::from([[diagonal[0], 0.0], [0.0, diagonal[1]]]);
+        Front::new(25, 0.5, |_| Some(inverse), neighbour)
+    }
+
+    /// From the middle: with weights 4 and 1 along the axes, `4 (u/h)² = 1` beside it along the first one.
+    /// Beside two known values, `4 (u − 1/2)² + (u − 1/4)² = 1/4`, whose larger root is `(9 + 4)/20`.
+    #[test]
+    fn values_solve_the_equation_of_their_node() {
+        let front = square([4.0, 1.0]);
+        let mut seeds = vec![f64::INFINITY; 25];
+        seeds[12] = 0.0;
+        for order in [Order::First, Order::Second] {
+            let found = front.march(seeds.clone(), order);
+            let close = |node: usize, exact: f64| (found[node] - exact).abs() < 1e-14;
+            // Straight on, values are added, in both orders.
+            assert!(close(17, 0.25) && close(22, 0.5) && close(7, 0.25) && close(2, 0.5));
+            assert!(close(13, 0.5) && close(14, 1.0) && close(11, 0.5) && close(10, 1.0));
+            assert!([6, 8, 16, 18].into_iter().all(|node| close(node, 0.65)), "{found:?}");
+        }
+    }
+
+    /// A node whose value is NaN keeps it, and the others are reached around it. A seed keeps its value,
+    /// whether larger or smaller than that of a march.
+    #[test]
+    fn a_node_without_a_number_is_left_out() {
+        let front = square([1.0, 1.0]);
+        let mut seeds = vec![f64::INFINITY; 25];
+        (seeds[12], seeds[13]) = (0.0, f64::NAN);
+        for order in [Order::First, Order::Second] {
+            let found = front.march(seeds.clone(), order);
+            assert!(found[13].is_nan() && found[11] == 0.5);
+            assert!((found[14] - 2.0).abs() < 1e-14, "{}", found[14]);
+            assert_eq!(found.iter().filter(|value| value.is_nan()).count(), 1);
+        }
+        seeds[13] = 3.0;
+        seeds[11] = 0.125;
+        let found = front.march(seeds, Order::First);
+        assert_eq!([found[11], found[12], found[13], found[10]], [0.125, 0.0, 3.0, 0.625]);
+    }
 }

@@ -36,7 +36,7 @@ pub(crate) fn inside<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> SVe
 mod tests {
     use nalgebra::{SVector, vector};
     use tautline_chance::{Random, seed};
-    use tautline_sets::{Ball, HalfSpace, Shape};
+    use tautline_sets::{AxisBox, Ball, ClosedSet, HalfSpace, Point, Shape};
 
     use super::inside;
 
@@ -66,5 +66,45 @@ mod tests {
         let wall = Shape::HalfSpace(HalfSpace::new([1.0], 0.3).expect("a normal"));
         assert_eq!(inside(&wall, &vector![0.3]), vector![0.3]);
         assert_eq!(inside(&wall, &vector![7.0]), vector![0.3]);
+    }
+
+    /// An end stays next to the nearest point of the nearest piece, whatever the order of the pieces and
+    /// wherever the set is.
+    #[test]
+    fn ends_are_moved_to_the_nearest_point_of_the_nearest_piece() {
+        let mut random = Random(seed(2));
+        for case in 0..300 {
+            let mut near = |x: f64| x + random.between(-0.4, 0.4);
+            // One piece in each quarter of the plane, all within 1 of their corners.
+            let ball = Ball::new([near(5.0), near(5.0)], 0.5).expect("finite");
+            let low = [near(-5.0), near(5.0)];
+            let side = AxisBox::from_corners(low, low.map(|x| x + 0.5)).expect("corners");
+            let point = Point::new([near(-5.0), near(-5.0)]).expect("finite");
+            let wall = HalfSpace::at_least([1.0, -1.0], near(9.0)).expect("a normal");
+            let mut pieces = vec![
+                Shape::Ball(ball),
+                Shape::AxisBox(side),
+                Shape::Point(point),
+                Shape::HalfSpace(wall),
+            ];
+            pieces.rotate_left(case % 4);
+            let set = Shape::Union(pieces);
+            let corners = [[4.0, 4.0], [-4.0, 4.0], [-4.0, -4.0], [4.0, -4.0]];
+            let [one, two, three, four] = corners.map(|[a, b]| vector![near(a), near(b)]);
+            for (x, nearest) in [
+                (one, ball.project(&one)),
+                (two, side.project(&two)),
+                (three, *point.position()),
+                (four, wall.project(&four)),
+            ] {
+                let moved = inside(&set, &x);
+                assert!(set.contains(&moved), "{set:?} {x}");
+                // Some roundings of coordinates up to 9.
+                assert!((moved - nearest).norm() < 1e-13, "{set:?} {x}: {moved} {nearest}");
+            }
+        }
+        // A ball of radius 0, far away.
+        let ball = Shape::Ball(Ball::new([1e9, 0.1], 0.0).expect("finite"));
+        assert_eq!(inside(&ball, &vector![0.0, 0.0]), vector![1e9, 0.1]);
     }
 }

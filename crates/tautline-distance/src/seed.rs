@@ -82,3 +82,118 @@ pub(crate) fn seed<const D: usize>(
 fn is_conformal<const D: usize>(h: &SMatrix<f64, D, D>) -> bool {
     *h == SMatrix::<f64, D, D>::identity() * h[(0, 0)]
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SVector, vector};
+    use tautline_formula::Formula;
+    use tautline_sets::{AxisBox, Ball, HalfSpace, Point, Shape};
+
+    use super::{away, distance, seed};
+
+    fn formula(text: &str) -> Formula<2> {
+        Formula::parse(text, &[]).expect("a formula")
+    }
+
+    fn ball(x: [f64; 2], r: f64) -> Shape<2> {
+        Shape::Ball(Ball::new(x, r).expect("a radius"))
+    }
+
+    /// The box from (0, 0) to (4, 2).
+    fn side() -> Shape<2> {
+        Shape::AxisBox(AxisBox::from_corners([0.0, 0.0], [4.0, 2.0]).expect("corners"))
+    }
+
+    fn wall() -> Shape<2> {
+        Shape::HalfSpace(HalfSpace::at_least([3.0, 4.0], 10.0).expect("a normal"))
+    }
+
+    /// Negative inside, to the nearest side.
+    #[test]
+    fn euclidean_distances_are_signed_and_point_away() {
+        let point = Shape::Point(Point::new([1.0, 2.0]).expect("finite"));
+        for (piece, x, exact, unit) in [
+            (point, [4.0, 6.0], 5.0, [0.6, 0.8]),
+            (ball([1.0, 2.0], 2.0), [4.0, 6.0], 3.0, [0.6, 0.8]),
+            (ball([1.0, 2.0], 2.0), [1.0, 1.5], -1.5, [0.0, -1.0]),
+            (ball([1.0, 2.0], 2.0), [1.0, 2.0], -2.0, [1.0, 0.0]),
+            (side(), [7.0, 6.0], 5.0, [0.6, 0.8]),
+            (side(), [-3.0, 1.0], 3.0, [-1.0, 0.0]),
+            (side(), [1.0, -2.0], 2.0, [0.0, -1.0]),
+            (side(), [2.0, 1.5], -0.5, [0.0, 1.0]),
+            (side(), [2.0, 0.25], -0.25, [0.0, -1.0]),
+            (side(), [0.5, 1.0], -0.5, [-1.0, 0.0]),
+            (side(), [3.75, 1.0], -0.25, [1.0, 0.0]),
+            (wall(), [0.0, 0.0], 2.0, [-0.6, -0.8]),
+            (wall(), [6.0, 8.0], -8.0, [-0.6, -0.8]),
+        ] {
+            let x: SVector<f64, 2> = x.into();
+            let (found, direction) = away(&piece, &x);
+            assert!((found - exact).abs() < 1e-14, "{piece:?} {x}: {found}");
+            assert!((direction - SVector::from(unit)).norm() < 1e-14, "{piece:?} {x}: {direction}");
+            assert_eq!(distance(&piece, &x), found);
+        }
+    }
+
+    /// Under `4 I` all distances are doubled. Under a diagonal metric the nearest point of a half-space is
+    /// another one: `t/(nᵀh⁻¹n)^{1/2}`.
+    #[test]
+    fn seeds_are_the_distances_under_a_constant_metric() {
+        let twice = formula("4 I");
+        for (piece, x) in [
+            (ball([1.0, 2.0], 2.0), [4.0, 6.0]),
+            (ball([1.0, 2.0], 2.0), [1.0, 1.5]),
+            (side(), [2.0, 0.25]),
+            (side(), [7.0, 6.0]),
+            (wall(), [6.0, 8.0]),
+        ] {
+            let x = x.into();
+            let exact = 2.0 * distance(&piece, &x);
+            let found = seed(&twice, &piece, 10.0, &x).expect("near");
+            assert!((found - exact).abs() < 1e-13, "{piece:?} {x}: {found} {exact}");
+        }
+        let diagonal = formula("[9, 0; 0, 16]");
+        let found = seed(&diagonal, &wall(), 10.0, &vector![0.0, 0.0]).expect("near");
+        // nᵀh⁻¹n = 0.36/9 + 0.64/16 = 0.08.
+        assert!((found - 2.0 / 0.08_f64.sqrt()).abs() < 1e-12, "{found}");
+    }
+
+    /// Of a union the nearest piece counts, whichever comes first; beyond the band there is no seed.
+    #[test]
+    fn the_nearest_piece_within_the_band_counts() {
+        let flat = formula("1 I");
+        let pieces = [ball([0.0, 0.0], 1.0), ball([6.0, 0.0], 2.0)];
+        let x = vector![3.0, 0.0];
+        for order in [[0, 1], [1, 0]] {
+            let union = Shape::Union(order.map(|n: usize| pieces[n].clone()).to_vec());
+            let at = |band: f64| seed(&flat, &union, band, &x);
+            assert_eq!([at(5.0), at(1.5), at(1.0), at(0.5)], [Some(1.0), Some(1.0), Some(1.0), None]);
+            // Inside one of them.
+            assert_eq!(seed(&flat, &union, 0.5, &vector![5.0, 0.0]), Some(-1.0));
+        }
+    }
+
+    /// Where the middle of the way has no metric, that at one of its ends serves, and without any there is
+    /// no seed.
+    #[test]
+    fn a_seed_needs_a_metric_somewhere_on_its_way() {
+        // Undefined for x₁ < 1.
+        let half = formula("(4 + 0*ln(x1 - 1)) I");
+        let piece = ball([0.0, 0.0], 0.5);
+        assert_eq!(seed(&half, &piece, 5.0, &vector![1.25, 0.0]), Some(1.5));
+        assert_eq!(seed(&half, &piece, 5.0, &vector![0.75, 0.0]), None);
+        assert_eq!(seed(&formula("(4 + 0/x1) I"), &piece, 5.0, &vector![0.0, 0.0]), Some(-1.0));
+    }
+
+    /// By the metric in the middle of the way, the error is of third order: `∫ (1 + x) dx` from 1 to
+    /// `1 + t` is `t (2 + t/2)`, exactly.
+    #[test]
+    fn the_metric_in_the_middle_of_the_way_counts() {
+        let slope = formula("cost(1 + x1)");
+        let piece = ball([0.0, 0.0], 1.0);
+        for t in [0.5, 0.125, -0.25] {
+            let found = seed(&slope, &piece, 1.0, &vector![1.0 + t, 0.0]).expect("near");
+            assert!((found - t * (2.0 + 0.5 * t)).abs() < 1e-14, "{t}: {found}");
+        }
+    }
+}

@@ -73,3 +73,17 @@ fn an_observer_may_stop_a_search_at_any_level() {
         assert!(found.certificate.check().is_ok());
     }
 }
+
+/// Far from the origin, small cubes have no places of 32 bits. What was proved before is returned.
+#[test]
+fn a_search_far_from_the_origin_ends_with_what_it_has() {
+    let waves = Formula::<1>::parse("sqr(2 - cos(x1)) I", &[]).expect("a formula");
+    let (x, y) = (1e6_f64, 1e6_f64 + 1.0);
+    let curve = (0..=64).map(|n| vector![x + f64::from(n) / 64.0]).collect();
+    let sets = [point([x]), point([y])];
+    let found = attempt(&waves, &sets, &[curve], Wanted { gap: 1e-9, cubes: 100_000 });
+    let found = found.expect("a certificate");
+    assert_eq!(found.ended, Ended::TooFar);
+    // ∫ (2 − cos x) dx.
+    holds(&found, 2.0 - y.sin() + x.sin(), 1e-9, 1e-2);
+}
