@@ -42,7 +42,7 @@ impl<const D: usize> BlackBox<D> {
     }
 
     /// Returns the points moved in some directions by some steps, one copy of all points after the
-    /// other, and the distances by which they are moved after rounding, as multiples of the step.
+    /// other.
     fn moved(&self, x: &[f64], moves: &[[(usize, f64); 2]]) -> Vec<f64> {
         let mut all = Vec::with_capacity(x.len() * moves.len());
         for moved in moves {

@@ -70,10 +70,11 @@ impl<const D: usize> BlackBox<D> {
     /// Makes the metric. Derivatives that are not given are computed from differences of values at
     /// points whose coordinates differ by `step`, in `ℓ`.
     ///
-    /// The first derivatives have an error of about `h⁴ |∂⁵H| / 30 + 2 ε |H| / h` for a step of `h`. A
-    /// thousandth of the length over which `H` changes is a good step: both terms are then about
-    /// `10⁻¹²` of the derivative. The second derivatives, which only steer the search, are known to
-    /// `10⁻⁸`.
+    /// The first derivatives have an error of about `h⁴ |∂⁵H| / 30 + 2 ε |H| / h + ε |x| |∂H| / h` for
+    /// a step of `h`. A thousandth of the length over which `H` changes is a good step: the first two
+    /// terms are then about `10⁻¹²` of the derivative. The last one comes from coordinates that are
+    /// rounded when they are moved, and is as small where they are not large, compared with that length.
+    /// The second derivatives, which only steer the search, are known to `10⁻⁸`.
     ///
     /// Returns `None` if the step is not positive and finite.
     #[must_use]

@@ -25,26 +25,50 @@ pub(super) fn gradients(functions: &[Value], coordinates: &[usize]) -> Vec<Vec<V
         .filter(|&step| (step as usize) < operations.len())
         .collect();
     let needed = needed(operations, &roots, |_| true);
-    // The loop runs over the coordinates, so that memory does not grow with the dimension.
-    let columns: Vec<Vec<Value>> = coordinates
-        .iter()
-        .map(|&coordinate| {
-            let mut made = vec![ZERO; operations.len()];
-            for place in 0..needed.len() {
-                // A tape that is too long is refused anyway.
-                if needed[place] && !recording::has_failed() {
-                    made[place] = derivative(operations, place as Step, &made, coordinate);
+    // The steps that may be undefined, while no derivative so far would tell.
+    let is_partial = operations.iter().zip(&needed).map(|(step, needed)| *needed && may_fail(step));
+    let mut silent: Vec<bool> = is_partial.collect();
+    let column = |coordinate: usize, silent: &mut [bool], speak: bool| -> Vec<Value> {
+        let mut made = vec![ZERO; operations.len()];
+        for place in 0..needed.len() {
+            // A tape that is too long is refused anyway.
+            if needed[place] && !recording::has_failed() {
+                made[place] = derivative(operations, place as Step, &made, coordinate);
+                silent[place] &= made[place].is(0.0);
+                if silent[place] && speak {
+                    made[place] = Value::Symbol(Symbol(place as Step)) * ZERO;
                 }
             }
-            let of = |function: &Value| match function {
-                Value::Symbol(Symbol(step)) => made.get(*step as usize).copied().unwrap_or(ZERO),
-                Value::Number(value) if value.is_finite() => ZERO,
-                Value::Number(_) => UNDEFINED,
-            };
-            functions.iter().map(of).collect()
-        })
-        .collect();
+        }
+        let of = |function: &Value| match function {
+            Value::Symbol(Symbol(step)) => made.get(*step as usize).copied().unwrap_or(ZERO),
+            Value::Number(value) if value.is_finite() => ZERO,
+            Value::Number(_) => UNDEFINED,
+        };
+        functions.iter().map(of).collect()
+    };
+    // The loop runs over the coordinates, so that memory does not grow with the dimension.
+    let mut columns: Vec<Vec<Value>> =
+        coordinates.iter().map(|&coordinate| column(coordinate, &mut silent, false)).collect();
+    // A logarithm of `0·x₁ − 1` does not change, and is undefined.
+    if let ([first, ..], true) = (coordinates, silent.contains(&true)) {
+        columns[0] = column(*first, &mut silent, true);
+    }
     (0..functions.len()).map(|k| columns.iter().map(|column| column[k]).collect()).collect()
+}
+
+/// Returns whether a step may be undefined although those that it reads are defined.
+fn may_fail(operation: &Operation) -> bool {
+    match *operation {
+        Operation::Binary(Arithmetic::Div, ..) => true,
+        Operation::WithNumber(Arithmetic::Mul, _, c) => !c.value().is_finite(),
+        Operation::WithNumber(Arithmetic::Div, _, c) => !c.value().is_finite() || c.value() == 0.0,
+        Operation::Powi(_, n) => n < 0,
+        Operation::Of(function, _) => {
+            matches!(function, Function::Recip | Function::Sqrt | Function::Ln | Function::Tan)
+        }
+        _ => false,
+    }
 }
 
 /// Returns the derivative of a step with respect to a coordinate, given those `made` for earlier

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_chance::seed;
-use tautline_formula::{Formula, Problem, RecordError};
+use tautline_formula::{Form, Formula, Part, Problem, RecordError, Written};
 use tautline_metrics::{Metric, Scalar, gallery};
 use tautline_scalar::{Interval, Jet1};
 
@@ -185,6 +185,44 @@ fn the_metric_of_an_undefined_function_is_undefined() {
         assert!(trace.is_nan(), "{text}: {trace}");
         let over = vector![Interval::new(-2.0, -1.0).expect("ordered"), Interval::point(0.5)];
         assert!(formula.gram(&over).trace().is_undefined(), "{text}");
+    }
+    // Steps that do not change, so that no derivative reads them.
+    let nowhere = [
+        "ln(number(-1))",
+        "ln(0*x1 - 1)",
+        "ln(x2 - x2 - 1)",
+        "sqrt(0*x2 - 1)",
+        "number(1)/number(0)",
+        "number(2)/0",
+        "number(0)*(1/0)",
+        "number(2)*(0/0)",
+        "number(0)^-1",
+        "recip(0*x1)",
+        "sqrt(ln(0*x1 - 1))",
+        "0*ln(0*x2 - 1)",
+        "ln(0*x1 - 1)^0",
+        "atan(ln(0*x1 - 1))",
+    ];
+    for step in nowhere {
+        for text in [format!("graph(x1 + {step})"), format!("pullback(x1, x2, {step})")] {
+            let formula = Formula::<2>::parse(&text, &[]).expect("a formula");
+            for x in [vector![1.0, 0.5], vector![-0.25, 0.0]] {
+                assert!(formula.gram(&x).trace().is_nan(), "{text}");
+                assert!(formula.gram(&x.map(Interval::point)).trace().is_undefined(), "{text}");
+            }
+        }
+    }
+    // In a block that does not change with x₂, the function has to be defined at x₂.
+    let part = |text| Part { text, id: 0 };
+    let block = |i: usize, text| (vec![i], Written::Form(Form::Graph, vec![part(text)]));
+    let product = Written::Product(vec![block(0, "x1 + ln(x2)"), block(1, "x2")]);
+    let product = Formula::<2>::compose(&[], &[], &[], &product).expect("a formula");
+    assert!(product.gram(&vector![0.5, -1.0])[(0, 0)].is_nan());
+    assert_eq!(product.gram(&vector![0.5, 1.0]), matrix![2.0, 0.0; 0.0, 2.0]);
+    // What does not change, and is defined, changes nothing.
+    for text in ["graph(x1 + sqrt(0*x2))", "graph(x1 + 2/number(4))", "graph(x1 + ln(0*x2 + 2))"] {
+        let formula = Formula::<2>::parse(text, &[]).expect("a formula");
+        assert_eq!(formula.gram(&vector![3.0, 4.0]), matrix![2.0, 0.0; 0.0, 1.0], "{text}");
     }
     let defined = Formula::<2>::parse("graph(ln(x1))", &[]).expect("a formula");
     let slope = defined.gram(&vector![Interval::point(0.5), Interval::point(0.0)])[(0, 0)];
