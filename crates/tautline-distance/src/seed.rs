@@ -167,7 +167,10 @@ mod tests {
         for order in [[0, 1], [1, 0]] {
             let union = Shape::Union(order.map(|n: usize| pieces[n].clone()).to_vec());
             let at = |band: f64| seed(&flat, &union, band, &x);
-            assert_eq!([at(5.0), at(1.5), at(1.0), at(0.5)], [Some(1.0), Some(1.0), Some(1.0), None]);
+            assert_eq!(
+                [at(5.0), at(1.5), at(1.0), at(0.5)],
+                [Some(1.0), Some(1.0), Some(1.0), None]
+            );
             // Inside one of them.
             assert_eq!(seed(&flat, &union, 0.5, &vector![5.0, 0.0]), Some(-1.0));
         }

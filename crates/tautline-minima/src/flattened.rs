@@ -33,13 +33,28 @@ pub(crate) fn level<M: Metric<D>, R: Rule, const D: usize>(
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::matrix;
+    use nalgebra::{SMatrix, matrix, vector};
     use tautline::{
-        Ends, Problem, Trapezoidal,
+        Ends, Metric, Problem, Trapezoidal,
         gallery::{Constant, Valleys},
     };
 
-    use super::level;
+    use super::{Flattened, level};
+
+    /// `(1 − s) c I + s H`, with shares and entries that are exact in binary.
+    #[test]
+    fn a_flattened_metric_rises_from_the_flat_one() {
+        let metric = Constant::new(matrix![9.0, 2.0; 2.0, 6.0]).expect("positive definite");
+        for (share, expected) in [
+            (0.0, matrix![4.0, 0.0; 0.0, 4.0]),
+            (0.25, matrix![5.25, 0.5; 0.5, 4.5]),
+            (1.0, matrix![9.0, 2.0; 2.0, 6.0]),
+        ] {
+            let flattened = Flattened { metric: &metric, level: 4.0, share };
+            let found: SMatrix<f64, 2, 2> = flattened.gram(&vector![0.5, -1.0]);
+            assert_eq!(found, expected, "{share}");
+        }
+    }
 
     /// The Frobenius norm of `H⁻¹` is between its largest eigenvalue and `√2` times that.
     #[test]

@@ -42,3 +42,36 @@ fn what_is_no_lattice_is_refused() {
     // Ten steps of a tenth, which is a little more than a tenth.
     assert_eq!(Lattice::<2>::new([0.0, 0.0], [1.0, 1.0], 0.1).expect("a lattice").nodes(), 121);
 }
+
+/// The last axis varies fastest. Beyond the box there is no node, on either side of any axis.
+#[test]
+fn nodes_places_and_points_belong_together() {
+    let lattice = Lattice::<3>::with_spacings([0.0, -1.0, 2.0], [1.0, 2.0, 2.5], [0.5, 1.0, 0.5]);
+    let lattice = lattice.expect("a lattice");
+    assert_eq!((lattice.counts(), lattice.nodes()), ([3, 4, 2], 24));
+    let mut node = 0;
+    for i in 0..3 {
+        for j in 0..4 {
+            for k in 0..2 {
+                let place = [i, j, k];
+                assert_eq!(lattice.place(node), place);
+                let point = [0.5 * i as f64, j as f64 - 1.0, 2.0 + 0.5 * k as f64];
+                assert_eq!(lattice.point(node).as_slice(), point);
+                assert_eq!(lattice.neighbour(&place, &[0, 0, 0]), Some(node));
+                // Steps along one axis are 8, 2 and 1 nodes apart.
+                for (axis, apart) in [(0, 8), (1, 2), (2, 1)] {
+                    for step in [-2, -1, 1, 2] {
+                        let mut offset = [0; 3];
+                        offset[axis] = step;
+                        let there = place[axis] as isize + step;
+                        let is_inside = (0..[3, 4, 2][axis]).contains(&there);
+                        let other = node as isize + apart * step;
+                        let expected = is_inside.then_some(other as usize);
+                        assert_eq!(lattice.neighbour(&place, &offset), expected, "{place:?}");
+                    }
+                }
+                node += 1;
+            }
+        }
+    }
+}
