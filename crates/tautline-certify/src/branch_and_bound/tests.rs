@@ -201,6 +201,25 @@ fn a_box_that_is_too_small_to_be_cut_keeps_its_bound() {
     }
 }
 
+/// Of several boxes that cannot be cut, the largest bound counts, whichever is met first, and in
+/// whichever round.
+#[test]
+fn of_boxes_too_small_to_be_cut_the_largest_bound_counts() {
+    const UNIT: f64 = f64::EPSILON;
+    let of = |bound| OnTheLine { bound, value: |_| 0.0, is_refuted: |_, _| false };
+    let first = of(|x| if x.lo() == 1.0 { 3.0 } else { 2.0 });
+    let last = of(|x| if x.hi() == 1.0 + 8.0 * UNIT { 3.0 } else { 2.0 });
+    let third =
+        of(|x| if x.lo() <= 1.0 + 2.0 * UNIT && x.hi() > 1.0 + 2.0 * UNIT { 3.0 } else { 2.0 });
+    // Bounds that differ from box to box. The largest is that of the last box, and of the first one.
+    let rising = of(|x| 3.0 - (1.0 + 8.0 * UNIT - x.hi()) / UNIT / 8.0);
+    let falling = of(|x| 3.0 - (x.lo() - 1.0) / UNIT / 8.0);
+    for function in [first, last, third, rising, falling] {
+        let found = maximise(&function, &segment(1.0, 1.0 + 8.0 * UNIT), EFFORT);
+        assert!(found.upper == 3.0 && !found.reached && found.boxes == 15, "{found:?}");
+    }
+}
+
 #[test]
 fn a_point_is_a_domain_too() {
     let point = Domain::cell(Cell::new([0.5, 0.0], [0.5, 0.0]).expect("in order"));

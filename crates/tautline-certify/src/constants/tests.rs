@@ -1,5 +1,7 @@
 //! Constants that are known in closed form, and metrics without constants.
 
+use std::sync::Mutex;
+
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
 use tautline_metrics::{
@@ -8,8 +10,8 @@ use tautline_metrics::{
 };
 use tautline_scalar::Scalar;
 
-use super::{CertifiedConstant, CertifiedConstants, Quantity, certify};
-use crate::{Accuracy, Cell, CertifyError, Domain, testing::parsed};
+use super::{CertifiedConstant, CertifiedConstants, Quantity, certify, certify_watched};
+use crate::{Accuracy, Cell, CertifyError, Domain, Progress, Watch, testing::parsed};
 
 const CLOSE: Accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
 
@@ -251,4 +253,98 @@ fn the_bend_of_a_high_power_is_proved_at_a_point() {
     let exact = 2_147_483_645_i128 * 2_147_483_644;
     assert!(found.lower as i128 <= exact && exact <= found.upper as i128, "{found:?}");
     assert!(found.upper as i128 - found.lower as i128 <= 1 << 12, "{found:?}");
+}
+
+/// All reports are in the unit of the constant: it lies between the bound and the value, and both are
+/// close to it at the end. The cell holds a period, and its middle is none of the places that count.
+#[test]
+fn a_search_tells_of_bounds_on_the_constant_itself() {
+    let cell = Domain::cell(Cell::new([-0.7, 0.0], [5.9, 0.0]).expect("in order"));
+    for (quantity, exact) in [
+        (Quantity::C1, 1.0),
+        (Quantity::C2, 9.0),
+        (Quantity::LH, 4.403_669_475_041_611_676_15),
+        (Quantity::MH, 6.0),
+    ] {
+        let told = Mutex::new(Vec::new());
+        let watch = |progress: Progress| {
+            told.lock().expect("no panic").push(progress);
+            true
+        };
+        let watched = certify_watched(&Valleys, quantity, &cell, CLOSE, &watch);
+        assert_eq!(watched, certify(&Valleys, quantity, &cell, CLOSE), "watching changes nothing");
+        let told = told.into_inner().expect("no panic");
+        assert!(told.len() > 5, "{quantity}: {told:?}");
+        let mut boxes = 0;
+        for progress in &told {
+            let &Progress { bound, value, .. } = progress;
+            let (low, high) =
+                if quantity == Quantity::C1 { (bound, value) } else { (value, bound) };
+            // They are rounded, by a few units in the last place.
+            let [low, high] = [low * (1.0 - 1e-14), high * (1.0 + 1e-14)];
+            assert!(low <= exact && exact <= high, "{progress:?}");
+            assert!(progress.quantity == quantity && progress.boxes > boxes, "{progress:?}");
+            boxes = progress.boxes;
+        }
+        let last = told[told.len() - 1];
+        let is_near = |x: f64| (x / exact - 1.0).abs() < 1e-2;
+        assert!(is_near(last.bound) && is_near(last.value), "{last:?}");
+    }
+}
+
+/// A search that is ended leaves bounds, as one that spent its budget does.
+#[test]
+fn a_search_that_is_ended_leaves_the_bounds_it_told_of() {
+    let ball = Domain::<2>::ball([0.1, -0.2], 0.4).expect("a radius");
+    for quantity in Quantity::ALL {
+        let told = Mutex::new(Vec::new());
+        let watch = |progress: Progress| {
+            let mut told = told.lock().expect("no panic");
+            told.push(progress);
+            told.len() < 3
+        };
+        let ended = certify_watched(&Hyperbolic, quantity, &ball, CLOSE, &watch);
+        let Err(CertifyError::BudgetSpent { quantity: of, lower, upper, boxes }) = ended else {
+            panic!("{ended:?}")
+        };
+        let told = told.into_inner().expect("no panic");
+        assert!(of == quantity && told.len() == 3 && told[2].boxes == boxes, "{told:?}");
+        let close = certify(&Hyperbolic, quantity, &ball, CLOSE).expect("a constant");
+        assert!(lower <= close.upper && close.lower <= upper, "{lower} {upper} {close:?}");
+        // The proved bound is that which was told of last, up to the rounding of the latter.
+        let proved = if quantity == Quantity::C1 { lower } else { upper };
+        assert!((proved / told[2].bound - 1.0).abs() < 1e-14, "{proved} {:?}", told[2]);
+        assert!(boxes < close.boxes, "{boxes} {close:?}");
+    }
+}
+
+/// `M_H` may have no bound, or not be needed; the other constants stay.
+#[test]
+fn a_watch_that_needs_no_second_derivative_gets_none() {
+    struct Without(Mutex<Vec<Quantity>>);
+    impl Watch for Without {
+        fn goes_on(&self, progress: Progress) -> bool {
+            let mut seen = self.0.lock().expect("no panic");
+            seen.push(progress.quantity);
+            true
+        }
+        fn needs_m_h(&self) -> bool {
+            false
+        }
+    }
+    let space = Domain::<2>::space(&Valleys);
+    let without = Without(Mutex::new(Vec::new()));
+    let found = CertifiedConstants::within_budget_watched(&Valleys, &space, CLOSE, &without);
+    let found = found.expect("constants");
+    let all = CertifiedConstants::within_budget(&Valleys, &space, CLOSE).expect("constants");
+    assert_eq!((found.c1(), found.c2(), found.l_h()), (all.c1(), all.c2(), all.l_h()));
+    assert!(found.m_h().is_none() && all.m_h().is_some());
+    assert!(found.constants().expect("constants").m_h().is_none());
+    assert!(!without.0.into_inner().expect("no panic").contains(&Quantity::MH));
+    // One that ends every search leaves what the first boxes prove.
+    let never = |_: Progress| false;
+    let few = CertifiedConstants::within_budget_watched(&Valleys, &space, CLOSE, &never);
+    let few = few.expect("constants").constants().expect("constants");
+    assert!(0.0 < few.c1() && few.c1() <= 1.0 && few.c2() >= 9.0, "{few:?}");
+    assert!(few.l_h() >= 4.403 && few.m_h().is_none_or(|m_h| m_h >= 6.0), "{few:?}");
 }

@@ -350,6 +350,48 @@ mod tests {
         }
     }
 
+    /// The bound is the lesser of the two upper ends as exact numbers, and no double below it is one.
+    #[test]
+    fn the_bound_is_the_upper_end_of_the_energy_or_of_the_squared_length() {
+        let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
+        let (mut by_length, mut by_energy) = (0, 0);
+        for k in 1..200 {
+            let far = 0.1 * f64::from(k);
+            let ends = Ends::points([0.0], [far]).expect("finite");
+            for middle in [0.3 * far, 0.5 * far] {
+                let points = [0.0, middle, far].map(|x| vector![x]).to_vec();
+                let curve = PointSequence::new(points).expect("finite");
+                let curve = AdmissibleCurve::new(&euclidean, &curve, &ends).expect("proved");
+                let (bound, length) = (curve.distance_squared_at_most(), curve.length().hi());
+                // The difference is rounded once, which keeps its sign.
+                let is_at_least = |bound: f64| length.mul_add(length, -bound) <= 0.0;
+                if bound == curve.energy().hi() {
+                    by_energy += 1;
+                } else {
+                    by_length += 1;
+                    assert!(is_at_least(bound), "{length}² > {bound}");
+                }
+                let below = bound.next_down();
+                assert!(below < curve.energy().hi() && !is_at_least(below), "{below} suffices");
+            }
+        }
+        assert!(by_length >= 199 && by_energy > 20, "{by_length} {by_energy}");
+    }
+
+    /// A square that overflows is no bound, and the energy of chords as long overflows too.
+    #[test]
+    fn a_length_whose_square_overflows_bounds_nothing() {
+        let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
+        for (far, is_finite) in [(1e150, true), (1e160, false)] {
+            let points = [0.0, 0.3 * far, far].map(|x| vector![x]).to_vec();
+            let curve = PointSequence::new(points).expect("finite");
+            let ends = Ends::points([0.0], [far]).expect("finite");
+            let curve = AdmissibleCurve::new(&euclidean, &curve, &ends).expect("proved");
+            let bound = curve.distance_squared_at_most();
+            assert!(bound >= far * far && bound.is_finite() == is_finite, "{far}: {bound}");
+        }
+    }
+
     /// If the point lies in the ball, it is not moved, and a constant curve has length zero.
     #[test]
     fn a_constant_curve_proves_distance_zero() {
