@@ -278,3 +278,41 @@ fn a_box_holds_a_facet_only_between_all_of_its_sides() {
         assert_eq!(piece.holds_facet(spot, 0), holds, "{lower:?} {upper:?}");
     }
 }
+
+/// The ball about −1 whose radius is the double `1 + x` contains the point `x`, which is a double too.
+/// The square of the radius is `1 + 2x + x²`, and doubles near it are `2⁻⁵²` apart: up to `x = 2⁻²⁶/√2`
+/// it is rounded down by `x²`. On a cube of side `2⁻²⁶` a ball is nearly a half-space, and a bound on
+/// `x` from a radius that is too small by half of that excludes the point.
+#[test]
+fn the_square_of_a_radius_is_rounded_outward() {
+    let side = 2.0_f64.powi(-26);
+    let simplex = &simplices(1)[0];
+    let low = SVector::zeros();
+    let spot = Spot { simplex, low: &low, side };
+    let form = Bernstein::<1>::of(simplex, &[0.0, 0.5 * side, side]);
+    for share in 1..100 {
+        let x = (f64::from(share) * 2.0_f64.powi(26) / 100.0).round() * 2.0_f64.powi(-52);
+        let ball = Ball::new([-1.0], 1.0 + x).expect("a ball");
+        assert!(ball.r() - 1.0 == x && Shape::Ball(ball).contains(&SVector::from([x])), "exact");
+        let found = Piece::of(&Shape::Ball(ball))[0].values(spot, [&form]);
+        let [range] = found.expect("they meet");
+        assert!(range.contains(x) && range.contains(0.0), "{share}: {x} {range:?}");
+        // The ball bends away from the half-space by side²/2.
+        assert!(range.hi() <= x + side * side, "{share}: {x} {range:?}");
+    }
+}
+
+/// `1 ± 2⁻⁶⁰` are no doubles.
+#[test]
+fn the_box_about_a_ball_and_the_distance_to_it_are_rounded_outward() {
+    let tiny = 2.0_f64.powi(-60);
+    let ball = Shape::Ball(Ball::new([1.0, 0.0], tiny).expect("a ball"));
+    let [x, y] = bounding_box(&ball).expect("bounded").into();
+    assert!(x.lo() < 1.0 && 1.0 < x.hi() && x.width() <= 4.0 * f64::EPSILON, "{x:?}");
+    assert_eq!(y, Interval::new(-tiny, tiny).expect("ordered"));
+    // The distance from the origin is 1 − 2⁻⁶⁰, and from (2, 0) too.
+    for at in [0.0, 2.0] {
+        let distance = distance_below(&ball, &SVector::from([at, 0.0].map(Interval::point)));
+        assert!(distance < 1.0 && distance > 1.0 - 4.0 * f64::EPSILON, "{at}: {distance}");
+    }
+}
