@@ -119,6 +119,50 @@ fn a_black_box_has_the_rows_of_its_formula() {
     }
 }
 
+/// A black box whose derivatives are not filled in below the diagonal.
+struct Upper<const D: usize>(Arc<Hidden<D>>);
+
+impl<const D: usize> Upper<D> {
+    /// Overwrites what is below the diagonal; there are `size` numbers for each entry.
+    fn spoilt(mut all: Vec<f64>, size: usize) -> Vec<f64> {
+        for (place, numbers) in all.chunks_mut(size).enumerate() {
+            if place / D % D > place % D {
+                numbers.fill(f64::NAN);
+            }
+        }
+        all
+    }
+}
+
+impl<const D: usize> Values for Upper<D> {
+    fn gram(&self, x: &[f64]) -> Vec<f64> {
+        self.0.gram(x)
+    }
+
+    fn first(&self, x: &[f64]) -> Option<Vec<f64>> {
+        self.0.first(x).map(|all| Self::spoilt(all, D))
+    }
+
+    fn second(&self, x: &[f64]) -> Option<Vec<f64>> {
+        self.0.second(x).map(|all| Self::spoilt(all, D * D))
+    }
+}
+
+/// The half on and above the diagonal is that of `H`, for derivatives too, and also where second
+/// derivatives are differences of first ones.
+#[test]
+fn derivatives_below_the_diagonal_are_not_read() {
+    for order in [1, 2] {
+        let of = |values: Arc<dyn Values>| {
+            let black_box = BlackBox::<3>::new(values, H).expect("a step");
+            let metric = Prepared::of_black_box(parsed::<3>(FULL), black_box);
+            [Kind::Checked, Kind::Momentum, Kind::Contraction].map(|kind| rows(&metric, kind))
+        };
+        let hidden = || Hidden::<3>::new(FULL, order);
+        assert_eq!(of(Arc::new(Upper(hidden()))), of(hidden()), "order {order}");
+    }
+}
+
 /// A call from another language costs as much as some dozen points.
 #[test]
 fn a_batch_of_a_black_box_takes_one_call_for_each_order() {

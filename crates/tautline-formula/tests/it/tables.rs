@@ -1,11 +1,11 @@
 //! Formulas that call tables: the values and derivatives of the spline, in every way of evaluation.
 
-use std::sync::Arc;
+use std::{any::Any, sync::Arc};
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_chance::{cases, seed};
 use tautline_formula::{
-    AnyFormula, Batches, Formula, Kind, Operation, Part, Plain, Prepared, Problem, Written,
+    AnyFormula, Batch, Batches, Formula, Kind, Operation, Part, Plain, Prepared, Problem, Written,
 };
 use tautline_metrics::{Metric, is_gram};
 use tautline_scalar::{Interval, Jet1, Jet2, Scalar, Table};
@@ -281,4 +281,54 @@ fn tables_are_those_that_are_called() {
     let expected = tables[1].1.value(&[1.5], [0; 3]) + tables[2].1.value(&[1.5], [0; 3]);
     assert_eq!(formula.gram(&vector![1.5])[(0, 0)], expected);
     assert!(formula.to_string().contains("table2(x1)") && !formula.to_string().contains("table3"));
+}
+
+/// A table with the constant value of its field. All have the same fingerprint.
+#[derive(Debug)]
+struct Level(f64);
+
+impl Table for Level {
+    fn axes(&self) -> usize {
+        1
+    }
+    fn value(&self, _: &[f64], orders: [u8; 3]) -> f64 {
+        if orders == [0; 3] { self.0 } else { 0.0 }
+    }
+    fn bounds(&self, sides: &[(f64, f64)], orders: [u8; 3]) -> Option<(f64, f64)> {
+        let value = self.value(&[sides[0].0], orders);
+        Some((value, value))
+    }
+    fn fingerprint(&self) -> u64 {
+        7
+    }
+    fn is_same(&self, other: &dyn Table) -> bool {
+        (other as &dyn Any).downcast_ref::<Self>().is_some_and(|other| self.0 == other.0)
+    }
+}
+
+/// Other tables may have the same fingerprint, by accident or because somebody looked for such a pair.
+#[test]
+fn tables_with_the_same_fingerprint_are_not_taken_for_each_other() {
+    let [two, three, also_two] =
+        [2.0, 3.0, 2.0].map(|value| Arc::new(Level(value)) as Arc<dyn Table>);
+    let tables = [("a", Arc::clone(&two)), ("b", Arc::clone(&three)), ("c", also_two)];
+    let parsed = |text: &str| Formula::<1>::parse_with(text, &[], &tables).expect(text);
+    let both = parsed("[a(x1) + 10*b(x1) + 100*c(x1)]");
+    assert_eq!(both.gram(&vector![0.5])[(0, 0)], 232.0);
+    assert_eq!(
+        both.tables(),
+        [Arc::clone(&two), Arc::clone(&three)],
+        "the first and the last are one"
+    );
+    let [a, b, c] = ["[a(x1)]", "[b(x1)]", "[c(x1)]"].map(parsed);
+    assert!(a != b && a == c && a.operations() == b.operations());
+    // Neither are those of recorded formulas that are put together.
+    let recorded = [a, b].map(|one| Written::Recorded(AnyFormula::from(&one)));
+    let sum = Formula::<1>::compose(&[], &[], &[], &Written::Sum(recorded.to_vec()));
+    let sum = sum.expect("a formula");
+    assert_eq!((sum.gram(&vector![0.5])[(0, 0)], sum.tables().len()), (5.0, 2));
+    let prepared = Prepared::new(both);
+    let mut batch = Batch::new(&prepared, Kind::Checked, 1, 1);
+    batch.inputs(1).set(0, &vector![0.5], &vector![1.0]);
+    assert!(batch.evaluate(1) && batch.row(batch.layout().square[0])[0] == 232.0);
 }

@@ -93,6 +93,39 @@ fn a_product_has_its_blocks_on_the_diagonal() {
     assert!((h - expected).amax() < 1e-15, "{h}");
 }
 
+/// A block need not be symmetric: entries keep their side of the diagonal, in a matrix and in a recorded
+/// formula, and under a sum and a factor.
+#[test]
+fn a_block_of_a_product_is_not_transposed() {
+    let text = "[2, x1; x2, 3]";
+    let recorded =
+        Written::Recorded(AnyFormula::from(&Formula::<2>::parse(text, &[]).expect(text)));
+    let whole = Written::Whole(part(0, "[2, x3; x1, 3]"));
+    let matrix = Written::Matrix(vec![parts(&["2", "x3"]), parts(&["x1", "3"])]);
+    let x = vector![0.1, 0.2, 0.3];
+    let line = || (vec![1], Written::Form(Form::Phi, vec![part(0, "5")]));
+    let gram = |block: &Written<'static>| {
+        let product = Written::Product(vec![(vec![2, 0], block.clone()), line()]);
+        Formula::<3>::compose(&[], &[], &[], &product).expect("a metric").gram(&x)
+    };
+    // The rows and columns of the block are x₃ and x₁, in this order. A recorded formula calls the
+    // coordinates of its block x₁ and x₂.
+    let expected = nalgebra::matrix![3.0, 0.0, 0.1; 0.0, 5.0, 0.0; 0.3, 0.0, 2.0];
+    for block in [&recorded, &whole, &matrix] {
+        assert_eq!(gram(block), expected, "{block:?}");
+    }
+    let twice = Written::Scaled(part(0, "2"), Box::new(matrix.clone()));
+    let thrice = gram(&Written::Sum(vec![matrix, twice]));
+    assert!((thrice[(2, 0)] - 0.9).abs() < 1e-15 && (thrice[(0, 2)] - 0.3).abs() < 1e-15);
+    // Neither is a matrix by itself.
+    let alone = Written::Matrix(vec![parts(&["2", "x1"]), parts(&["x2", "3"])]);
+    assert_is::<2>(&alone, text);
+    assert_eq!(
+        Formula::<2>::parse(text, &[]).expect(text).gram(&vector![0.1, 0.2]),
+        nalgebra::matrix![2.0, 0.1; 0.2, 3.0]
+    );
+}
+
 #[test]
 fn a_recorded_formula_is_a_block_with_the_same_bits() {
     let shear = gallery::Shear::new(0.7, 1.3).expect("a wave number");
