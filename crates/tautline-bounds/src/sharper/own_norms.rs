@@ -274,6 +274,30 @@ mod tests {
         }
     }
 
+    /// The `t` of both forms is at least `kδ/√N`. From `t = 1` on there is no bound, though the power
+    /// `(1 − t)⁴` is positive again, and the other terms are finite: `ζ < 1` for `δ/N = 1` and 1/2.
+    #[test]
+    fn where_t_is_not_below_one_there_is_no_bound() {
+        for (chords, step) in [(16_u32, 1.0), (64, 1.0), (64, 0.5), (1000, 1.0), (1 << 20, 0.25)] {
+            let delta = step * f64::from(chords);
+            let count = n(chords as usize);
+            for (rule, k) in [(TRA, 0.25), (LEFT, 0.5)] {
+                assert!(k * delta / f64::from(chords).sqrt() >= 1.0);
+                for nu in [None, Some(0.0), Some(1e-9)] {
+                    let own = OwnNorms::new(delta, nu, 1.0, 2).expect("valid");
+                    for own in [own, own.isotropic()] {
+                        let bound = own.length_excess(rule, count);
+                        assert_eq!(bound, f64::INFINITY, "N = {chords}, δ = {delta}, {nu:?}");
+                    }
+                }
+            }
+        }
+        // With t below 1 both forms are finite, and the second one is smaller.
+        let [first, second] = [None, Some(1e-9)]
+            .map(|nu| OwnNorms::new(4.0, nu, 1.0, 2).expect("valid").length_excess(TRA, n(16)));
+        assert!(second < first && first.is_finite(), "{second} {first}");
+    }
+
     #[test]
     fn too_few_chords_give_no_bound_and_touching_ends_no_excess() {
         let far = OwnNorms::new(2.0, Some(1.0), 100.0, 2).expect("valid");

@@ -115,6 +115,27 @@ fn constants_on_a_smaller_region_are_those_of_a_region() {
     }
 }
 
+/// Only competitors that are shorter than the radius are known to stay. With `H = I` and `d̄ = 1` the
+/// reach is 1, so here every region begins with the radius 2 that its competitors might touch.
+#[test]
+fn a_region_that_competitors_may_touch_is_not_enough() {
+    let flat = |_| Ok::<_, Infallible>(constants(1.0, 1.0, 0.0));
+    let at_least = |least: f64| move |length: f64| length.max(least);
+    let region = competitors_within(2, TRA, N, 1.0, at_least(2.0), flat).expect("bounded");
+    assert_eq!(region.radius, 1.01 * 2.0);
+    // A radius that starts above the reach is enough at once.
+    let wide = |length: f64| if length == 0.0 { 2.0 } else { 2.0_f64.next_down() };
+    let region = competitors_within(2, TRA, N, 1.0, wide, flat).expect("bounded");
+    assert_eq!(region.radius, 2.0);
+    // On the smaller region `√c₁` is smaller by a little, and competitors reach its border.
+    let outer = Region { radius: 2.0, constants: constants(1.0, 1.0, 0.0) };
+    let step = |border: f64| move |length: f64| if length <= 1.0 { 1.0 } else { border };
+    let worse = |_| Ok::<_, Infallible>(constants(0.999, 1.0, 0.0));
+    let regions = |border: f64| shrink(2, TRA, N, 1.0, outer, step(border), worse);
+    assert!(regions(1.01).is_empty(), "{:?}", regions(1.01));
+    assert_eq!(regions(1.01_f64.next_down()).len(), 1);
+}
+
 /// A region that does not save enough, lacks constants or has worse ones ends the list.
 #[test]
 fn a_region_that_is_no_better_is_left_out() {
