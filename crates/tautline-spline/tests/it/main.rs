@@ -2,6 +2,7 @@
 //! says.
 
 mod border;
+mod boxes;
 mod derivatives;
 mod enclosures;
 mod exact;
