@@ -98,7 +98,10 @@ mod tests {
     };
 
     use super::LocallyCertified;
-    use crate::{Accuracy, testing::Branch};
+    use crate::{
+        Accuracy,
+        testing::{Branch, parsed},
+    };
 
     #[test]
     fn proved_constants_agree_with_closed_forms() {
@@ -157,6 +160,36 @@ mod tests {
         }
         let error = proved.constants_within(&vector![0.0, 0.0], -1.0).expect_err("no radius");
         assert_eq!(error, LocalError::NotARadius { radius: -1.0 });
+    }
+
+    /// More boxes help where the budget was spent, and nowhere else.
+    #[test]
+    fn an_error_tells_whether_a_larger_budget_may_help() {
+        // Its factor is at least 0.95, but intervals know less on a large box.
+        let hollow = parsed::<2>("1.2 - x1*(1 - x1) I");
+        let of = |centre: [f64; 2], radius, budget| {
+            let accuracy = Accuracy { tolerance: 1e-3, budget };
+            let hollow = LocallyCertified::new(hollow.clone(), accuracy);
+            hollow.constants_within(&centre.into(), radius)
+        };
+        match of([0.5, 0.0], 1.0, 1) {
+            Err(LocalError::NotProved { radius: 1.0, reason, budget_spent: true }) => {
+                assert!(reason.contains("after 1 boxes"), "{reason}");
+            }
+            other => panic!("{other:?}"),
+        }
+        assert!(of([0.5, 0.0], 1.0, 100_000).is_ok());
+        // A metric that is undefined, indefinite or not recorded stays so.
+        let few = Accuracy { tolerance: 1e-3, budget: 10_000 };
+        let left = LocallyCertified::new(Hyperbolic, few).constants_within(&vector![0.0, 0.0], 1.5);
+        let pocket = LocallyCertified::new(parsed::<2>("x1 I"), few);
+        let pocket = pocket.constants_within(&vector![0.0, 0.0], 1.0);
+        let branch = LocallyCertified::new(Branch, few).constants_within(&vector![0.3], 0.1);
+        for refused in [left, pocket, branch] {
+            let is_final =
+                matches!(refused, Err(LocalError::NotProved { budget_spent: false, .. }));
+            assert!(is_final, "{refused:?}");
+        }
     }
 
     /// Intervals would follow only one branch.
