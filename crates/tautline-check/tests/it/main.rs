@@ -12,6 +12,7 @@ mod known_distances;
 mod pieces;
 mod program;
 mod regions;
+mod tables;
 mod tampering;
 mod threads;
 mod unbounded_sets;
