@@ -183,6 +183,25 @@ fn a_loop_that_is_too_long_is_refused() {
     assert_eq!(Formula::record(&Loop), Err(RecordError::TooLong { most }));
 }
 
+/// A sine takes a step for the cosine with it. No formula has more steps than the longest, also if the
+/// last two come together.
+#[test]
+fn the_longest_formula_may_end_with_two_steps() {
+    struct Pair {
+        before: usize,
+    }
+    impl Metric<1> for Pair {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+            // The coordinate is the first step.
+            let sum = (1..self.before).fold(x[0], |sum, k| sum + k as f64);
+            SMatrix::from_element(sum.sin_cos().1)
+        }
+    }
+    let steps = |before| Formula::record(&Pair { before }).map(|it| it.operations().len());
+    assert_eq!(steps(LONGEST - 2), Ok(LONGEST));
+    assert_eq!(steps(LONGEST - 1), Err(RecordError::TooLong { most: LONGEST }));
+}
+
 /// Numbers from another thread are on no tape.
 #[test]
 fn a_formula_that_uses_another_thread_is_refused() {
