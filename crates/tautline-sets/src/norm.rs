@@ -83,7 +83,7 @@ pub(crate) fn on_axis<const D: usize>(i: usize, length: f64) -> SVector<f64, D> 
 
 #[cfg(test)]
 mod tests {
-    use super::{norm, norm_above, polar};
+    use super::{norm, norm_above, polar, sum_above};
     use nalgebra::{SVector, vector};
     use tautline_scalar::Interval;
 
@@ -120,6 +120,34 @@ mod tests {
         assert_eq!(bound(vector![f64::MAX, f64::MAX]), f64::INFINITY);
         assert_eq!(bound(SVector::zeros()), 0.0);
         assert!(bound(vector![f64::NAN, 1.0]).is_nan());
+    }
+
+    /// A coordinate far below the last place of the largest one makes the vector longer all the same,
+    /// also if its square underflows, or it itself in the unit of the largest one.
+    #[test]
+    fn the_bound_on_a_norm_exceeds_each_of_two_coordinates() {
+        let power = |exponent: i32| 2.0_f64.powi(exponent);
+        for (large, small) in [
+            (1.0, power(-30)),
+            (1.0, power(-600)),
+            (1.0, 5e-324),
+            (power(1000), power(-1000)),
+            (power(1023), 5e-324),
+            (-power(600), -power(-500)),
+            (power(-1022), 5e-324),
+        ] {
+            let tight = large.abs().next_up()..=large.abs().next_up().next_up();
+            for v in [vector![large, small, 0.0], vector![small, 0.0, large]] {
+                let found = norm_above(&v.map(Interval::point));
+                assert!(tight.contains(&found), "{v}: {found:e}");
+            }
+        }
+        for small in [power(-60), power(-600), 5e-324] {
+            let found = sum_above(1.0, small);
+            assert!(1.0 < found && found <= 1.0_f64.next_up().next_up(), "{small:e}: {found:e}");
+        }
+        assert_eq!((sum_above(1.0, 2.0), sum_above(1.0, f64::INFINITY)), (3.0, f64::INFINITY));
+        assert!(sum_above(f64::NAN, 1.0).is_nan());
     }
 
     #[test]
