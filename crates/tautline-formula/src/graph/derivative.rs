@@ -62,9 +62,28 @@ impl Graph {
             };
             let outer = self.forward(&[root], Variables::Step(neck), order);
             let outer = outer.get(&root).cloned().unwrap_or_default();
+            if !self.keeps_numbers(&outer) {
+                let mut direct = self.forward(&[root], Variables::Coordinates(dimension), order);
+                all.push(direct.remove(&root).unwrap_or_default());
+                continue;
+            }
             all.push(self.chain(&of_inner, outer.first(0), outer.second((0, 0)), order));
         }
         all
+    }
+
+    /// Returns whether no number in the derivatives of `F` has overflowed or underflowed. In `F′` by
+    /// itself factors of a formula may meet that `u′` keeps apart: for `(u · 1e200) · 1e200` it is `∞`.
+    fn keeps_numbers(&self, of: &Derivatives) -> bool {
+        let roots: Vec<Step> = of.0.values().copied().collect();
+        let is_needed = needed(self.operations(), &roots, |_| true);
+        let is_lost = |step: usize| match self.operation(step as Step) {
+            Operation::Constant(c) | Operation::WithNumber(_, _, c) => {
+                !(c.value().is_normal() || c.value() == 0.0)
+            }
+            _ => false,
+        };
+        of.first(0).is_some() && !(0..is_needed.len()).any(|step| is_needed[step] && is_lost(step))
     }
 
     /// Computes the derivatives of `F(u)` from the derivatives of `u`, from `F′` and from `F″`;

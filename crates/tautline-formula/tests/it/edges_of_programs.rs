@@ -111,6 +111,42 @@ fn square<const D: usize>(metric: &impl Metric<D>, x: [f64; D], d: [f64; D]) -> 
     (batch.row(batch.layout().square[0])[0], prepared.size(Kind::Square).is_some())
 }
 
+/// Factors one after the other may keep what their product loses: it would overflow, underflow, or have
+/// no reciprocal. The terms themselves are numbers of ordinary size.
+#[test]
+fn factors_whose_product_is_no_number_stay_apart() {
+    for (text, x) in [
+        ("[sqrt(exp(x1)*1e200*1e200 + exp(1.0625*x1)*1e200*1e200)]", -600.0),
+        ("[2 + atan(exp(x1)*1e-200*1e-200 + exp(1.0625*x1)*1e-200*1e-200)]", 650.0),
+        // These are functions of their exponential alone.
+        ("[1 + exp(x1)*1e200*1e200]", -600.0),
+        ("[exp(x1)*1e-200*1e-200]", 650.0),
+        ("[exp(x1)*1e-160*1e-160]", 700.0),
+        ("[3 + cos(exp(x1)*1e155*1e155)]", -705.0),
+        ("[1 + exp(x1)/1e-310]", -700.0),
+        ("[1 + exp(x1)/1.7e308]", 700.0),
+        ("[2 + atan(exp(x1)/1e-309)]", -708.0),
+    ] {
+        let metric = parsed::<1>(text);
+        let (prepared, plain) = (Prepared::new(metric.clone()), Plain::new(metric));
+        for kind in [Kind::Checked, Kind::Momentum, Kind::Contraction] {
+            assert!(prepared.size(kind).is_some(), "{text} has a program");
+            let [found, expected] = [&prepared as &dyn Batches<1>, &plain].map(|metric| {
+                let mut batch = Batch::new(metric, kind, 1, 1);
+                assert!(evaluate(&mut batch, &[([x].into(), [1.0].into())]), "{text} {kind:?}");
+                rows(&batch, 1).concat()
+            });
+            assert_eq!(found.len(), expected.len());
+            for (found, expected) in found.iter().zip(&expected) {
+                // A hundred roundings, of numbers of which some are exponentials of 700.
+                let tolerance = 1e-10 * expected.abs().max(f64::MIN_POSITIVE);
+                let is_close = expected.is_finite() && (found - expected).abs() <= tolerance;
+                assert!(is_close, "{text} {kind:?}: {found:e} {expected:e}");
+            }
+        }
+    }
+}
+
 /// A stack of a megabyte has no room for one call per step.
 #[test]
 fn long_chains_take_no_stack() {
