@@ -1,10 +1,13 @@
 //! Laws of the enclosures, for polygons under many metrics.
 
+use std::sync::Arc;
+
 use nalgebra::{SVector, vector};
 use tautline_certify::Polygon;
 use tautline_discretizations::{
     Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid,
 };
+use tautline_formula::Formula;
 use tautline_metrics::{
     Metric,
     gallery::{
@@ -12,7 +15,8 @@ use tautline_metrics::{
         Shear, Sphere, TwoLinkArm, Valleys,
     },
 };
-use tautline_scalar::{Fast, Interval, Scalar};
+use tautline_scalar::{Fast, Interval, Scalar, Table};
+use tautline_spline::Spline;
 
 use crate::{parsed, reference::Random};
 
@@ -221,6 +225,30 @@ fn a_kink_only_costs_time() {
     // The integral of 3 (1 + |x|) from −1 to 2 is 33/2.
     assert!(energy.contains(16.5), "{energy:?}");
     assert!(energy.width() <= 1e-12 * 16.5, "{:e}", energy.width());
+}
+
+/// A chord across the knots of a table is only bisected: where the fourth derivative is none, the lower
+/// ones and the value stay. Chords from knot to knot have the same energy.
+#[test]
+fn the_knots_of_a_table_only_cost_time() {
+    let line = Spline::new(&[4], vec![1.0, 5.0, 2.0, 3.0]).expect("a shape");
+    let plane =
+        Spline::new(&[2, 4], vec![1.0, 5.0, 2.0, 3.0, 4.0, 1.0, 6.0, 2.0]).expect("a shape");
+    let tables: [(&str, Arc<dyn Table>); 2] = [("t", Arc::new(line)), ("h", Arc::new(plane))];
+    for text in
+        ["[t(x1)]", "[20 + t_1(x1)]", "[40 + t_2(x1)]", "[h(0.5, x1)]", "[30 + h_01(x1, x1)]"]
+    {
+        let metric = Formula::<1>::parse_with(text, &[], &tables).expect(text);
+        let energy = |chords: usize| {
+            let sequence = PointSequence::straight([0.0], [3.0], chords).expect("finite");
+            Polygon::new(&sequence).energy(&metric)
+        };
+        let (across, from_knot_to_knot) = (energy(1), energy(3));
+        for energy in [across, from_knot_to_knot] {
+            assert!(energy.width() <= 1e-11 * energy.lo(), "{text}: {energy:?}");
+        }
+        assert!(across.intersection(from_knot_to_knot).is_some(), "{text}: {across:?}");
+    }
 }
 
 #[test]

@@ -169,6 +169,36 @@ fn the_slopes_of_a_search_bound_its_changes() {
     }
 }
 
+/// A form may change slowly in space, and the hill quickly with the form. On a half-line the slope by
+/// the variable, which is the form, still bounds what the hill changes.
+#[test]
+fn a_steep_hill_of_a_form_that_changes_slowly_has_its_slope() {
+    let text = "2 + exp(-250000*sqr(0.001*x1 + 0.001*x2)) I";
+    let lift = Lift::new(&parsed::<2>(text), [false; 2]).expect("few");
+    for x in [[0.7, 0.7], [-2.0, 0.5], [0.1, 0.0]] {
+        let (from, mut to) = (lift.variables_at(x), lift.variables_at(x));
+        // The hill is about 1/500 wide.
+        let step = 2.0_f64.powi(-16);
+        to.sides[0] += Interval::point(step);
+        let both = from.sides[0].hull(to.sides[0]);
+        let infinity = Interval::new(both.hi(), f64::INFINITY).expect("in order");
+        let of = |patch: &Patch| -> Expansion {
+            lifted::gram(&lift, &seeded(patch), patch.chart)[(0, 0)]
+        };
+        let [before, after] = [&from, &to].map(of);
+        for side in [both.hull(infinity), both.hull(-infinity)] {
+            let mut hull = from.clone();
+            hull.sides[0] = side;
+            let hull = of(&hull);
+            for of in [|jet: &Expansion| jet.value(), |jet: &Expansion| jet.first(0)] {
+                let change = of(&after).value() - of(&before).value();
+                let bound = of(&hull).first(0) * step;
+                assert!(same_place(change, bound), "at {x:?}: {change:?} {bound:?}");
+            }
+        }
+    }
+}
+
 /// Returns the constants of a metric on all of space, to one percent.
 fn constants<const D: usize>(text: &str) -> CertifiedConstants<D> {
     let formula = parsed::<D>(text);
