@@ -18,6 +18,23 @@ fn the_constant_of_tubes_holds_up_to_their_boundary() {
     assert!(matches!(refused, Err(CheckError::Constant { .. })), "{refused:?}");
 }
 
+/// A pocket in which `H` falls to 0.1, at the distance 0.92 from the point 0 in the direction of a corner.
+/// Most of the box around the tube there is beyond it.
+#[test]
+fn the_constant_of_tubes_holds_in_the_direction_of_corners() {
+    let region = Region::Tubes { radius: 1.0, c1: 0.5 };
+    let proves = |x: f64, y: f64| {
+        let metric = format!("1 - 0.9*exp(-1000*((x1 - ({x:?}))^2 + (x2 - ({y:?}))^2)) I");
+        region.prove(&formula::<2>(&metric), [&point([0.0, 0.0]), &point([9.0, 0.0])], 1.0)
+    };
+    for [x, y] in [[0.65, 0.65], [-0.65, 0.65], [0.65, -0.65], [-0.65, -0.65]] {
+        let refused = proves(x, y);
+        assert!(matches!(refused, Err(CheckError::Constant { .. })), "({x}, {y}): {refused:?}");
+        // A pocket beyond the tube does not matter, though it is in the box.
+        assert_eq!(proves(1.4 * x, 1.4 * y), Ok(()), "({x}, {y})");
+    }
+}
+
 #[test]
 fn the_constant_of_tubes_holds_about_both_sets() {
     let (near, far) = (point([0.0]), point([3.0]));
