@@ -80,3 +80,52 @@ proptest! {
         }
     }
 }
+
+/// What is proved of the energy from below counts, not the bound on it from above, which only says
+/// where minimisers can be.
+#[test]
+fn the_minimum_is_bounded_by_what_is_proved_of_the_energy_from_below() {
+    let constants = Constants::new(1.0, 1.5, 0.1).and_then(|known| known.with_m_h(0.01));
+    let between = BetweenPoints {
+        rule: PaperRule::Trapezoidal,
+        n: 10.try_into().expect("positive"),
+        discrete_energy: 1.0,
+        length: 1.0,
+        greatest_difference: 1.0,
+        residual: 1e-3,
+    };
+    let of = |at_least| strict_convexity_outward(constants.expect("valid"), 2, &between, at_least);
+    let whole = of(1.0).expect("convex");
+    assert!((0.999..1.0).contains(&whole), "{whole}");
+    for lower in [0.9, 0.5, 0.0, -1.0] {
+        let least = of(lower).expect("convex");
+        assert!(least < lower && (least - lower - (whole - 1.0)).abs() < 1e-15, "{least}");
+    }
+    assert_eq!([f64::NAN, f64::NEG_INFINITY].map(of), [None, None]);
+}
+
+/// Numbers at both ends of the range overflow and underflow. A reach is a bound all the same.
+#[test]
+fn a_reach_is_never_no_number() {
+    let numbers = [0.0, 5e-324, 1e-300, 1e-100, 1.0, 1e100, 1e300, f64::MAX];
+    let mut infinite = 0;
+    for c1 in numbers.into_iter().skip(1) {
+        for (l_h, m_h) in numbers.iter().flat_map(|&a| numbers.map(|b| (a, b))) {
+            let constants = Constants::new(c1, f64::MAX, l_h).and_then(|known| known.with_m_h(m_h));
+            let Ok(constants) = constants else { continue };
+            for constants in [constants, constants.isotropic()] {
+                for distance in numbers {
+                    let setting = Setting::new(constants, distance, 2).expect("valid");
+                    for rule in PaperRule::BOTH {
+                        let reach = reach_outward(setting, rule, 3.try_into().expect("positive"));
+                        // It is at least d/√c₁, up to rounding.
+                        let least = distance / c1.sqrt() * (1.0 - 1e-15);
+                        assert!(reach >= least, "{setting:?} {rule:?}: {reach}");
+                        infinite += usize::from(reach == f64::INFINITY);
+                    }
+                }
+            }
+        }
+    }
+    assert!(infinite > 100, "{infinite}");
+}
