@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use nalgebra::{SVector, matrix, vector};
 use tautline_check::CheckError;
-use tautline_distance::{DistanceError, Ended, Wanted, search};
+use tautline_distance::{DistanceError, Ended, Progress, Wanted, search};
 use tautline_formula::Formula;
 
 use crate::{
@@ -61,7 +61,7 @@ fn an_observer_may_stop_a_search_at_any_level() {
     let pair = nearest(&h, &sets)[0].clone();
     for levels in 1..=3 {
         let mut told = 0;
-        let observe = &mut |step: tautline_distance::Progress| {
+        let observe = &mut |step: Progress| {
             told += 1;
             assert_eq!(step.levels, told);
             if told == levels { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -86,4 +86,39 @@ fn a_search_far_from_the_origin_ends_with_what_it_has() {
     assert_eq!(found.ended, Ended::TooFar);
     // ∫ (2 − cos x) dx.
     holds(&found, 2.0 - y.sin() + x.sin(), 1e-9, 1e-2);
+}
+
+/// A search that is stopped at the level that reaches its gap has reached it. At the level before it is
+/// stopped, also where the next one would have too many cubes.
+#[test]
+fn what_is_reached_is_said_of_a_search_that_is_stopped() {
+    let h = matrix![1.2, 0.4; 0.4, 1.1];
+    let sets = [point([-1.5, -1.0]), point([1.25, 1.5])];
+    let pair = nearest(&h, &sets)[0].clone();
+    for gap in [0.2, 1e-2] {
+        let until = |last: usize, cubes: usize| {
+            let observe = &mut |step: Progress| {
+                if step.levels == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            let wanted = Wanted { gap, cubes };
+            search(&formula(&h), &sets, &[pair.line(20)], wanted, observe).expect("found")
+        };
+        let all = until(usize::MAX, 1_000_000);
+        let levels = all.certificate.levels.len();
+        let cubes =
+            |levels: usize| all.proved.levels[..levels].iter().map(|(cubes, _)| cubes).sum();
+        for most in [1_000_000, cubes(levels)] {
+            let stopped = until(levels, most);
+            assert_eq!((all.ended, stopped.ended), (Ended::Reached, Ended::Reached), "{gap}");
+            assert_eq!(stopped.proved, all.proved);
+        }
+        for most in [1_000_000, cubes(levels - 1)].into_iter().filter(|_| levels > 1) {
+            let before = until(levels - 1, most);
+            assert_eq!(
+                (before.ended, before.certificate.levels.len()),
+                (Ended::Stopped, levels - 1)
+            );
+            assert!(before.proved.gap().expect("a curve") > gap);
+        }
+    }
 }
