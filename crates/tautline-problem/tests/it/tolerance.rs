@@ -1,6 +1,9 @@
 //! Lengths to a tolerance.
 
-use tautline_problem::{Answer, Grid, Question};
+use tautline_problem::{
+    Answer, Grid, Question,
+    value::{Given, Request, Shape},
+};
 
 /// Light in water whose speed changes from 1 to 2 within a tenth.
 const LAYERS: &str = "\
@@ -143,4 +146,38 @@ fn a_shorter_minimum_is_followed_to_finer_grids() {
     let error = found.length.value / 4.723_23 - 1.0;
     assert!(error.abs() < 1e-3 && found.resolved, "{error:e}, {} chords", found.n);
     assert_eq!(found.within_tolerance, Some(true));
+}
+
+/// The way above the hill is longer. A search that starts there alone stays there on every grid; one that
+/// starts there too does not.
+#[test]
+fn the_only_starts_are_the_only_ones_on_finer_grids() {
+    let above = "starts = [[[-1.5, -0.1], [0, 1], [1.5, -0.1]]]\n";
+    let hill = |solve: &str| {
+        let file = format!(
+            "metric = {{ cost = \"1 + 2*exp(-(x1^2 + x2^2))\" }}\nfrom = {{ point = [-1.5, -0.1] }}\n\
+             to = {{ point = [1.5, -0.1] }}\n[certify]\nbound = false\n[solve]\n{solve}"
+        );
+        Question::read(&file).expect("a problem")
+    };
+    let is_above = |answer: &Answer| answer.curve[answer.curve.len() / 2][1] > 0.0;
+    let only = hill(&format!("tolerance = 1e-8\nonly_these_starts = true\n{above}"));
+    let mut told = Vec::new();
+    let long = only.solve(&mut |answer| told.push(answer.clone())).expect("solved");
+    assert_eq!((long.within_tolerance, long.other_minima.len()), (Some(true), 0));
+    // On the first grid, on finer ones, and on the last one.
+    assert!(told.len() > 1 && told.iter().all(is_above) && is_above(&long));
+    let also = hill(&format!("tolerance = 1e-8\n{above}")).solve(&mut |_| ()).expect("solved");
+    assert!(!is_above(&also) && also.length.value < long.length.value * (1.0 - 1e-3));
+    assert_eq!(also.other_minima.len(), 1);
+    // The same, given as values.
+    let given = Given::parse("cost(1 + 2*exp(-(x1^2 + x2^2)))", 2, &[], &[]).expect("a formula");
+    let ends = [-1.5, 1.5].map(|x| [Shape::Point(vec![x, -0.1])]);
+    for (only_these_starts, answer) in [(true, &long), (false, &also)] {
+        let starts = vec![vec![vec![-1.5, -0.1], vec![0.0, 1.0], vec![1.5, -0.1]]];
+        let grid = Grid::Tolerance(1e-8);
+        let request = Request { grid, starts, only_these_starts, ..Request::default() };
+        let curve = given.solve([&ends[0], &ends[1]], &request).expect("solved");
+        assert_eq!(curve.points(), answer.curve.concat());
+    }
 }
