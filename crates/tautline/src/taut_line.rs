@@ -232,7 +232,8 @@ mod tests {
         let nearly = line(0.5_f64.powi(51));
         assert_eq!((nearly.minimum().stop, nearly.common_point()), (Stop::EndsTouch, None));
         let exact = 2.0 * (2.0_f64.sqrt() * 6.0 * f64::EPSILON) * 4.0;
-        for (error, exact) in [(nearly.length().error, exact), (nearly.energy().error, exact * exact)]
+        for (error, exact) in
+            [(nearly.length().error, exact), (nearly.energy().error, exact * exact)]
         {
             // The ends are at 1 up to rounding.
             assert!(error >= exact * (1.0 - 1e-12) && error < 2.0 * exact, "{error:e} {exact:e}");

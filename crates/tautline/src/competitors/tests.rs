@@ -319,7 +319,8 @@ fn the_root_of_the_discrete_energy_is_rounded_up() {
     let ends = Ends::points([0.3, 0.1], [0.5, 0.2]).expect("finite");
     let line = Problem::new(Sphere, ends).solve(Trapezoidal, 16).expect("solved");
     let extent = line.extent();
-    let of = |length: f64, discrete_energy: f64| upper(Extent { length, discrete_energy, ..extent });
+    let of =
+        |length: f64, discrete_energy: f64| upper(Extent { length, discrete_energy, ..extent });
     let mut draws = Draws(11);
     for _ in 0..100 {
         // Between 1 and 2, where a root is a whole number of units 2⁻⁵².
