@@ -1,15 +1,11 @@
-//! Limits the size of crates and folders.
+//! Limits the size of folders.
 
 use std::{
     collections::BTreeMap,
     path::{Path, PathBuf},
 };
 
-use super::{files, packages, read, sources::all_sources};
-
-fn is_long(lines: usize) -> bool {
-    lines > 10_000
-}
+use super::sources::all_sources;
 
 /// The folders of more than 20 of these files. Except galleries: a new metric is a new file.
 fn crowded(files: &[PathBuf]) -> BTreeMap<&Path, usize> {
@@ -22,14 +18,6 @@ fn crowded(files: &[PathBuf]) -> BTreeMap<&Path, usize> {
 }
 
 #[test]
-fn no_crate_has_more_than_10_000_lines() {
-    for package in packages() {
-        let lines = files(&package, "rs").iter().map(|path| read(path).lines().count()).sum();
-        assert!(!is_long(lines), "{} has {lines} lines of Rust", package.display());
-    }
-}
-
-#[test]
 fn no_folder_has_more_than_20_files() {
     let sources = all_sources();
     let crowded = crowded(&sources);
@@ -37,8 +25,7 @@ fn no_folder_has_more_than_20_files() {
 }
 
 #[test]
-fn what_is_too_large_is_found() {
-    assert!(is_long(10_001) && !is_long(10_000));
+fn crowded_folders_are_found() {
     let of = |folder: &str, count: usize| -> Vec<PathBuf> {
         (0..count).map(|k| Path::new(folder).join(format!("{k}.rs"))).collect()
     };
