@@ -200,16 +200,17 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
             let back = b.and_then(|b| Some([first.proved_member(&b)?, b]));
             [there, back, a.zip(b).map(|(a, b)| [a, b])]
         });
-        let mut shortest = Err(CheckError::CurveEnd { end: "first" });
+        let (mut curves, mut reason) = (Vec::new(), CheckError::CurveEnd { end: "first" });
         for pair in pairs.flatten() {
-            match (length_above(formula, [first, second], &pair), &shortest) {
-                (Ok(length), Ok((_, least))) if length >= *least => {}
-                (Ok(length), _) if length.is_finite() => shortest = Ok((pair.to_vec(), length)),
-                (Err(reason), Err(_)) => shortest = Err(reason),
-                _ => {}
+            match length_above(formula, [first, second], &pair) {
+                Ok(length) => curves.push((pair.to_vec(), length)),
+                Err(error) => reason = error,
             }
         }
-        shortest.map_err(|reason| DistanceError::Curve(reason).into())
+        // An infinite length is no bound.
+        let finite = curves.into_iter().filter(|(_, length)| length.is_finite());
+        let shortest = finite.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        shortest.ok_or_else(|| DistanceError::Curve(reason).into())
     }
 
     /// Searches for a certificate that proves about as much as this enclosure does under the

@@ -311,7 +311,7 @@ fn a_search_that_is_ended_leaves_the_bounds_it_told_of() {
         assert!(of == quantity && told.len() == 3 && told[2].boxes == boxes, "{told:?}");
         let close = certify(&Hyperbolic, quantity, &ball, CLOSE).expect("a constant");
         assert!(lower <= close.upper && close.lower <= upper, "{lower} {upper} {close:?}");
-        // The proved bound is that which was told of last, up to the rounding of the latter.
+        // The error carries the bound of the last report, which is rounded on its way.
         let proved = if quantity == Quantity::C1 { lower } else { upper };
         assert!((proved / told[2].bound - 1.0).abs() < 1e-14, "{proved} {:?}", told[2]);
         assert!(boxes < close.boxes, "{boxes} {close:?}");

@@ -120,20 +120,3 @@ fn two_statements_are_equal_only_if_all_of_their_numbers_are() {
     (same.curve, same.levels) = (None, Vec::new());
     assert_eq!(same.statement(), base.statement());
 }
-
-/// The hash is that of the bytes, the lowest first, so that any program can compute it.
-#[test]
-fn the_hash_of_a_table_is_that_of_its_bytes() {
-    let numbers = vec![1.0, -2.0, 0.5, 4.0, 0.25, 3.0];
-    let table: Arc<dyn Table> = Arc::new(Spline::new(&[2, 3], numbers).expect("a shape"));
-    let formula = Formula::<2>::parse_with("h(x1, x2) I", &[], &[("h", table)]);
-    let sets = [point([0.0, 0.0]), point([1.0, 0.5])];
-    let formula = formula.expect("a formula").of_upper_half();
-    let (region, levels) = (Region::Declared { c1: 0.1 }, Vec::new());
-    let statement = Certificate { formula, sets, hi: 3.0, region, curve: None, levels }.statement();
-    let expected = "tautline-distance 1\ndimension 2\n\
-        table 2 3 sha256 892de441c469f4103f97644a70ea85194567abfcf63c03d858ed9e1cf8446af5\nmetric ";
-    assert!(statement.starts_with(expected), "{statement}");
-    let end = "from point 0.0 0.0\nto point 1.0 0.5\nhi 3.0\nregion declared 0.1\n";
-    assert!(statement.ends_with(end), "{statement}");
-}

@@ -103,11 +103,6 @@ fn tables_that_the_formula_does_not_call_so_are_refused() {
     refused(&|lines| drop(lines.drain(5..7)));
     refused(&|lines| drop(lines.drain(2..5)));
     refused(&|lines| lines[2..7].rotate_left(3));
-    // The same table twice is one.
-    refused(&|lines| {
-        let copy = lines[5..7].to_vec();
-        drop(lines.splice(7..7, copy));
-    });
     // Rows that are missing, too many, too short or too long, and shapes that are none.
     refused(&|lines| drop(lines.remove(3)));
     refused(&|lines| lines.insert(3, lines[3].clone()));
@@ -131,6 +126,30 @@ fn tables_that_the_formula_does_not_call_so_are_refused() {
                     .replace("table1_02(", &format!("{name}("));
             }
         });
+    }
+}
+
+/// Tables are equal if their lengths and their bits are.
+#[test]
+fn equal_tables_are_refused() {
+    let zeros = ["0000000000000000", "8000000000000000"];
+    for (one, two, calls, are_equal) in [
+        ("1", "1", ["x1", "x2"], [true, false]),
+        ("1", "1", ["x1", "x1"], [true, false]),
+        ("1", "1 1", ["x1", "x1, x2"], [false, false]),
+    ] {
+        for (at, are_equal) in are_equal.into_iter().enumerate() {
+            let mut lines = lines(&certificate(&[2, 3], &ROWS));
+            let sets = lines.iter().position(|line| line.starts_with("from ")).expect("a set");
+            let [of_x, of_y] = calls;
+            let text = format!(
+                "table {one}\n{}\ntable {two}\n{}\nmetric 4\ns1 = table1({of_x});\n\
+                 s2 = table2({of_y});\ns3 = s1 + s2;\n[s3, s3; s3, s3]",
+                zeros[0], zeros[at]
+            );
+            lines.splice(2..sets, text.lines().map(str::to_owned));
+            assert_eq!(read(&lines).is_err(), are_equal, "{text}");
+        }
     }
 }
 

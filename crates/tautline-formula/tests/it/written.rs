@@ -117,13 +117,6 @@ fn a_block_of_a_product_is_not_transposed() {
     let twice = Written::Scaled(part(0, "2"), Box::new(matrix.clone()));
     let thrice = gram(&Written::Sum(vec![matrix, twice]));
     assert!((thrice[(2, 0)] - 0.9).abs() < 1e-15 && (thrice[(0, 2)] - 0.3).abs() < 1e-15);
-    // Neither is a matrix by itself.
-    let alone = Written::Matrix(vec![parts(&["2", "x1"]), parts(&["x2", "3"])]);
-    assert_is::<2>(&alone, text);
-    assert_eq!(
-        Formula::<2>::parse(text, &[]).expect(text).gram(&vector![0.1, 0.2]),
-        nalgebra::matrix![2.0, 0.1; 0.2, 3.0]
-    );
 }
 
 #[test]

@@ -69,13 +69,3 @@ fn in_a_cell_every_derivative_has_bounds() {
         }
     }
 }
-
-#[test]
-fn what_is_no_box_has_no_bounds() {
-    let spline = cubes(2);
-    let side = (0.25, 0.75);
-    for sides in [&[side][..], &[side; 3], &[], &[side, (1.0, 0.5)], &[(f64::NAN, 1.0), side]] {
-        assert_eq!(Table::bounds(&spline, sides, [0; 3]), None, "{sides:?}");
-    }
-    assert!(Table::bounds(&spline, &[side; 2], [0; 3]).is_some());
-}

@@ -32,22 +32,35 @@ fn functions<S: Scalar>(x: S) -> Vec<(&'static str, S)> {
     ]
 }
 
+/// A jet of jets, which knows four derivatives.
+type Nested = Jet2<Jet2<f64, 1>, 1>;
+
+/// Returns the variable of the line at `x`.
+fn nested(x: f64) -> Nested {
+    let [inner] = Jet2::<f64, 1>::variables(&[x]);
+    let [outer] = Jet2::<_, 1>::variables(&[inner]);
+    outer
+}
+
+/// Returns the Taylor coefficients of a function of the line.
+fn of_jet(jet: &Nested) -> [f64; 5] {
+    let (value, second) = (jet.value(), jet.second(0, 0));
+    [
+        value.value(),
+        value.first(0),
+        value.second(0, 0) / 2.0,
+        second.first(0) / 6.0,
+        second.second(0, 0) / 24.0,
+    ]
+}
+
 /// Nested second-order jets share no recurrence with the Taylor coefficients.
 #[test]
 fn coefficients_agree_with_nested_jets() {
     for x in [0.125, 0.5, 1.3, -0.7] {
-        let [inner] = Jet2::<f64, 1>::variables(&[x]);
-        let [outer] = Jet2::<_, 1>::variables(&[inner]);
         let ours = functions(Taylor::<f64, 5>::line(x, 1.0));
-        for ((name, taylor), (_, jet)) in ours.into_iter().zip(functions(outer)) {
-            let (value, second) = (jet.value(), jet.second(0, 0));
-            let jets = [
-                value.value(),
-                value.first(0),
-                value.second(0, 0) / 2.0,
-                second.first(0) / 6.0,
-                second.second(0, 0) / 24.0,
-            ];
+        for ((name, taylor), (_, jet)) in ours.into_iter().zip(functions(nested(x))) {
+            let jets = of_jet(&jet);
             // The tolerance covers about thirty roundings of terms up to eight times the result.
             let size = jets.iter().fold(1.0_f64, |size, c| size.max(c.abs()));
             for k in 0..5 {
@@ -132,18 +145,9 @@ fn tabulated<S: Scalar>(x: S) -> Vec<(&'static str, S)> {
 #[test]
 fn coefficients_of_tables_agree_with_nested_jets() {
     for x in [0.4375, 0.5, 0.4] {
-        let [inner] = Jet2::<f64, 1>::variables(&[x]);
-        let [outer] = Jet2::<_, 1>::variables(&[inner]);
         let ours = tabulated(Taylor::<f64, 5>::line(x, 1.0));
-        for ((name, taylor), (_, jet)) in ours.into_iter().zip(tabulated(outer)) {
-            let (value, second) = (jet.value(), jet.second(0, 0));
-            let jets = [
-                value.value(),
-                value.first(0),
-                value.second(0, 0) / 2.0,
-                second.first(0) / 6.0,
-                second.second(0, 0) / 24.0,
-            ];
+        for ((name, taylor), (_, jet)) in ours.into_iter().zip(tabulated(nested(x))) {
+            let jets = of_jet(&jet);
             // Derivatives of a table are known to 2⁻⁴⁷ of 2⁷ times its coefficients, which are at most
             // 10. At most 35 of them enter, with factors of at most 2.
             for k in 0..5 {

@@ -157,30 +157,6 @@ fn decimal_numbers_are_refused() {
     }
 }
 
-/// Tables are equal if their lengths and their bits are.
-#[test]
-fn equal_tables_are_refused() {
-    let zeros = ["0000000000000000", "8000000000000000"];
-    for (one, two, calls, are_equal) in [
-        ("1", "1", ["x1", "x2"], [true, false]),
-        ("1", "1", ["x1", "x1"], [true, false]),
-        ("1", "1 1", ["x1", "x1, x2"], [false, false]),
-    ] {
-        for (at, are_equal) in are_equal.into_iter().enumerate() {
-            let mut lines = lines();
-            let metric = first(&lines, "metric")..first(&lines, "from");
-            let [of_x, of_y] = calls;
-            let text = format!(
-                "table {one}\n{}\ntable {two}\n{}\nmetric 4\ns1 = table1({of_x});\n\
-                 s2 = table2({of_y});\ns3 = s1 + s2;\n[s3, s3; s3, s3]",
-                zeros[0], zeros[at]
-            );
-            lines.splice(metric, text.lines().map(str::to_owned));
-            assert_eq!(read(&lines).is_err(), are_equal, "{text}");
-        }
-    }
-}
-
 #[test]
 fn another_dimension_is_refused() {
     for dimension in ["1", "3", "4"] {
