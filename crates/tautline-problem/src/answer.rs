@@ -239,4 +239,27 @@ mod tests {
         let half = BallAnswer { centre: vec![0.25], radius: 2.0_f64.sqrt() };
         assert_eq!(half.shortened(5), (vec![0.25], "1.4142".to_owned()));
     }
+
+    /// With all digits, to the last one: on the line, what the centre moved and the radius that is printed
+    /// are together no more than the radius, as whole numbers of the unit `10⁻¹⁷ 2⁻⁵⁶`.
+    #[test]
+    fn a_shortened_interval_lies_in_the_interval_exactly() {
+        let (ten, two) = (10_i128.pow(17), 1_i128 << 56);
+        let mut state = 9_u64;
+        let mut moved_places = 0;
+        for _ in 0..500 {
+            // Knuth's MMIX; a centre between 1/16 and 1/8, so that the radius less its move is rounded.
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            let centre = ((1_u64 << 52) + (state >> 12)) as f64 / (1_u64 << 56) as f64;
+            let radius = 1.0;
+            let (short, text) = BallAnswer { centre: vec![centre], radius }.shortened(17);
+            // Numbers next to each other: the difference is exact.
+            let moved = ((short[0] - centre).abs() * two as f64) as i128;
+            let digits = text.strip_prefix("0.").expect("less than 1");
+            let printed: i128 = format!("{digits:0<17}").parse().expect("17 digits");
+            assert!(printed * two + moved * ten <= two * ten, "{centre} {short:?} {text}");
+            moved_places += usize::from(moved > 0);
+        }
+        assert!(moved_places > 400, "{moved_places}");
+    }
 }

@@ -117,4 +117,47 @@ mod tests {
             assert_eq!(error.message, message);
         }
     }
+
+    /// Of a bounded piece all of it, of an unbounded one a point.
+    #[test]
+    fn the_extents_hold_pieces_of_every_kind() {
+        let extents = |from: &str, to: &str| {
+            let file = format!("[metric]\nphi = 1\n[from]\n{from}\n[to]\n{to}\n");
+            Question::read(&file).unwrap_or_else(|error| panic!("{file}: {error}")).extents()
+        };
+        let here = "point = [0, 0]";
+        for (to, low, high) in [
+            ("point = [3, -2]", [0.0, -2.0], [3.0, 0.0]),
+            ("points = [[1, 5], [-4, 2], [0, -1]]", [-4.0, -1.0], [1.0, 5.0]),
+            ("ball = { centre = [3, 1], radius = 2 }", [0.0, -1.0], [5.0, 3.0]),
+            ("sphere = { centre = [-3, 1], radius = 2 }", [-5.0, -1.0], [0.0, 3.0]),
+            ("box = { lower = [1, -3], upper = [2, -1] }", [0.0, -3.0], [2.0, 0.0]),
+            ("segment = { from = [4, 1], to = [-1, 2] }", [-1.0, 0.0], [4.0, 2.0]),
+            ("affine = { through = [-7, 3], directions = [[1, 1]] }", [-7.0, 0.0], [0.0, 3.0]),
+            // The foot of the origin is (1.2, 1.6), and a half-space that holds it adds nothing.
+            ("half_space = { normal = [3, 4], at_least = 10 }", [0.0, 0.0], [1.2, 1.6]),
+            ("half_space = { normal = [3, 4], at_most = 10 }", [0.0, 0.0], [0.0, 0.0]),
+            ("union = [{ point = [1, 2] }, { point = [-1, -2] }]", [-1.0, -2.0], [1.0, 2.0]),
+        ] {
+            for found in [extents(here, to), extents(to, here)] {
+                let [found_low, found_high] = found.expect("sets");
+                let pairs = found_low.iter().zip(low).chain(found_high.iter().zip(high));
+                for (found, exact) in pairs {
+                    assert!((found - exact).abs() < 1e-14, "{to}: {found_low:?} {found_high:?}");
+                }
+            }
+        }
+        let none = "dimension = 2\n[metric]\nphi = 1\n";
+        assert_eq!(Question::read(none).expect("a file").extents(), None);
+    }
+
+    #[test]
+    fn the_boxes_of_a_file_come_before_those_of_an_audit() {
+        let file = "dimension = 2\n[metric]\nphi = 1\n";
+        for (section, expected) in [("", 7), ("[certify]\nboxes = 123\n", 123)] {
+            let mut question = Question::read(&format!("{file}{section}")).expect("a file");
+            question.set_default_boxes(7);
+            assert_eq!((question.boxes, question.accuracy().budget), (expected, expected));
+        }
+    }
 }

@@ -290,3 +290,99 @@ fn constants(claimed: &ConstantsFile, numbers: &Numbers<'_>) -> Result<Constants
         None => Ok(constants),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use tautline_portrait::{Field, Shape};
+
+    use super::{Question, default_boxes};
+    use crate::{Grid, reading::view::View};
+
+    fn question(lines: &str) -> Question {
+        let file = format!("dimension = 2\n[metric]\nphi = 1\n{lines}");
+        Question::read(&file).unwrap_or_else(|error| panic!("{file}: {error}"))
+    }
+
+    /// A fifth for each dimension beyond the plane, as [`Proofs`](crate::value::Proofs) says.
+    #[test]
+    fn a_constant_has_fewer_boxes_in_more_dimensions() {
+        let boxes = [1, 2, 3, 4, 5, 6].map(default_boxes);
+        assert_eq!(boxes, [100_000, 100_000, 20_000, 4000, 800, 160]);
+        let accuracy = question("").accuracy();
+        assert_eq!((accuracy.budget, accuracy.tolerance), (100_000, 1e-3));
+        let accuracy = question("[certify]\nboxes = 77\ntolerance = \"1/8\"\n").accuracy();
+        assert_eq!((accuracy.budget, accuracy.tolerance), (77, 0.125));
+    }
+
+    #[test]
+    fn each_claimed_constant_is_the_one_of_its_name() {
+        let claimed = |m_h: &str| {
+            let lines = format!("[certify]\nconstants = {{ c1 = 1, c2 = 9, l_h = 5{m_h} }}\n");
+            question(&lines).claimed_constants().expect("constants")
+        };
+        let found = claimed(", m_h = 7");
+        assert_eq!((found.c1(), found.c2(), found.l_h(), found.m_h()), (1.0, 9.0, 5.0, Some(7.0)));
+        assert_eq!((claimed("").m_h(), question("").claimed_constants()), (None, None));
+        assert!(!found.is_isotropic() && !found.is_local());
+    }
+
+    /// In a file coordinates are counted from 1, and a window has its corners.
+    #[test]
+    fn what_is_drawn_is_what_the_file_says() {
+        let file = "dimension = 3\n[metric]\nphi = 1\n[output]\ncoordinates = [3, 1]\n\
+                    field = \"ellipses\"\nwindow = { lower = [-1, 2], upper = [5, 3] }\n";
+        let view = Question::read(file).expect("a file").view;
+        let window = Some([[-1.0, 5.0], [2.0, 3.0]]);
+        assert_eq!(view, View { coordinates: Some([2, 0]), field: Field::Ellipses, window });
+    }
+
+    #[test]
+    fn the_numbers_of_the_sections_are_read_as_they_stand() {
+        let found = question(
+            "[solve]\nn = 33\nsteps = 4\ntime_limit = 1.5\nonly_these_starts = true\n\
+             starts = [[[0, 1], [2, 3]], [[4, 5], [6, 7], [8, 9]]]\n[audit]\ncases = 12\nseed = 34\n\
+             region = { lower = [-1, -2], upper = [3, 4] }\n[certify]\nbound = false\n",
+        );
+        assert_eq!((found.grid, found.steps, found.bound), (Grid::Chords(33), Some(4), false));
+        assert_eq!(found.time_limit().map(|limit| limit.as_millis()), Some(1500));
+        assert_eq!(found.starts[0], [[0.0, 1.0], [2.0, 3.0]]);
+        assert_eq!(found.starts[1], [[4.0, 5.0], [6.0, 7.0], [8.0, 9.0]]);
+        assert!(found.only_these_starts);
+        assert_eq!((found.audit_cases(), found.audit_seed()), (Some(12), Some(34)));
+        assert_eq!(found.audit_region(), Some(&[vec![-1.0, -2.0], vec![3.0, 4.0]]));
+        let tolerance = question("[solve]\ntolerance = 1e-6\n");
+        assert_eq!((tolerance.grid, tolerance.bound), (Grid::Tolerance(1e-6), true));
+    }
+
+    /// Each set is the shape of its name, on its own side, and unions of unions are flat.
+    #[test]
+    fn each_set_is_its_shape() {
+        let found = question(
+            "[from]\npoint = [7, 8]\n[to]\nunion = [\
+             { points = [[3, 4], [5, 6]] }, \
+             { ball = { centre = [1, 0], radius = 2 } }, \
+             { union = [{ sphere = { centre = [0, 1], radius = 3 } }, \
+             { box = { lower = [0, 1], upper = [2, 3] } }] }, \
+             { half_space = { normal = [1, -2], at_least = 3 } }, \
+             { half_space = { normal = [1, -2], at_most = 3 } }, \
+             { segment = { from = [0, 1], to = [2, 3] } }, \
+             { affine = { through = [1, 1], directions = [[0, 2]] } }]\n",
+        );
+        let [from, to] = found.ends.expect("two sets");
+        let shapes = |pieces: Vec<crate::reading::shape::Piece>| -> Vec<Shape> {
+            pieces.into_iter().map(|piece| piece.shape).collect()
+        };
+        assert_eq!(shapes(from), [Shape::Point(vec![7.0, 8.0])]);
+        let expected = [
+            Shape::Points(vec![vec![3.0, 4.0], vec![5.0, 6.0]]),
+            Shape::Ball { centre: vec![1.0, 0.0], radius: 2.0 },
+            Shape::Sphere { centre: vec![0.0, 1.0], radius: 3.0 },
+            Shape::AxisBox { low: vec![0.0, 1.0], high: vec![2.0, 3.0] },
+            Shape::HalfSpace { normal: vec![-1.0, 2.0], offset: -3.0 },
+            Shape::HalfSpace { normal: vec![1.0, -2.0], offset: 3.0 },
+            Shape::Segment { from: vec![0.0, 1.0], to: vec![2.0, 3.0] },
+            Shape::AffineSubspace { point: vec![1.0, 1.0], directions: vec![vec![0.0, 2.0]] },
+        ];
+        assert_eq!(shapes(to), expected);
+    }
+}

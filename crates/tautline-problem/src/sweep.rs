@@ -95,3 +95,79 @@ impl Question {
         file
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Sweep, Values};
+    use crate::Question;
+
+    const FILE: &str = "\
+[parameters]
+a = 1     # the first
+long = \"2*a\"
+b = \"a + 1\"
+[metric]
+phi = \"a*b^2 + long^2\"
+[from]
+point = [\"-a\", 0]
+[to]
+ball = { centre = [\"b\", 9], radius = \"long^2\" }
+";
+
+    /// What is written is read back bit for bit, and what depends on it changes with it: other parameters,
+    /// the metric and the sets.
+    #[test]
+    fn a_file_with_other_numbers_is_the_question_with_them() {
+        let question = Question::read(FILE).expect("a file");
+        for values in [
+            vec![("a", 0.1 + 0.2)],
+            vec![("b", -1.0 / 3.0)],
+            vec![("b", 5e-324), ("a", -1e100)],
+            vec![("a", -2.5), ("b", 1e-7), ("long", 123_456_789.0)],
+            vec![("long", 2.5), ("other", 7.0)],
+            Vec::new(),
+        ] {
+            let file = question.file_with(&values);
+            let written = Question::read(&file).unwrap_or_else(|error| panic!("{file}: {error}"));
+            let other = question.with_parameters(&values).expect("numbers");
+            assert_eq!(other.parameters, written.parameters, "{file}");
+            for (name, value) in values.iter().filter(|(name, _)| *name != "other") {
+                let found = written.parameters.iter().find(|(found, _)| found == name);
+                let bits = found.map(|(_, found)| found.to_bits());
+                assert_eq!(bits, Some(value.to_bits()), "{file}");
+            }
+            assert_eq!(other.extents(), written.extents(), "{file}");
+            let formula = |question: &Question| question.formula::<2>().expect("a formula");
+            assert_eq!(formula(&other), formula(&written), "{file}");
+            // Nothing else changes.
+            assert_eq!(file.lines().count(), FILE.lines().count());
+            assert!(file.contains("     # the first\n") && file.contains("ball = { centre = "));
+        }
+        assert_eq!(question.file_with(&[]), FILE);
+        let other = question.with_parameters(&[("a", 3.0)]).expect("numbers");
+        let named = |name: &str, value| (name.to_owned(), value);
+        assert_eq!(other.parameters, [named("a", 3.0), named("long", 6.0), named("b", 4.0)]);
+        assert_eq!(other.extents(), Some([vec![-32.0, -27.0], vec![40.0, 45.0]]));
+    }
+
+    #[test]
+    fn each_axis_has_its_names_and_values_in_the_order_of_the_file() {
+        let file = "dimension = 1\n[parameters]\nw = 5\nh = 0\na = 0\nb = 0\nc = 0\nd = 0\n\
+                    [metric]\nphi = 1\n[sweep]\ndraws = 3\nseed = 7\n[sweep.vary]\n\
+                    h = [1, \"2*w\", -3]\nd = { uniform = [-1, \"w\"] }\n\
+                    \"b, a\" = [[1, 2], [\"w\", 4]]\nc = { from = \"w\", to = 0, count = 3 }\n";
+        let axis = |names: &[&str], values| Axis {
+            names: names.iter().map(|&name| name.to_owned()).collect(),
+            values,
+        };
+        let list = |values: &[&[f64]]| Values::List(values.iter().map(|it| it.to_vec()).collect());
+        let axes = vec![
+            axis(&["h"], list(&[&[1.0], &[10.0], &[-3.0]])),
+            axis(&["d"], Values::Uniform { least: -1.0, most: 5.0 }),
+            axis(&["b", "a"], list(&[&[1.0, 2.0], &[5.0, 4.0]])),
+            axis(&["c"], Values::Grid { from: 5.0, to: 0.0, count: 3 }),
+        ];
+        let sweep = Question::read(file).expect("a file").sweep().expect("a sweep");
+        assert_eq!(sweep, Some(Sweep { axes, draws: 3, seed: 7 }));
+    }
+}

@@ -39,3 +39,30 @@ fn the_corridor_of_an_answer_is_that_of_its_certificate() {
         }));
     }
 }
+
+/// The numbers of an answer are those that the checker finds in its certificate.
+#[test]
+fn the_numbers_of_an_answer_are_those_of_its_certificate() {
+    let question = Question::read(HILL).expect("a problem");
+    // The second search is stopped after its first level, with a larger gap.
+    for (gap, stop) in [(1e-2, false), (1e-6, true)] {
+        let observe =
+            &mut |_| if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+        let answer = question.certify(Wanted::gap(gap), observe).expect("certified");
+        let read = AnyCertificate::read(&answer.certificate).expect("a certificate");
+        let verdict = read.check().expect("a proof");
+        let [lower, upper, found] = [&answer.lower, &answer.upper, &answer.gap].map(|it| it.value);
+        assert_eq!((lower, Some(upper)), (verdict.lower, verdict.upper));
+        assert!((found - (upper - lower) / upper).abs() < 1e-14, "{found}");
+        assert_eq!(answer.reached, !stop);
+        assert_eq!(answer.reached, found <= gap);
+        assert_eq!(answer.ended.contains("stopped"), stop, "{}", answer.ended);
+        // Each level proves at least as much as the one before, and the last one all.
+        let lowers: Vec<f64> = answer.levels.iter().map(|level| level.lower.value).collect();
+        assert!(lowers.is_sorted() && lowers.last() == Some(&lower), "{lowers:?}");
+        assert!(answer.levels.len() == 1 || !stop);
+        let corridor = answer.corridor.last().expect("a corridor");
+        assert_eq!(answer.corridor_cubes * 2, corridor.places.len());
+        assert_eq!(answer.corridor_side.value, corridor.side);
+    }
+}

@@ -1,8 +1,10 @@
 //! Problem files: what they mean, and what is said of wrong ones.
 
+mod constants;
 mod corridor;
 mod gallery;
 mod lattice;
+mod meaning;
 mod obstacles;
 mod other_minima;
 mod random_certificates;

@@ -44,3 +44,31 @@ fn a_negative_cost_on_the_curve_is_refused_and_not_certified() {
         }
     }
 }
+
+/// Wherever it stands in the metric, and if it is negative in the middle of a chord only.
+#[test]
+fn a_negative_cost_is_found_in_every_part_of_a_metric() {
+    let block = |metric: &str| {
+        format!(
+            "product = [{{ coordinates = [1], metric = {{ cost = \"1 + x1\" }} }}, \
+             {{ coordinates = [2], metric = {{ {metric} }} }}]"
+        )
+    };
+    let scaled = "scaled = { by = 2, metric = { speed = \"-1 - x1\" } }";
+    for (metric, name) in [
+        (block("cost = \"-1 - x2\""), "cost"),
+        (block("sum = [{ phi = 1 }, { speed = \"-1 - x2\" }]"), "speed"),
+        (scaled.to_owned(), "speed"),
+        (block(scaled), "speed"),
+    ] {
+        let file = format!("[metric]\n{metric}\n[from]\npoint = [0, 0]\n[to]\npoint = [1, 1]\n");
+        for message in refused(&file) {
+            assert!(message.contains(&format!("the {name} is -")), "{metric}: {message}");
+        }
+    }
+    // 1 at both ends and −1 in the middle.
+    let dip = FILE.replace("x1 + 0.2", "8*(x1 - 0.5)^2 - 1");
+    for message in refused(&format!("{dip}[solve]\nn = 1\n")) {
+        assert!(message.contains("the cost is -1 at [0.5]"), "{message}");
+    }
+}

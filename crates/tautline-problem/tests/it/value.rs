@@ -5,7 +5,7 @@ use std::{ops::ControlFlow, sync::Arc};
 use tautline::{CertificateError, Constants, RecordError, certify, distance::Wanted};
 use tautline_problem::{
     Question,
-    value::{Given, GivenError, Grid, Proofs, Request, RuleName, Shape, Values},
+    value::{Given, GivenError, Grid, Nodes, Proofs, Region, Request, RuleName, Shape, Values},
 };
 
 const HILL: &str = "cost(1 + 4*exp(-2*(x1^2 + x2^2)))";
@@ -229,4 +229,116 @@ fn what_cannot_be_proved_is_said() {
     let curve = hill().solve(ends, &request).expect("solved");
     let said = curve.bounds(&proofs, &watch, go_on).expect_err("refused");
     assert!(said.contains("no theorem on the true trapezoid"), "{said}");
+}
+
+/// On a straight line the least value may be at an end, inside, or in the middle of a chord.
+#[test]
+fn the_least_entry_along_a_curve_is_that_of_all_points_and_middles() {
+    let flat = Given::parse("1 I", 2, &[], &[]).expect("a formula");
+    let ends = [point(&[0.0, 0.0]), point(&[1.0, 0.5])];
+    for n in [1, 2, 7, 64, 301] {
+        let request = Request { grid: Grid::Chords(n), ..Request::default() };
+        let curve = flat.solve([&ends[0], &ends[1]], &request).expect("solved");
+        let points: Vec<Vec<f64>> = curve.points().chunks(2).map(<[f64]>::to_vec).collect();
+        let middle = |pair: &[Vec<f64>]| {
+            let coordinates = pair[0].iter().zip(&pair[1]);
+            coordinates.map(|(a, b)| a + 0.5 * (b - a)).collect::<Vec<f64>>()
+        };
+        let all: Vec<Vec<f64>> =
+            points.iter().cloned().chain(points.windows(2).map(middle)).collect();
+        for text in ["phi(3 - x1)", "phi(3 + x1)", "phi(1 + (x1 - 0.5)^2)", "phi(x2 - 3)"] {
+            let metric = Given::parse(text, 2, &[], &[]).expect("a formula");
+            let first = |x: &[f64]| metric.gram(x).expect("two coordinates")[0];
+            let (value, at) = metric.least_entry_along(&*curve).expect("a curve").expect("points");
+            let least = all.iter().map(|x| first(x.as_slice())).fold(f64::INFINITY, f64::min);
+            // Programs may round in another way.
+            assert!((value - least).abs() < 1e-14, "{text}, N = {n}: {value} {least}");
+            assert!((first(at.as_slice()) - value).abs() < 1e-14, "{text}, N = {n}: {at:?}");
+        }
+    }
+    let line = Given::parse("1 I", 1, &[], &[]).expect("a formula");
+    let curve = flat.solve([&ends[0], &ends[1]], &Request::default()).expect("solved");
+    let refused = line.least_entry_along(&*curve);
+    assert!(matches!(refused, Err(GivenError::Coordinates { found: 2, dimension: 1, .. })));
+}
+
+/// `(1 + Σ (m/δ)²) H`: with every region once, and nothing inside any of them.
+#[test]
+fn a_metric_with_obstacles_is_multiplied_by_their_factor() {
+    let metric = Given::parse("phi(1 + x1^2)", 2, &[], &[]).expect("a formula");
+    let regions = [
+        Region::Set(Shape::Ball { centre: vec![1.0, -2.0], radius: 0.5 }),
+        Region::Set(Shape::HalfSpace { normal: vec![0.0, 2.0], offset: -6.0 }),
+        Region::Negative("x1 + 4".to_owned()),
+    ];
+    let avoiding = metric.avoiding(&regions, 0.3).expect("obstacles");
+    for x in [[0.5, 1.0_f64], [-3.5, -2.5], [1.5, -1.5]] {
+        let ball = (x[0] - 1.0_f64).hypot(x[1] + 2.0) - 0.5;
+        let terms = [ball, x[1] + 3.0, x[0] + 4.0].map(|away| (0.3 / away).powi(2));
+        let exact = (1.0 + terms.iter().sum::<f64>()) * (1.0 + x[0] * x[0]);
+        let found = avoiding.gram(&x).expect("two coordinates");
+        // The logarithm and its exponential round relative to the exponent.
+        assert!((found[0] / exact - 1.0).abs() < 1e-13, "{x:?}: {found:?} {exact}");
+        assert_eq!([found[1], found[2], found[3]], [0.0, 0.0, found[0]]);
+    }
+    for inside in [[1.0, -2.25], [0.0, -4.0], [-5.0, 0.0]] {
+        assert!(!avoiding.gram(&inside).expect("two coordinates")[0].is_finite(), "{inside:?}");
+    }
+    let none = metric.avoiding(&[], 0.3).expect("no obstacles");
+    assert_eq!(none.gram(&[0.5, 1.0]), metric.gram(&[0.5, 1.0]));
+}
+
+#[test]
+fn what_is_no_obstacle_is_refused() {
+    let metric = Given::parse("1 I", 2, &[], &[]).expect("a formula");
+    let ball = |radius: f64| Region::Set(Shape::Ball { centre: vec![1.0, -2.0], radius });
+    for margin in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = metric.avoiding(&[ball(1.0)], margin).map(|_| ());
+        assert!(matches!(refused, Err(GivenError::Margin { .. })), "{refused:?}");
+    }
+    let sphere = Region::Set(Shape::Sphere { centre: vec![0.0, 0.0], radius: 1.0 });
+    let zero = Region::Set(Shape::HalfSpace { normal: vec![0.0, 0.0], offset: 1.0 });
+    // The second region counts too.
+    for region in [ball(0.0), sphere, zero] {
+        let refused = metric.avoiding(&[ball(1.0), region], 0.3).map(|_| ());
+        assert!(matches!(refused, Err(GivenError::NoInside { .. })), "{refused:?}");
+    }
+    let space = Region::Set(Shape::Ball { centre: vec![0.0; 3], radius: 1.0 });
+    let refused = metric.avoiding(&[space], 0.3).map(|_| ());
+    assert!(matches!(refused, Err(GivenError::Coordinates { found: 3, dimension: 2, .. })));
+    let black_box = Given::black_box(Arc::new(Hill), 2, 1e-3).expect("a step");
+    let refused = black_box.avoiding(&[ball(1.0)], 0.3).map(|_| ());
+    assert!(matches!(refused, Err(GivenError::NoFormula)), "{refused:?}");
+}
+
+/// The nodes may be as far apart along each axis as they like; the corners and the spacings have as many
+/// numbers as there are axes.
+#[test]
+fn a_lattice_has_a_spacing_for_each_axis() {
+    let wall = "cost(1 + 100*exp(-(x1/0.1)^2)*(1 - exp(-((x2 - 3)/0.3)^2)))";
+    let metric = Given::parse(wall, 2, &[], &[]).expect("a formula");
+    let ends = [point(&[-1.0, 0.0]), point(&[1.0, 0.0])];
+    let with = |spacing: &[f64], upper: &[f64], grid: Grid| {
+        let (lower, upper, spacing) = (vec![-2.0, -1.0], upper.to_vec(), spacing.to_vec());
+        let lattice = Some(Nodes { lower, upper, spacing, classes: 1 });
+        metric.solve([&ends[0], &ends[1]], &Request { grid, lattice, ..Request::default() })
+    };
+    let chords = Grid::Chords(512);
+    let length = with(&[0.05, 0.1], &[2.0, 4.0], chords).expect("a way").length().value;
+    // √40 is the way to the gap and back, without the wall.
+    assert!((6.3..7.0).contains(&length), "{length}");
+    for (spacing, upper) in [(&[0.1; 3][..], &[2.0, 4.0][..]), (&[0.1][..], &[2.0][..])] {
+        let refused = with(spacing, upper, chords).map(|_| ());
+        assert!(matches!(refused, Err(GivenError::Coordinates { dimension: 2, .. })));
+    }
+    let both = with(&[0.1], &[2.0, 4.0], Grid::Tolerance(1e-3)).map(|_| ());
+    assert!(matches!(both, Err(GivenError::LatticeAndTolerance)), "{both:?}");
+}
+
+/// Without starts of its own a search that has only these has none.
+#[test]
+fn a_search_with_no_start_at_all_is_refused() {
+    let request = Request { only_these_starts: true, ..Request::default() };
+    let found = hill().solve([&point(&[-1.5, 0.0]), &point(&[1.5, 0.0])], &request);
+    assert!(found.is_err(), "{found:?}");
 }
