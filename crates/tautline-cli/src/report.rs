@@ -233,9 +233,173 @@ pub(crate) fn certified(answer: &CertifiedAnswer) -> String {
 
 #[cfg(test)]
 mod tests {
-    use tautline_problem::{CertificateAnswer, GlobalMinimum, Question};
+    use tautline_problem::{
+        Answer, BallAnswer, CertificateAnswer, CertifiedAnswer, ConstantAnswer, ConstantsAnswer,
+        Estimated, Float, GlobalMinimum, LevelAnswer, OtherMinimum, Question, UsedConstants,
+    };
 
-    use super::{note, places, point};
+    use super::{answer, certified, constants, note, places, point, proved_constants};
+
+    /// The answer to a problem of length 1.
+    fn unit() -> Answer {
+        let file = "[metric]\nphi = 1\n[from]\npoint = [0]\n[to]\npoint = [1]\n";
+        Question::read(file).expect("a problem").solve(&mut |_| ()).expect("a line")
+    }
+
+    /// Returns what stands after a name, on its first line.
+    fn said(text: &str, name: &str) -> Option<String> {
+        let line = text.lines().find(|line| line.starts_with(name))?;
+        Some(line[name.len()..].trim_start().to_owned())
+    }
+
+    /// The value is printed to ten digits: what that rounds off, 4·10⁻¹¹ here, is added to the error.
+    #[test]
+    fn an_estimate_is_printed_with_its_error_and_that_of_printing() {
+        for (value, error, least, most) in [
+            (1.000_000_000_04, 1e-12, 4.1e-11, 5e-11),
+            (1.0, 1.5e-3, 1.5e-3, 2e-3),
+            (2.0, 0.0, 0.0, 0.0),
+        ] {
+            let extrapolated = Some(Estimated { value, error });
+            let text = answer(&Answer { extrapolated, ..unit() });
+            let line = said(&text, "extrapolated").expect("an estimate");
+            let printed = line.split_once(" ± ").expect("an error").1;
+            let printed: f64 = printed.split(',').next().unwrap_or_default().parse().expect("one");
+            // The decimals are those of the doubles up to rounding.
+            assert!(printed >= least * (1.0 - 1e-5) && printed <= most * (1.0 + 1e-5), "{line}");
+        }
+        assert_eq!(said(&answer(&Answer { extrapolated: None, ..unit() }), "extrapolated"), None);
+    }
+
+    #[test]
+    fn each_doubt_has_a_warning_of_its_own() {
+        let warnings = |change: &dyn Fn(&mut Answer)| {
+            let mut changed = unit();
+            change(&mut changed);
+            let text = answer(&changed);
+            (text.lines().filter(|line| line.starts_with("warning")).count(), text)
+        };
+        assert_eq!(warnings(&|_| ()).0, 0);
+        let other = |length: f64| {
+            let length = Estimated { value: length, error: 0.0 };
+            OtherMinimum { length, curve: Vec::new() }
+        };
+        let (count, text) = warnings(&|answer| answer.resolved = false);
+        assert!(count == 1 && text.contains("the metric changes between the points"), "{text}");
+        let (count, text) = warnings(&|answer| answer.within_tolerance = Some(false));
+        assert!(count == 1 && text.contains("the tolerance is not reached with 256"), "{text}");
+        let (count, text) = warnings(&|answer| answer.search.converged = false);
+        assert!(count == 1 && text.contains("did not end at a strict minimum"), "{text}");
+        // A shorter minimum is named wherever it stands.
+        let (count, text) =
+            warnings(&|answer| answer.other_minima = vec![other(1.5), other(0.75)]);
+        assert!(count == 1 && text.contains("another minimum is shorter, 0.75"), "{text}");
+        // Two ties, and one that is longer.
+        let (count, text) =
+            warnings(&|answer| answer.other_minima = [1.0, 1.0, 1.25].map(other).to_vec());
+        assert!(count == 0 && text.contains("2 other curves are as short"), "{text}");
+        assert_eq!(said(&text, "other minima").as_deref(), Some("1.250000"));
+        let (_, text) = warnings(&|answer| answer.other_minima = vec![other(1.0)]);
+        assert!(text.contains("another curve is as short"), "{text}");
+        assert_eq!(said(&text, "other minima"), None);
+        let (_, text) = warnings(&|answer| {
+            (answer.bounds, answer.no_bounds) = (None, Some("why not".to_owned()));
+        });
+        assert_eq!(said(&text, "distance").as_deref(), Some("no bounds: why not"));
+        let (_, text) = warnings(&|answer| answer.length = Estimated { value: 0.0, error: 1.1e-9 });
+        assert!(text.contains("length       0 ± 2e-9 of a curve"), "{text}");
+    }
+
+    /// A third is no decimal: it is printed smaller as a lower bound and larger as an upper one. A claim is
+    /// printed as it was typed.
+    #[test]
+    fn constants_are_rounded_outwards_if_they_are_proved() {
+        let third = 1.0 / 3.0;
+        let with = |proved, within| UsedConstants {
+            c1: third,
+            c2: third,
+            l_h: third,
+            m_h: Some(third),
+            proved,
+            within,
+        };
+        assert_eq!(
+            constants(&with(true, None)),
+            "c1 0.33333, c2 0.33334, L_H 0.33334, M_H 0.33334; proved on all of space"
+        );
+        let claimed = constants(&with(false, None));
+        assert_eq!(claimed.matches("0.3333333333333333").count(), 4, "{claimed}");
+        assert!(claimed.ends_with("; claimed on all of space"), "{claimed}");
+        let ball = BallAnswer { centre: vec![0.25, -1.0], radius: third };
+        let within = constants(&with(true, Some(ball)));
+        assert!(within.ends_with("; proved within 0.33333 of [0.25, -1]"), "{within}");
+    }
+
+    #[test]
+    fn each_constant_is_printed_with_what_is_known_of_it() {
+        let third = || Some(Float::from(1.0 / 3.0));
+        let with = |name: &str, lower, upper, reason: Option<&str>| ConstantAnswer {
+            name: name.to_owned(),
+            bounds: "what it bounds",
+            proved: reason.is_none(),
+            lower,
+            upper,
+            at: None,
+            reason: reason.map(str::to_owned),
+        };
+        let text = proved_constants(&ConstantsAnswer {
+            region: "a box".to_owned(),
+            constants: vec![
+                with("c1", third(), third(), None),
+                with("c2", None, third(), Some("too many boxes")),
+                with("L_H", third(), None, Some("it grows")),
+                with("M_H", third(), third(), Some("too many boxes")),
+            ],
+        });
+        let between = "between 0.3333333333 and 0.3333333334   what it bounds";
+        assert_eq!(text.lines().next(), Some("constants on a box"));
+        assert_eq!(said(&text, "c1").as_deref(), Some(between));
+        let open = "between -∞ and 0.3333333334   what it bounds; not closer";
+        assert_eq!(said(&text, "c2").as_deref(), Some(open));
+        assert_eq!(said(&text, "L_H").as_deref(), Some("not proved: it grows"));
+        assert_eq!(said(&text, "M_H"), Some(format!("{between}; not closer")));
+    }
+
+    #[test]
+    fn a_certified_distance_is_printed_outwards_with_its_proof() {
+        let level = |cubes: usize| LevelAnswer { cubes, lower: 0.5.into() };
+        let (lower, upper) = (1.0 / 3.0, 2.0 / 3.0);
+        let found = CertifiedAnswer {
+            lower: lower.into(),
+            upper: upper.into(),
+            gap: ((upper - lower) / upper).into(),
+            reached: false,
+            ended: "it ended",
+            levels: vec![level(30), level(4), level(500)],
+            corridor_cubes: 77,
+            corridor_side: 0.125.into(),
+            certificate: String::new(),
+            curve: Vec::new(),
+            other_minima: Vec::new(),
+            corridor: Vec::new(),
+        };
+        let text = certified(&found);
+        let bounds = "between 0.3333333333 and 0.6666666667, proved";
+        assert_eq!(said(&text, "distance").as_deref(), Some(bounds));
+        let gap = said(&text, "gap").expect("a gap");
+        let printed: f64 = gap.split(' ').next().unwrap_or_default().parse().expect("a number");
+        assert!(printed > 0.5 && printed <= 0.52 && gap.ends_with(": it ended"), "{gap}");
+        assert_eq!(said(&text, "proof").as_deref(), Some("3 levels, 534 cubes"));
+        let corridor = said(&text, "corridor").expect("a corridor");
+        assert!(corridor.starts_with("77 cubes of side 1.25e-1 hold every"), "{corridor}");
+        // Sets that nearly touch have a bound and no proof; those that touch have the distance 0.
+        let nearly = CertifiedAnswer { levels: Vec::new(), lower: 0.0.into(), ..found.clone() };
+        let text = certified(&nearly);
+        assert!(said(&text, "proof").is_none() && said(&text, "corridor").is_none(), "{text}");
+        assert!(said(&text, "distance").is_some_and(|it| it.starts_with("between 0 and 0.66")));
+        let touching = CertifiedAnswer { upper: 0.0.into(), ..nearly };
+        assert_eq!(certified(&touching), "distance    0: it ended\n");
+    }
 
     #[test]
     fn a_refuted_minimum_may_be_due_to_a_claim() {

@@ -142,3 +142,81 @@ pub(crate) fn seconds(limit: Option<f64>) -> Result<Option<Duration>, CommandErr
         _ => Err(CommandError::BadArgument(format!("a time limit of {limit} seconds"))),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::{
+        ops::ControlFlow,
+        sync::{Mutex, atomic::Ordering},
+        thread,
+        time::Duration,
+    };
+
+    use tautline_problem::{Progress, Question, Watch, distance};
+
+    use super::{Clock, seconds, timed};
+
+    /// Returns what a proof reports, of any of its quantities.
+    fn report() -> Progress {
+        let file = "dimension = 1\n[metric]\nphi = \"2 + sin(x1)\"\n";
+        let seen = Mutex::new(None);
+        let watch = |progress: Progress| {
+            *seen.lock().expect("no panic") = Some(progress);
+            true
+        };
+        Question::read(file).expect("a file").constants_watched(&watch).expect("sought");
+        let seen = *seen.lock().expect("no panic");
+        Progress { boxes: 12, ..seen.expect("a report") }
+    }
+
+    /// The quantities of a proof are told apart by the order of their two numbers: `c₁` is proved from
+    /// below, the others from above. Both ends are rounded outwards: a third and two thirds are no decimals.
+    #[test]
+    fn progress_is_printed_outwards() {
+        let (third, two) = (1.0 / 3.0, 2.0 / 3.0);
+        let report = report();
+        for (bound, value) in [(third, two), (two, third)] {
+            let clock = Clock::default();
+            assert!(clock.goes_on(Progress { bound, value, ..report }));
+            let said = clock.progress().expect("progress");
+            assert!(said.contains(": 0.33333 to 0.66667 after 12 boxes"), "{said}");
+        }
+        let clock = Clock::default();
+        let level = distance::Progress { levels: 2, cubes: 34, lower: third, upper: two };
+        assert_eq!(clock.next_level(level), ControlFlow::Continue(()));
+        let said = clock.progress().expect("progress");
+        assert_eq!(said, "proving the distance: 0.33333 to 0.66667 after 34 cubes");
+        // Once time has run out, both searches end.
+        clock.is_over.store(true, Ordering::Relaxed);
+        assert_eq!(clock.next_level(level), ControlFlow::Break(()));
+        assert!(!clock.goes_on(report));
+    }
+
+    /// What was reported last is the result, also if the work ends because time has run out.
+    #[test]
+    fn the_last_report_counts() {
+        let done = timed(None, "working", |report, _| {
+            let _ = report.send(1);
+            2
+        });
+        assert!(matches!(done, Ok(Some(2))));
+        let level = distance::Progress { levels: 1, cubes: 1, lower: 0.0, upper: 1.0 };
+        let ended = timed(Some(Duration::from_millis(20)), "working", move |report, clock| {
+            let _ = report.send(1);
+            while clock.next_level(level).is_continue() {
+                thread::sleep(Duration::from_millis(1));
+            }
+            2
+        });
+        assert!(matches!(ended, Ok(Some(2))));
+    }
+
+    #[test]
+    fn a_time_limit_is_a_positive_number_of_seconds() {
+        assert!(matches!(seconds(None), Ok(None)));
+        assert!(matches!(seconds(Some(1.5)), Ok(Some(limit)) if limit.as_millis() == 1500));
+        for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-30] {
+            assert!(seconds(Some(wrong)).is_err(), "{wrong}");
+        }
+    }
+}

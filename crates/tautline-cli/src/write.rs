@@ -90,3 +90,43 @@ pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, CommandError
 pub(crate) fn say(message: impl Display) {
     let _ = writeln!(io::stderr(), "{message}");
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::{Format, check_pictures, json};
+
+    #[test]
+    fn a_picture_has_the_format_of_its_name() {
+        for (name, format) in [
+            ("a.svg", Some(Format::Svg)),
+            ("a.b.PNG", Some(Format::Png)),
+            ("folder.svg/a.Pdf", Some(Format::Pdf)),
+            ("a.svg.gz", None),
+            ("svg", None),
+        ] {
+            assert_eq!(Format::of(Path::new(name)).ok(), format, "{name}");
+        }
+    }
+
+    /// Before anything is computed, every name counts, not the first alone.
+    #[test]
+    fn all_pictures_are_checked() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let good = folder.path().join("a.svg");
+        let nowhere = folder.path().join("none/a.svg");
+        let wrong = folder.path().join("a.gif");
+        assert!(check_pictures(&[&good, &good]).is_ok() && check_pictures(&[""; 0]).is_ok());
+        assert!(check_pictures(&["a.svg"]).is_ok());
+        for bad in [&nowhere, &wrong] {
+            assert!(check_pictures(&[bad]).is_err());
+            assert!(check_pictures(&[&good, bad]).is_err() && check_pictures(&[bad, &good]).is_err());
+        }
+    }
+
+    #[test]
+    fn a_document_ends_with_a_line_break() {
+        assert_eq!(json(&[1.5]).expect("JSON"), "[\n  1.5\n]\n");
+    }
+}

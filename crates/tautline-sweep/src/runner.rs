@@ -116,3 +116,32 @@ fn solve(
     let programs = last.insert(programs);
     question.solve_with(programs)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{CHUNK, Runner};
+
+    /// One after the other, each problem once, also in the last piece that is not full.
+    #[test]
+    fn pieces_are_consecutive_and_fit_into_memory() {
+        for ids in [
+            0..0,
+            7..7,
+            0..1,
+            0..CHUNK,
+            0..CHUNK + 1,
+            5..5 + CHUNK,
+            3..2 * CHUNK + 2,
+            CHUNK - 1..3 * CHUNK,
+        ] {
+            let mut next = ids.start;
+            for piece in Runner::pieces(ids.clone()) {
+                assert_eq!(piece.start, next, "{ids:?}");
+                let size = piece.end - piece.start;
+                assert!((1..=CHUNK).contains(&size), "{ids:?}: {piece:?}");
+                next = piece.end;
+            }
+            assert_eq!(next, ids.end, "{ids:?}");
+        }
+    }
+}

@@ -112,3 +112,25 @@ fn row_of_times(ids: Range<u64>, failed: u64, time: Duration, threads: usize) ->
         end - start
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::{row_of_times, summary};
+
+    #[test]
+    fn a_summary_counts_every_problem_once() {
+        let said = summary(10, [3, 2], Duration::from_secs(4), 7);
+        assert!(said.starts_with("5 solved, 3 doubtful, 2 failed; 4.00 s, "), "{said}");
+        assert!(said.ends_with(" a second on 7 threads"), "{said}");
+    }
+
+    #[test]
+    fn the_row_of_times_is_that_of_the_shard() {
+        let table = row_of_times(30..47, 2, Duration::from_millis(1500), 4);
+        let lines: Vec<&str> = table.lines().collect();
+        assert_eq!(lines[0], "first_id,problems,failed,seconds,threads,peak_kilobytes");
+        assert!(lines.len() == 2 && lines[1].starts_with("30,17,2,1.500,4,"), "{table}");
+    }
+}

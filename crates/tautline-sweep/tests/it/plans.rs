@@ -143,3 +143,20 @@ fn the_hash_of_a_plan_is_of_its_tables_too() {
     let nowhere = Plan::of_text(&table).expect_err("no files");
     assert!(nowhere.to_string().contains("which is not read here"), "{nowhere}");
 }
+
+/// A draw keeps to its interval and is that of its own id; the values of the other axes are those of the
+/// combination to which it belongs, whatever their order in the file.
+#[test]
+fn draws_stand_beside_the_values_of_their_combination() {
+    let sweep = "draws = 3\nvary = { x = { uniform = [-3, -2] }, height = [1, 2], \
+                 y = { from = 0, to = 1, count = 5 } }";
+    let plan = plan(sweep);
+    assert_eq!((plan.count(), plan.names().join(" ").as_str()), (30, "x height y"));
+    for id in 0..30 {
+        let [x, height, y] = plan.row(id)[..] else { panic!("three parameters") };
+        let combination = id / 3;
+        assert!((-3.0..=-2.0).contains(&x), "{x}");
+        assert_eq!(height, if combination < 5 { 1.0 } else { 2.0 });
+        assert_eq!(y, (combination % 5) as f64 / 4.0);
+    }
+}
