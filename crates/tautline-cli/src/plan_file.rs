@@ -73,3 +73,60 @@ pub(crate) fn explained(name: &str, error: PlanError) -> CommandError {
         error => CommandError::BadArgument(format!("{name}: {error}")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::{fs, path::Path};
+
+    use super::PlanFile;
+
+    const SWEEP: &str = "\
+[parameters]
+a = 1
+[metric]
+phi = \"a\"
+[from]
+point = [0]
+[to]
+point = [1]
+[sweep.vary]
+a = [1, 2, 3, 4, 5, 6]
+";
+
+    /// Each block looks at its own rows, and the last one at the end of the table.
+    #[test]
+    fn rows_are_compared_wherever_a_block_begins() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("plan");
+        let write = |text: &str| fs::write(&path, text).expect("written");
+        let open = |path: &Path| PlanFile::open(path).ok().expect("a plan");
+        write(SWEEP);
+        let plan = open(&path).plan;
+        let rows = plan.lines(0..6).expect("rows");
+        let table = plan.head() + &rows;
+        let blocks = [&[0..2, 2..6][..], &[1..3, 4..6], &[0..0, 5..6], &[0..6]];
+        // A sweep file has no rows to compare.
+        for blocks in blocks {
+            let mut file = open(&path);
+            assert!(blocks.iter().all(|ids| file.check(ids.clone()).is_ok()));
+        }
+        write(&table);
+        for blocks in blocks {
+            let mut file = open(&path);
+            assert!(blocks.iter().all(|ids| file.check(ids.clone()).is_ok()), "{blocks:?}");
+        }
+        // Row 4 is another one: only a block that has it sees that.
+        write(&table.replace("4,5.0", "4,5.5"));
+        for (blocks, is_seen) in [(&[0..2, 2..4][..], false), (&[1..3, 4..5], true), (&[5..6], false)]
+        {
+            let mut file = open(&path);
+            let is_right = blocks.iter().all(|ids| file.check(ids.clone()).is_ok());
+            assert_eq!(is_right, !is_seen, "{blocks:?}");
+        }
+        // A row too many, and one that is missing.
+        for wrong in [format!("{table}6,7.0\n"), table.replace("5,6.0\n", "")] {
+            write(&wrong);
+            assert!(open(&path).check(0..5).is_ok() && open(&path).check(5..6).is_err(), "{wrong}");
+        }
+    }
+}

@@ -77,3 +77,24 @@ fn results(path: &Path) -> Result<Vec<PathBuf>, CommandError> {
 fn read(path: &Path) -> Result<String, CommandError> {
     fs::read_to_string(path).map_err(|error| CommandError::File { path: path.to_owned(), error })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::results;
+
+    /// A draft of a process that still writes is hidden, and no result.
+    #[test]
+    fn the_results_of_a_folder_are_its_tables_in_order() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name);
+        for name in ["2-of-3.csv", "1-of-3.csv", ".hidden.csv", ".a.csv.7-1.part", "times.txt"] {
+            fs::write(path(name), "").expect("written");
+        }
+        let found = results(folder.path()).ok();
+        assert_eq!(found, Some(vec![path("1-of-3.csv"), path("2-of-3.csv")]));
+        // What is named itself is taken as it is.
+        assert_eq!(results(&path("times.txt")).ok(), Some(vec![path("times.txt")]));
+    }
+}

@@ -1,5 +1,6 @@
 //! Problem files: what they mean, and what is said of wrong ones.
 
+mod certified_bounds;
 mod constants;
 mod corridor;
 mod gallery;
