@@ -1,5 +1,6 @@
 //! Problem files: what they mean, and what is said of wrong ones.
 
+mod answers;
 mod certified_bounds;
 mod constants;
 mod corridor;
