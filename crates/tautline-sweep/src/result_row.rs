@@ -153,4 +153,49 @@ mod tests {
             (Status::Failed, "failed", "")
         );
     }
+
+    /// Each column has the number of its name. All numbers of this answer are different.
+    #[test]
+    fn each_column_is_the_number_of_its_name() {
+        let file = "[metric]\nphi = \"1 + x1^2\"\n[from]\npoint = [0]\n[to]\npoint = [1]\n\
+                    [certify]\nbound = false\n";
+        let mut answer = Question::read(file).expect("a problem").solve(&mut |_| ()).expect("solved");
+        answer.length = Estimated { value: 1.5, error: 0.1 + 0.2 };
+        answer.extrapolated = Some(Estimated { value: 1.25, error: 5e-324 });
+        answer.n = 77;
+        (answer.search.residual, answer.search.residual_floor) = (1e-300, 2e-300);
+        answer.search.newton_steps = 12;
+        answer.search.hessian = "3 negative eigenvalues".to_owned();
+        let longer = OtherMinimum {
+            length: Estimated { value: 9.0, error: 0.0 },
+            curve: answer.curve.clone(),
+        };
+        answer.other_minima = vec![longer.clone(), longer];
+        let column = |fields: &[String; COLUMNS.len()], name: &str| {
+            let at = COLUMNS.iter().position(|column| *column == name).expect("a column");
+            fields[at].clone()
+        };
+        let (found, status) = fields(&Ok(answer.clone()));
+        assert_eq!(status, Status::Solved);
+        for (name, value) in [
+            ("length", "1.5"),
+            ("length_error", "0.30000000000000004"),
+            ("extrapolated", "1.25"),
+            ("extrapolated_error", "5e-324"),
+            ("chords", "77"),
+            ("stop", "converged"),
+            ("hessian", "3 negative eigenvalues"),
+            ("residual", "1e-300"),
+            ("newton_steps", "12"),
+            ("other_minima", "2"),
+            ("status", "solved"),
+            ("reason", ""),
+        ] {
+            assert_eq!(column(&found, name), value, "{name}");
+        }
+        answer.extrapolated = None;
+        let (found, _) = fields(&Ok(answer));
+        let empty = ["extrapolated", "extrapolated_error"].map(|name| column(&found, name));
+        assert_eq!(empty, ["", ""]);
+    }
 }
