@@ -187,6 +187,45 @@ fn a_full_disk_or_a_kill_leaves_the_old_file_or_none() {
     }
 }
 
+/// A link to a file that is not there yet, or is in another folder, remains a link; the file is written.
+/// Where there is no such folder, or links lead in a circle, nothing is.
+#[test]
+fn a_link_is_followed_to_a_file_that_is_not_there() {
+    use std::os::unix::fs::symlink;
+
+    let folder = written("links");
+    fs::create_dir(folder.join("other")).expect("made");
+    for (link, target) in [
+        ("one.csv", "new.csv"),
+        ("two.csv", "other/next.csv"),
+        ("other/next.csv", "last.csv"),
+        ("lost.csv", "nowhere/file.csv"),
+        ("round.csv", "back.csv"),
+        ("back.csv", "round.csv"),
+    ] {
+        symlink(target, folder.join(link)).expect("linked");
+    }
+    let before = [names(&folder), names(&folder.join("other"))];
+    let plan = |to: &str| tautline(&folder, &["plan", "sweep.toml", "-o", to]);
+    for link in ["lost.csv", "round.csv"] {
+        let output = plan(link);
+        assert_eq!(output.status.code(), Some(2), "{link}: {output:?}");
+        assert_eq!([names(&folder), names(&folder.join("other"))], before);
+    }
+    // The second time the files are there.
+    for (link, file) in [("one.csv", "new.csv"), ("two.csv", "other/last.csv")].repeat(2) {
+        let output = plan(link);
+        assert_eq!(output.status.code(), Some(0), "{link}: {output:?}");
+        assert!(fs::read_to_string(folder.join(file)).expect("read").starts_with("# tautline"));
+        let is_file =
+            |name: &str| fs::symlink_metadata(folder.join(name)).expect("there").is_file();
+        assert!(is_file(file) && !is_file(link), "{link}");
+    }
+    assert!(fs::symlink_metadata(folder.join("other/next.csv")).expect("there").is_symlink());
+    assert_eq!(names(&folder).len(), before[0].len() + 1);
+    assert_eq!(names(&folder.join("other")).len(), before[1].len() + 1);
+}
+
 /// A device is written to, and what it refuses is an error.
 #[test]
 fn a_device_is_no_file() {
