@@ -44,7 +44,8 @@ pub enum Ended {
     Stalled,
     /// The next level would have had too many cubes.
     TooManyCubes,
-    /// The next level would have had cubes too small for their distance from the origin.
+    /// The next level would have had cubes too small for their distance from the origin, or smaller than
+    /// those of any certificate.
     TooFar,
     /// The observer stopped it.
     Stopped,

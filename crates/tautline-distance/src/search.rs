@@ -131,6 +131,13 @@ pub fn search<const D: usize>(
     Search { formula, sets, curve, length, hi, pencils }.run(wanted, observe)
 }
 
+/// Returns whether there are no cubes of the side that was asked for: it is too small, or too small for the
+/// distance from the origin or for the distance between the cubes.
+fn has_no_cubes(error: &CheckError) -> bool {
+    use CheckError::{Apart, Place, Side, TooFar};
+    matches!(error, TooFar { .. } | Place { .. } | Side { .. } | Apart)
+}
+
 /// Returns whether a set has a half-space.
 fn is_unbounded<const D: usize>(set: &Shape<D>) -> bool {
     set.pieces().iter().any(|piece| matches!(piece, Shape::HalfSpace(_)))
@@ -161,9 +168,7 @@ impl<const D: usize> Search<'_, D> {
             }
             let exponent = levels[levels.len() - 1].cubes().exponent() - 1;
             let next = match chain.required(exponent) {
-                Err(CheckError::TooFar { .. } | CheckError::Place { .. } | CheckError::Apart) => {
-                    break Ended::TooFar;
-                }
+                Err(error) if has_no_cubes(&error) => break Ended::TooFar,
                 next => next.map_err(DistanceError::Refused)?,
             };
             if cubes + next.places().len() > wanted.cubes {

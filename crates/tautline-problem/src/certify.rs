@@ -183,7 +183,9 @@ pub(crate) fn ended(ended: Ended) -> &'static str {
             "the gap no longer falls: there may be a shorter curve, or another one nearly as short"
         }
         Ended::TooManyCubes => "the next level would have too many cubes",
-        Ended::TooFar => "the next cubes would be too small for their distance from the origin",
+        Ended::TooFar => {
+            "the next cubes would be too small, or too small for their distance from the origin"
+        }
         _ => "stopped before the next level",
     }
 }

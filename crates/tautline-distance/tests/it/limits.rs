@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use nalgebra::{SVector, matrix, vector};
 use tautline_check::CheckError;
-use tautline_distance::{DistanceError, Ended, Progress, Wanted, search};
+use tautline_distance::{DistanceError, Ended, Found, Progress, Wanted, search};
 use tautline_formula::Formula;
 
 use crate::{
@@ -52,6 +52,69 @@ fn a_curve_that_is_not_minimal_stalls() {
     assert_ne!(found.ended, Ended::Reached);
     // The distance is 4.67527.
     assert!(found.proved.lower <= 4.67528, "{}", found.proved.lower);
+}
+
+/// A level may be slow for the second time and reach the gap: then it is reached.
+#[test]
+fn a_slow_level_that_reaches_the_gap_has_reached_it() {
+    let hill = Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
+    let ends = [vector![-1.5, 0.05], vector![1.5, -0.1]];
+    let line = |n: i32| ends[0].lerp(&ends[1], f64::from(n) / 200.0);
+    let curve: Vec<SVector<f64, 2>> = (0..=200).map(line).collect();
+    let sets = ends.map(point);
+    let with = |gap: f64| {
+        let wanted = Wanted { gap, cubes: 100_000 };
+        attempt(&hill, &sets, std::slice::from_ref(&curve), wanted).expect("a region")
+    };
+    let stalled = with(1e-3);
+    assert_eq!(stalled.ended, Ended::Stalled);
+    let (lower, upper) = (stalled.proved.lower, stalled.proved.upper.expect("a curve"));
+    // Both searches have the fewest steps along a ray. The gap is rounded.
+    let reached = with((upper - lower) / upper * (1.0 + 1e-12));
+    assert_eq!((reached.ended, reached.proved.lower), (Ended::Reached, lower));
+}
+
+/// Searches for a certificate of a line from 0 to `2^exponent`, under a metric that is the same in these
+/// units.
+fn along_the_line(exponent: i32, gap: f64) -> Result<Found<1>, DistanceError> {
+    let unit = 2.0_f64.powi(exponent);
+    let metric = format!("sqr(2 - cos(6*x1/{unit:e})) I");
+    let formula = Formula::<1>::parse(&metric, &[]).expect("a formula");
+    let curve: Vec<_> = (0..=1024).map(|n| vector![unit * f64::from(n) / 1024.0]).collect();
+    let sets = [point([curve[0][0]]), point([curve[1024][0]])];
+    attempt(&formula, &sets, &[curve], Wanted::gap(gap))
+}
+
+/// The sides of cubes are at least `2^-200`. A search that comes to such cubes returns what it has proved
+/// before, on as many cubes as in other units.
+#[test]
+fn a_search_that_comes_to_the_smallest_cubes_returns_what_it_has() {
+    let gap = 1e-5;
+    let all = along_the_line(0, gap).expect("found");
+    assert_eq!(all.ended, Ended::Reached);
+    let last = all.certificate.levels.last().expect("a level").cubes().exponent();
+    let first = all.certificate.levels[0].cubes().exponent();
+    assert!(first - last >= 4, "{first} {last}");
+    for exponent in [-100, -200 - last, -201 - last, -202 - last, -200 - first] {
+        let found = along_the_line(exponent, gap).expect("found");
+        let has_all = last + exponent >= -200;
+        assert_eq!(found.ended == Ended::Reached, has_all, "{exponent}");
+        assert_eq!(found.ended == Ended::TooFar, !has_all, "{exponent}");
+        let smallest = last.max(-200 - exponent);
+        let levels = (first - smallest + 1) as usize;
+        assert_eq!(found.proved.levels.len(), levels, "{exponent}");
+        let cubes =
+            |found: &Found<1>| found.proved.levels[..levels].iter().map(|l| l.0).sum::<usize>();
+        assert_eq!(cubes(&found), cubes(&all), "{exponent}");
+        assert!(found.proved.gap().expect("a curve") < 0.01, "{exponent}");
+    }
+    // The first level has fewer cubes than it should have.
+    let few = along_the_line(-201 - first, gap).expect("found");
+    assert_eq!((few.ended, few.proved.levels.len()), (Ended::TooFar, 1));
+    assert!(few.proved.gap().expect("a curve") < 0.1, "{:?}", few.proved);
+    // Without a first level nothing is proved.
+    let refused = along_the_line(-220, gap).map(|_| ());
+    assert!(matches!(refused, Err(DistanceError::Refused(CheckError::Side { .. }))), "{refused:?}");
 }
 
 #[test]
