@@ -3,6 +3,7 @@
 mod answers;
 mod certified_bounds;
 mod constants;
+mod certified;
 mod corridor;
 mod gallery;
 mod lattice;
