@@ -291,8 +291,7 @@ mod tests {
         let (count, text) = warnings(&|answer| answer.search.converged = false);
         assert!(count == 1 && text.contains("did not end at a strict minimum"), "{text}");
         // A shorter minimum is named wherever it stands.
-        let (count, text) =
-            warnings(&|answer| answer.other_minima = vec![other(1.5), other(0.75)]);
+        let (count, text) = warnings(&|answer| answer.other_minima = vec![other(1.5), other(0.75)]);
         assert!(count == 1 && text.contains("another minimum is shorter, 0.75"), "{text}");
         // Two ties, and one that is longer.
         let (count, text) =

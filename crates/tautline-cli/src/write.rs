@@ -121,7 +121,9 @@ mod tests {
         assert!(check_pictures(&["a.svg"]).is_ok());
         for bad in [&nowhere, &wrong] {
             assert!(check_pictures(&[bad]).is_err());
-            assert!(check_pictures(&[&good, bad]).is_err() && check_pictures(&[bad, &good]).is_err());
+            assert!(
+                check_pictures(&[&good, bad]).is_err() && check_pictures(&[bad, &good]).is_err()
+            );
         }
     }
 

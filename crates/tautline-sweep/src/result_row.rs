@@ -159,7 +159,8 @@ mod tests {
     fn each_column_is_the_number_of_its_name() {
         let file = "[metric]\nphi = \"1 + x1^2\"\n[from]\npoint = [0]\n[to]\npoint = [1]\n\
                     [certify]\nbound = false\n";
-        let mut answer = Question::read(file).expect("a problem").solve(&mut |_| ()).expect("solved");
+        let mut answer =
+            Question::read(file).expect("a problem").solve(&mut |_| ()).expect("solved");
         answer.length = Estimated { value: 1.5, error: 0.1 + 0.2 };
         answer.extrapolated = Some(Estimated { value: 1.25, error: 5e-324 });
         answer.n = 77;

@@ -4,7 +4,10 @@ use tautline_problem::{ConstantAnswer, ConstantsAnswer, Float, Question};
 
 fn found(section: &str) -> ConstantsAnswer {
     let metric = "dimension = 2\n[metric]\ncost = \"2 - cos(x1)\"\n";
-    Question::read(&format!("{metric}[certify]\n{section}\n")).expect("a problem").constants().expect("sought")
+    Question::read(&format!("{metric}[certify]\n{section}\n"))
+        .expect("a problem")
+        .constants()
+        .expect("sought")
 }
 
 /// With `f = 2 − cos x` the constants are the extremes of `f²`, `f²`, `2 f f′` and `2 (f′² + f f″)`.

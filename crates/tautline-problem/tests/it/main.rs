@@ -1,9 +1,9 @@
 //! Problem files: what they mean, and what is said of wrong ones.
 
 mod answers;
+mod certified;
 mod certified_bounds;
 mod constants;
-mod certified;
 mod corridor;
 mod gallery;
 mod lattice;
