@@ -64,7 +64,7 @@ pub enum CertifyError {
     #[error("D = 0: there is no dimension")]
     NoDimension,
     /// At a point of the domain the formula, evaluated in intervals, may be undefined: a root of a
-    /// number that may be negative, for example, or the tangent of a number beyond `2²⁰`.
+    /// number that may be negative, for example, or the tangent of a number beyond `2³⁸`.
     #[error("the metric may be undefined at {point:?}")]
     Undefined {
         /// The point at which it was evaluated, in `ℓ`.

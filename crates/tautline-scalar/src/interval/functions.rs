@@ -26,7 +26,7 @@ impl<K: Kernel> Enclosure<K> {
     /// Returns integers `j ≤ k` such that `j < n ≤ k` for every multiple `n π/2` in the interval
     /// above its lower end. Returns `None` if an end is too large or undefined.
     #[inline]
-    fn quarters(self) -> Option<(i32, i32)> {
+    fn quarters(self) -> Option<(i64, i64)> {
         if !(self.magnitude() <= LARGEST_ANGLE) {
             return None;
         }
@@ -40,7 +40,7 @@ impl<K: Kernel> Enclosure<K> {
     /// The function attains its extremes at the ends or at multiples `n π/2` with `n − shift` even.
     /// At these it is `1` if `n − shift` is a multiple of 4, and `−1` otherwise.
     #[inline]
-    fn wave(ends: [(f64, f64); 2], (j, k): (i32, i32), shift: i32) -> Self {
+    fn wave(ends: [(f64, f64); 2], (j, k): (i64, i64), shift: i64) -> Self {
         let [(a, b), (c, d)] = ends;
         let (mut lo, mut hi) = (a.min(c), b.max(d));
         // Four consecutive values of n include both extremes.
@@ -133,7 +133,7 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         if self.lo() > 0.0 { self.increasing(K::ln) } else { Self::UNDEFINED }
     }
 
-    /// Returns `(sin x, cos x)`. Both are `[−1, 1]` if an end of `x` is beyond `2²⁰`.
+    /// Returns `(sin x, cos x)`. Both are `[−1, 1]` if an end of `x` is beyond `2³⁸`.
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let Some(quarters) = self.quarters() else {
@@ -144,7 +144,7 @@ impl<K: Kernel> Scalar for Enclosure<K> {
     }
 
     /// Returns `tan x`, which is undefined if `x` may contain a pole, and always if an end is
-    /// beyond `2²⁰`.
+    /// beyond `2³⁸`.
     #[inline]
     fn tan(self) -> Self {
         let Some((j, k)) = self.quarters() else {

@@ -19,13 +19,13 @@ pub trait Kernel: sealed::Sealed + Copy + Debug + PartialEq + Send + Sync + 'sta
     fn exp(x: f64) -> (f64, f64);
     /// Returns bounds on `ln x`, for `x > 0`.
     fn ln(x: f64) -> (f64, f64);
-    /// Returns bounds on `sin x` and on `cos x`, for `|x| ≤ 2²⁰`.
+    /// Returns bounds on `sin x` and on `cos x`, for `|x| ≤ 2³⁸`.
     fn sin_cos(x: f64) -> ((f64, f64), (f64, f64));
-    /// Returns bounds on `sin x`, for `|x| ≤ 2²⁰`.
+    /// Returns bounds on `sin x`, for `|x| ≤ 2³⁸`.
     fn sin(x: f64) -> (f64, f64);
-    /// Returns bounds on `cos x`, for `|x| ≤ 2²⁰`.
+    /// Returns bounds on `cos x`, for `|x| ≤ 2³⁸`.
     fn cos(x: f64) -> (f64, f64);
-    /// Returns bounds on `tan x`, for `|x| ≤ 2²⁰`.
+    /// Returns bounds on `tan x`, for `|x| ≤ 2³⁸`.
     fn tan(x: f64) -> (f64, f64);
     /// Returns bounds on `arctan x`.
     fn atan(x: f64) -> (f64, f64);

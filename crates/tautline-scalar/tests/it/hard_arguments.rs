@@ -6,12 +6,30 @@ use tautline_chance::{cases, seed};
 
 const EACH: u32 = 10_000;
 
+/// `⌊2²⁰/(π/2)⌋` and `⌊2³⁸/(π/2)⌋`.
+const MILLION: u64 = 667_544;
+const MOST: u64 = 174_992_710_547;
+
+/// Angles within `2⁻⁵¹` of a multiple of `π/2`, by convergents of `2ⁿ/(π/2)`.
+const CLOSEST: [f64; 6] = [
+    f64::from_bits(0x4139_eb71_48f3_54d6),
+    f64::from_bits(0x416b_951f_1572_eba5),
+    f64::from_bits(0x41d5_5202_aefd_e314),
+    f64::from_bits(0x4205_c950_8c58_aafa),
+    f64::from_bits(0x421d_e5e5_054e_921b),
+    f64::from_bits(0x4244_6546_a5bd_73cc),
+];
+
 /// Returns an angle close to a multiple of `π/2`, up to the largest angle.
 fn near_quarters(random: &mut Random) -> f64 {
-    let k = match random.bits() % 3 {
+    let k = match random.bits() % 6 {
         0 => 1 + random.bits() % 64,
-        1 => 1 + random.bits() % 667_543,
-        _ => 667_543 - random.bits() % 1000,
+        1 => 1 + random.bits() % MILLION,
+        // Beyond 2²⁰ angles are reduced in another way.
+        2 => MILLION + 1000 - random.bits() % 2000,
+        3 => 1 + random.bits() % MOST,
+        4 => MOST - random.bits() % 1000,
+        _ => return random.sign() * CLOSEST[random.bits() as usize % CLOSEST.len()],
     };
     let mut x = k as f64 * std::f64::consts::FRAC_PI_2;
     for _ in 0..random.bits() % 4 {
@@ -26,7 +44,7 @@ fn near_quarters(random: &mut Random) -> f64 {
 
 /// Returns a number close to a boundary between cases, roundings or ranges.
 fn special(family: &[Function], random: &mut Random) -> f64 {
-    let powers = || (-40..=20).map(|e| 2.0_f64.powi(e));
+    let powers = || (-40..=38).map(|e| 2.0_f64.powi(e));
     let common: Vec<f64> = match family[0] {
         Function::Exp => {
             let ends =
@@ -57,7 +75,7 @@ fn special(family: &[Function], random: &mut Random) -> f64 {
     }
 }
 
-const LARGEST: f64 = 1_048_576.0;
+const LARGEST: f64 = 274_877_906_944.0;
 
 fn hard(family: &[Function], random: &mut Random) -> f64 {
     match random.bits() % 8 {

@@ -58,7 +58,7 @@ pub(crate) fn approximations(x: f64) -> (Approximation, Approximation) {
     }
 }
 
-/// Returns bounds on `sin x` and on `cos x`, for `|x| ≤ 2²⁰`.
+/// Returns bounds on `sin x` and on `cos x`, for `|x| ≤ 2³⁸`.
 #[inline]
 pub(crate) fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
     if x.abs() < TINY {
@@ -70,13 +70,13 @@ pub(crate) fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
     (clipped(s), clipped(c))
 }
 
-/// Returns bounds on `sin x`, for `|x| ≤ 2²⁰`.
+/// Returns bounds on `sin x`, for `|x| ≤ 2³⁸`.
 #[inline]
 pub(crate) fn sin(x: f64) -> (f64, f64) {
     if x.abs() < TINY { a_little_less(x) } else { clipped(one(x, 0)) }
 }
 
-/// Returns bounds on `cos x`, for `|x| ≤ 2²⁰`.
+/// Returns bounds on `cos x`, for `|x| ≤ 2³⁸`.
 #[inline]
 pub(crate) fn cos(x: f64) -> (f64, f64) {
     if x.abs() < TINY { sin_cos(x).1 } else { clipped(one(x, 1)) }
@@ -84,7 +84,7 @@ pub(crate) fn cos(x: f64) -> (f64, f64) {
 
 /// Approximates the sine of `x + more π/2`.
 #[inline]
-fn one(x: f64, more: i32) -> Approximation {
+fn one(x: f64, more: i64) -> Approximation {
     let angle = QuarterTurns::of(x);
     let QuarterTurns { head: h, tail: t, error: e, .. } = angle;
     match (angle.quadrant() + more) & 3 {
@@ -95,7 +95,7 @@ fn one(x: f64, more: i32) -> Approximation {
     }
 }
 
-/// Returns bounds on `tan x`, for `|x| ≤ 2²⁰`: the quotient of the bounds on the sine and the
+/// Returns bounds on `tan x`, for `|x| ≤ 2³⁸`: the quotient of the bounds on the sine and the
 /// cosine.
 #[inline]
 pub(crate) fn tan(x: f64) -> (f64, f64) {

@@ -61,7 +61,7 @@ pub(crate) fn argument(family: &[Function], random: &mut Random) -> f64 {
         Ln if moderate => random.between(0.0, 10.0),
         Ln => random.with_exponent(-1022, 1023),
         Sin if moderate => random.between(-20.0, 20.0),
-        Sin => sign * random.with_exponent(-300, 19),
+        Sin => sign * random.with_exponent(-300, 37),
         _ if moderate => random.between(-20.0, 20.0),
         _ => sign * random.with_exponent(-300, 300),
     }
@@ -210,7 +210,7 @@ fn check<K: Kernel>(f: Function, lo: f64, hi: f64, x: f64, value: &BigFloat) {
     let y = f.of(argument);
     // The tangent may be undefined only beyond the largest angle, or if a pole is near, at a
     // distance of about 1/|tan x|. It is never undefined at a point.
-    if f == Tan && y.is_undefined() && argument.magnitude() > 1_048_576.0 {
+    if f == Tan && y.is_undefined() && argument.magnitude() > 274_877_906_944.0 {
         return;
     }
     let steepness = f.of(Enclosure::<K>::point(x)).magnitude();
