@@ -9,7 +9,7 @@ use crate::{
     polygon::length_within,
     region::MOST,
     sweep::Sweep,
-    work::{UNLIMITED, Work, lines},
+    work::{self, Work, lines},
 };
 
 /// The most lines of a formula. No reader has to know formulas of any length.
@@ -86,16 +86,26 @@ impl<const D: usize> Certificate<D> {
     /// [`CheckError::Stopped`] if it returned false, with what was checked until then; the others of
     /// [`check`](Certificate::check).
     pub fn check_while(&self, go_on: &(dyn Fn() -> bool + Sync)) -> Result<Proved<D>, CheckError> {
-        self.check_within(&Work::limited(self, go_on))
+        let (chain, upper) = self.proof(Work::limited(self, go_on))?;
+        chain.proved(upper)
     }
 
-    /// Checks for no more than this work.
-    pub(crate) fn check_within(&self, work: &Work<'_>) -> Result<Proved<D>, CheckError> {
+    /// Returns the most units of work that its check may cost. Every level raises it.
+    #[must_use]
+    pub fn budget(&self) -> u64 {
+        work::budget(self)
+    }
+
+    /// Returns the proof with all levels, and the length of the curve, for no more than this work.
+    pub(crate) fn proof<'c>(
+        &'c self,
+        work: Work<'c>,
+    ) -> Result<(Chain<'c, D>, Option<f64>), CheckError> {
         let mut chain = Chain::within(&self.formula, &self.sets, self.hi, self.region, work)?;
         let upper = match &self.curve {
             None => None,
             Some(points) => {
-                let length = length_within(&self.formula, self.sets.each_ref(), points, work)?;
+                let length = chain.length_above(points)?;
                 if !(length < self.hi) {
                     return Err(CheckError::CurveLength { length, hi: self.hi });
                 }
@@ -110,9 +120,8 @@ impl<const D: usize> Certificate<D> {
                 break;
             }
             chain.add(level, self.hi)?;
-            work.count_level();
         }
-        chain.proved(upper)
+        Ok((chain, upper))
     }
 }
 
@@ -126,7 +135,7 @@ pub struct Chain<'c, const D: usize> {
     sets: &'c [Shape<D>; 2],
     hi: f64,
     region: Region,
-    work: &'c Work<'c>,
+    work: Work<'c>,
     lower: f64,
     /// The cubes kept by the last level.
     kept: Option<Cubes<D>>,
@@ -149,7 +158,7 @@ impl<'c, const D: usize> Chain<'c, D> {
         hi: f64,
         region: Region,
     ) -> Result<Self, CheckError> {
-        Self::within(formula, sets, hi, region, &UNLIMITED)
+        Self::within(formula, sets, hi, region, Work::counted(formula, sets))
     }
 
     fn within(
@@ -157,7 +166,7 @@ impl<'c, const D: usize> Chain<'c, D> {
         sets: &'c [Shape<D>; 2],
         hi: f64,
         region: Region,
-        work: &'c Work<'c>,
+        work: Work<'c>,
     ) -> Result<Self, CheckError> {
         if !(1..=crate::LARGEST_DIMENSION).contains(&D) {
             return Err(CheckError::Dimension { dimension: D });
@@ -180,7 +189,7 @@ impl<'c, const D: usize> Chain<'c, D> {
         if let Some((row, column)) = differ {
             return Err(CheckError::Halves { row, column });
         }
-        region.prove_within(formula, sets.each_ref(), hi, work)?;
+        region.prove_within(formula, sets.each_ref(), hi, &work)?;
         Ok(Self { formula, sets, hi, region, work, lower: 0.0, kept: None, levels: Vec::new() })
     }
 
@@ -188,6 +197,22 @@ impl<'c, const D: usize> Chain<'c, D> {
     #[must_use]
     pub fn lower(&self) -> f64 {
         self.lower
+    }
+
+    /// Returns what the proof has cost so far, in the units of `FORMAT.md`. A certificate whose proof costs
+    /// more than its [`budget`](Certificate::budget) is refused.
+    #[must_use]
+    pub fn work(&self) -> u64 {
+        self.work.spent()
+    }
+
+    /// Returns an upper bound on the length of a polygon, in `m`, and counts its work.
+    ///
+    /// # Errors
+    ///
+    /// As [`length_above`](crate::length_above).
+    pub fn length_above(&self, points: &[SVector<f64, D>]) -> Result<f64, CheckError> {
+        length_within(self.formula, self.sets.each_ref(), points, &self.work)
     }
 
     /// Returns whether no curve shorter than `hi` is left, so that more levels prove no more.
@@ -216,7 +241,7 @@ impl<'c, const D: usize> Chain<'c, D> {
     fn required_of(&self, exponent: i32, most: usize) -> Result<Cubes<D>, CheckError> {
         match &self.kept {
             None => {
-                let limits = (exponent, most, self.work);
+                let limits = (exponent, most, &self.work);
                 self.region.required_within(self.sets.each_ref(), self.hi, limits)
             }
             Some(kept) if exponent == kept.exponent() => Ok(kept.clone()),
@@ -248,7 +273,7 @@ impl<'c, const D: usize> Chain<'c, D> {
             return Err(CheckError::Empty);
         }
         let sets = self.sets.each_ref();
-        let sweep = Sweep::new(self.formula, sets, level, self.work)?;
+        let sweep = Sweep::new(self.formula, sets, level, &self.work)?;
         if self.kept.is_none() {
             self.region.prove_exit(sets, self.hi, &sweep)?;
         }
@@ -257,6 +282,7 @@ impl<'c, const D: usize> Chain<'c, D> {
         self.lower = self.lower.max(swept.lower.min(self.hi));
         self.kept = Some(Cubes::new(cubes.exponent(), kept)?);
         self.levels.push((cubes.places().len(), self.lower));
+        self.work.count_level();
         Ok(())
     }
 

@@ -33,7 +33,7 @@ pub(crate) struct Work<'g> {
     go_on: &'g (dyn Fn() -> bool + Sync),
 }
 
-/// The work of a check that may cost what it likes.
+/// The work of a proof that may cost what it likes, and is not counted.
 pub(crate) static UNLIMITED: Work<'static> = Work {
     formula: 0,
     pieces: 0,
@@ -52,13 +52,28 @@ impl<'g> Work<'g> {
     ) -> Self {
         Self {
             formula: weight(&certificate.formula),
-            pieces: certificate.sets.iter().map(|set| set.pieces().len() as u64).sum(),
-            budget: FOR_A_NUMBER.saturating_mul(size(certificate)).saturating_add(ALWAYS),
+            pieces: pieces(&certificate.sets),
+            budget: budget(certificate),
             spent: AtomicU64::new(0),
             levels: certificate.levels.len(),
             checked: AtomicUsize::new(0),
             go_on,
         }
+    }
+
+    /// Returns the work of a proof that may cost what it likes, and is counted.
+    pub(crate) fn counted<const D: usize>(formula: &Formula<D>, sets: &[Shape<D>; 2]) -> Self {
+        Self {
+            formula: weight(formula),
+            pieces: pieces(sets),
+            spent: AtomicU64::new(0),
+            ..UNLIMITED.clone()
+        }
+    }
+
+    /// Returns what was paid so far, in units.
+    pub(crate) fn spent(&self) -> u64 {
+        self.spent.load(Relaxed)
     }
 
     /// Pays for the cubes of a level.
@@ -111,10 +126,31 @@ impl<'g> Work<'g> {
     }
 }
 
+/// A copy counts on by itself.
+impl Clone for Work<'_> {
+    fn clone(&self) -> Self {
+        Self {
+            spent: AtomicU64::new(self.spent()),
+            checked: AtomicUsize::new(self.checked.load(Relaxed)),
+            ..*self
+        }
+    }
+}
+
 impl Debug for Work<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         write!(f, "Work({:?} of {})", self.spent, self.budget)
     }
+}
+
+/// Returns the most units that the check of a certificate may cost.
+pub(crate) fn budget<const D: usize>(certificate: &Certificate<D>) -> u64 {
+    FOR_A_NUMBER.saturating_mul(size(certificate)).saturating_add(ALWAYS)
+}
+
+/// Returns the number of pieces of both sets.
+fn pieces<const D: usize>(sets: &[Shape<D>; 2]) -> u64 {
+    sets.iter().map(|set| set.pieces().len() as u64).sum()
 }
 
 /// Returns the number of doubles in a certificate and of lines of its formula.
@@ -174,7 +210,7 @@ mod tests {
     use tautline_sets::{AxisBox, Ball, Point, Shape};
 
     use super::{ALWAYS, FOR_A_NUMBER, Work, size, weight};
-    use crate::{Certificate, CheckError, Cubes, Level, Region};
+    use crate::{Certificate, Chain, CheckError, Cubes, Level, Region};
 
     fn certificate() -> Certificate<2> {
         let point = Shape::Point(Point::new([0.5, 0.5]).expect("finite"));
@@ -197,6 +233,13 @@ mod tests {
         }
     }
 
+    /// Returns what the check of a certificate costs.
+    fn spent_by(certificate: &Certificate<2>) -> u64 {
+        let (chain, _) =
+            certificate.proof(Work::limited(certificate, &|| true)).expect("all cubes are there");
+        chain.work()
+    }
+
     /// Counted by hand, as `FORMAT.md` says.
     #[test]
     fn work_is_counted_as_the_format_says() {
@@ -206,30 +249,38 @@ mod tests {
         assert_eq!(weight(&certificate.formula), 1 + 1 + 4 + 3 + 1 + 1, "{formula}");
         // 6 lines; points, ball and box; hi; c1; 3 points; 9 · 7 nodes.
         assert_eq!(size(&certificate), 6 + 2 + 3 + 4 + 1 + 1 + 6 + 126, "{formula}");
-        let work = Work::limited(&certificate, &|| true);
-        assert_eq!(work.budget, ALWAYS + FOR_A_NUMBER * 149);
-        certificate.check_within(&work).expect("all cubes are there");
-        let spent = work.spent.into_inner();
+        assert_eq!(certificate.budget(), ALWAYS + FOR_A_NUMBER * 149);
+        let spent = spent_by(&certificate);
         // Two chords; 16 cubes of side 2, of which those at (0, 0) and (0, -1) are halved; 12 cubes with
         // 10 evaluations and 3 pieces; the point is in one cube, and the ball in another.
         let seen = (16 + 2 * 4) * 3;
         assert_eq!(spent, 2 * 6 * 11 + seen + 12 * (10 * 11 + 3) + 128 * (1 + 1));
     }
 
+    /// Who makes a certificate counts as its checker does, and copies count on by themselves.
+    #[test]
+    fn a_proof_without_a_budget_is_counted() {
+        let certificate = certificate();
+        let Certificate { formula, sets, hi, region, curve, levels } = &certificate;
+        let mut chain = Chain::new(formula, sets, *hi, *region).expect("a region");
+        let points = curve.as_ref().expect("a curve");
+        chain.length_above(points).expect("a length");
+        let before = chain.clone();
+        chain.add(&levels[0], *hi).expect("all cubes are there");
+        assert_eq!(chain.work(), spent_by(&certificate));
+        assert_eq!(before.work(), 2 * 6 * 11);
+    }
+
     /// The budget counts, and so does the last unit of it.
     #[test]
     fn a_check_that_costs_more_than_its_budget_is_refused() {
         let certificate = certificate();
-        let spent = {
-            let work = Work::limited(&certificate, &|| true);
-            certificate.check_within(&work).expect("all cubes are there");
-            work.spent.into_inner()
-        };
+        let spent = spent_by(&certificate);
         for (budget, is_enough) in [(spent, true), (spent - 1, false), (1, false)] {
             let work = Work { budget, ..Work::limited(&certificate, &|| true) };
-            let checked = certificate.check_within(&work);
-            assert_eq!(checked.is_ok(), is_enough, "{budget} of {spent}");
-            assert!(is_enough || checked == Err(CheckError::Work { budget }));
+            let refused = certificate.proof(work).err();
+            assert_eq!(refused.is_none(), is_enough, "{budget} of {spent}");
+            assert!(is_enough || refused == Some(CheckError::Work { budget }));
         }
         // Tubes.
         let sets = certificate.sets.each_ref();

@@ -47,6 +47,8 @@ pub enum Ended {
     /// The next level would have had cubes too small for their distance from the origin, or smaller than
     /// those of any certificate.
     TooFar,
+    /// With the next level, the check would cost more work than a certificate of this size may.
+    TooMuchWork,
     /// The observer stopped it.
     Stopped,
 }

@@ -51,6 +51,8 @@ pub(crate) struct Search<'f, const D: usize> {
     pub(crate) hi: f64,
     /// Geodesics near the curves, as far as they have calibrations.
     pub(crate) pencils: Vec<(Geodesic<D>, Pencil<D>)>,
+    /// The most work that the check of a certificate may cost.
+    pub(crate) budget: fn(&Certificate<D>) -> u64,
 }
 
 /// Searches for a certificate of the distance between two sets, given polygons between them. The first
@@ -128,7 +130,8 @@ pub fn search<const D: usize>(
     };
     let pencils = curves.iter().filter(|curve| curve.len() > 1).filter_map(pencil).collect();
     let hi = length * (1.0 + LONGER);
-    Search { formula, sets, curve, length, hi, pencils }.run(wanted, observe)
+    let budget = Certificate::budget;
+    Search { formula, sets, curve, length, hi, pencils, budget }.run(wanted, observe)
 }
 
 /// Returns whether there are no cubes of the side that was asked for: it is too small, or too small for the
@@ -150,13 +153,26 @@ impl<const D: usize> Search<'_, D> {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Found<D>, DistanceError> {
         let (region, first, mut chain) = self.first_level(wanted.cubes)?;
+        chain.length_above(&self.curve).map_err(DistanceError::Curve)?;
         let mut cubes = first.cubes().places().len();
-        let mut levels = vec![first];
+        let mut certificate = Certificate {
+            formula: self.formula.clone(),
+            sets: self.sets.clone(),
+            hi: self.hi,
+            region,
+            curve: Some(self.curve.clone()),
+            levels: vec![first],
+        };
+        let budget = (self.budget)(&certificate);
+        if chain.work() > budget {
+            return Err(DistanceError::Refused(CheckError::Work { budget }));
+        }
         let mut pace = Pace::default();
         let mut lost = Vec::new();
         let ended = loop {
             let (lower, upper) = (chain.lower(), self.length);
-            let stop = observe(Progress { levels: levels.len(), cubes, lower, upper });
+            let levels = certificate.levels.len();
+            let stop = observe(Progress { levels, cubes, lower, upper });
             if self.gap(&chain) <= wanted.gap {
                 break Ended::Reached;
             }
@@ -166,7 +182,7 @@ impl<const D: usize> Search<'_, D> {
             if pace.is_stalled() {
                 break Ended::Stalled;
             }
-            let exponent = levels[levels.len() - 1].cubes().exponent() - 1;
+            let exponent = certificate.levels[levels - 1].cubes().exponent() - 1;
             let next = match chain.required(exponent) {
                 Err(error) if has_no_cubes(&error) => break Ended::TooFar,
                 next => next.map_err(DistanceError::Refused)?,
@@ -174,20 +190,17 @@ impl<const D: usize> Search<'_, D> {
             if cubes + next.places().len() > wanted.cubes {
                 break Ended::TooManyCubes;
             }
-            cubes += next.places().len();
-            let proposed = self.next_level(&chain, next, (levels.len(), wanted.gap), &mut lost)?;
+            let count = next.places().len();
+            let proposed = self.next_level(&chain, next, (levels, wanted.gap), &mut lost)?;
             let Some((level, next)) = proposed else { break Ended::TooFar };
+            certificate.levels.push(level);
+            if next.work() > (self.budget)(&certificate) {
+                certificate.levels.pop();
+                break Ended::TooMuchWork;
+            }
+            cubes += count;
             pace.add(self.gap(&chain), self.gap(&next));
             chain = next;
-            levels.push(level);
-        };
-        let certificate = Certificate {
-            formula: self.formula.clone(),
-            sets: self.sets.clone(),
-            hi: self.hi,
-            region,
-            curve: Some(self.curve.clone()),
-            levels,
         };
         let proved = chain.proved(Some(self.length)).map_err(DistanceError::Refused)?;
         Ok(Found { certificate, proved, ended })
@@ -293,12 +306,12 @@ mod tests {
     use std::ops::ControlFlow;
 
     use nalgebra::vector;
-    use tautline_check::{AnyCertificate, CheckError, Cubes};
+    use tautline_check::{AnyCertificate, Certificate, Chain, CheckError, Cubes};
     use tautline_formula::Formula;
     use tautline_sets::{Ball, Point, Shape};
 
-    use super::{Search, search};
-    use crate::{DistanceError, Found, Wanted, fan::Pencil, geodesic::Geodesic};
+    use super::{Search, length_above, search};
+    use crate::{DistanceError, Ended, Found, Wanted, fan::Pencil, geodesic::Geodesic};
 
     fn between(text: &str, ends: [[f64; 2]; 2]) -> Result<Found<2>, DistanceError> {
         let formula = Formula::<2>::parse(text, &[]).expect("a formula");
@@ -321,7 +334,8 @@ mod tests {
         let pencil = Pencil::along(&flat, &sets, &geodesic, 400).expect("rays");
         let search = |pencils| {
             let (formula, sets, curve) = (&flat, &sets, curve.clone());
-            Search { formula, sets, curve, length: 2.0, hi: 2.1, pencils }
+            let budget = Certificate::budget;
+            Search { formula, sets, curve, length: 2.0, hi: 2.1, pencils, budget }
         };
         let cubes = |places: &[[i32; 2]]| Cubes::new(0, places.to_vec()).expect("in range");
         let one = search(vec![(geodesic, pencil)]);
@@ -332,6 +346,46 @@ mod tests {
         assert!(!one.meets_others(&cubes(&[[0, 0], [2, 0]])));
         // Without rays every piece is another one.
         assert!(search(Vec::new()).meets_others(&cubes(&[[0, 0]])));
+    }
+
+    /// Returns what the check of a certificate costs.
+    fn cost(certificate: &Certificate<2>) -> u64 {
+        let Certificate { formula, sets, hi, region, curve, levels } = certificate;
+        let mut chain = Chain::new(formula, sets, *hi, *region).expect("a region");
+        chain.length_above(curve.as_ref().expect("a curve")).expect("a length");
+        for level in levels {
+            chain.add(level, *hi).expect("all cubes are there");
+        }
+        chain.work()
+    }
+
+    /// A search ends before its certificate costs more than its check may, to the last unit: the curve, the
+    /// region and all levels count, and proposals that lost do not.
+    #[test]
+    fn a_search_keeps_to_the_work_that_a_check_may_cost() {
+        let waves = Formula::<2>::parse("cost(2 + cos(3*x1)*sin(2*x2))", &[]).expect("a formula");
+        let point = |x: [f64; 2]| Shape::Point(Point::new(x).expect("finite"));
+        let two = Shape::Union(vec![point([1.0, 0.5]), point([1.2, -0.5])]);
+        let sets = [point([-1.0, 0.0]), two];
+        let line = |n: i32| vector![-1.0, 0.0].lerp(&vector![1.0, 0.5], f64::from(n) / 64.0);
+        let curve: Vec<_> = (0..=64).map(line).collect();
+        let length = length_above(&waves, sets.each_ref(), &curve).expect("a length");
+        let run = |budget: fn(&Certificate<2>) -> u64| {
+            let (formula, sets, curve, pencils) = (&waves, &sets, curve.clone(), Vec::new());
+            let search =
+                Search { formula, sets, curve, length, hi: 1.001 * length, pencils, budget };
+            search.run(Wanted { gap: 1e-6, cubes: 20_000 }, &mut |_| ControlFlow::Continue(()))
+        };
+        let all = run(Certificate::budget).expect("a certificate");
+        assert!(all.certificate.levels.len() > 2 && all.ended != Ended::TooMuchWork, "{all:?}");
+        let exact = run(cost).expect("a certificate");
+        assert_eq!((exact.ended, &exact.certificate), (all.ended, &all.certificate));
+        let few = run(|found| cost(found) - u64::from(found.levels.len() > 2)).expect("two levels");
+        assert_eq!((few.ended, few.certificate.levels.len()), (Ended::TooMuchWork, 2));
+        assert_eq!(few.proved.levels, all.proved.levels[..2]);
+        assert!(few.certificate.check().is_ok_and(|proved| proved.lower == few.proved.lower));
+        let none = run(|found| cost(found) - 1).expect_err("no level");
+        assert!(matches!(none, DistanceError::Refused(CheckError::Work { .. })), "{none}");
     }
 
     /// The halves of the matrix are different steps, of which the file has one.

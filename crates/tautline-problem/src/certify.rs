@@ -186,6 +186,9 @@ pub(crate) fn ended(ended: Ended) -> &'static str {
         Ended::TooFar => {
             "the next cubes would be too small, or too small for their distance from the origin"
         }
+        Ended::TooMuchWork => {
+            "with the next level, the check would cost more than a certificate of this size may"
+        }
         _ => "stopped before the next level",
     }
 }

@@ -62,6 +62,7 @@ fn reason(ended: Ended) -> &'static str {
         Ended::Stalled => "the gap no longer falls",
         Ended::TooManyCubes => "too many cubes",
         Ended::TooFar => "too far from the origin",
+        Ended::TooMuchWork => "too much work to check",
         _ => "stopped",
     }
 }

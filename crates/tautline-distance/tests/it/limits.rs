@@ -151,6 +151,21 @@ fn a_search_far_from_the_origin_ends_with_what_it_has() {
     holds(&found, 2.0 - y.sin() + x.sin(), 1e-9, 1e-2);
 }
 
+/// The angles of waves far from the origin are reduced with all digits. Otherwise each chord would cost 2¹³
+/// parts, and the check of the certificate more than it may: the attempt checks it.
+#[test]
+fn waves_far_from_the_origin_have_certificates() {
+    let waves = Formula::<1>::parse("sqr(2 - cos(6*x1)) I", &[]).expect("a formula");
+    for from in [1e6_f64, -1e6 - 0.5] {
+        let curve = (0..=1024).map(|n| vector![from + f64::from(n) / 1024.0]).collect();
+        let sets = [point([from]), point([from + 1.0])];
+        let found = attempt(&waves, &sets, &[curve], Wanted::gap(1e-5)).expect("a certificate");
+        // ∫ (2 − cos 6x) dx. Multiples of 6 up to 2²⁸ are doubles.
+        let d = 2.0 - ((6.0 * from + 6.0).sin() - (6.0 * from).sin()) / 6.0;
+        holds(&found, d, 1e-9, 1e-2);
+    }
+}
+
 /// A search that is stopped at the level that reaches its gap has reached it. At the level before it is
 /// stopped, also where the next one would have too many cubes.
 #[test]
