@@ -33,7 +33,7 @@ impl<const D: usize> BlackBox<D> {
                 at.first = first;
                 if order == 2 {
                     let second = self.values.second(x);
-                    at.second = second.unwrap_or_else(|| self.bends_of_slopes(x));
+                    at.second = second.unwrap_or_else(|| self.bends_of_slopes(x, at.first.len()));
                 }
             }
             None => self.by_differences(x, order, &mut at),
@@ -95,12 +95,13 @@ impl<const D: usize> BlackBox<D> {
         }
     }
 
-    /// Returns second derivatives from differences of the first ones.
-    fn bends_of_slopes(&self, x: &[f64]) -> Vec<f64> {
+    /// Returns second derivatives from differences of the first ones, of which there are `all`. They are
+    /// undefined where the first ones are known no more.
+    fn bends_of_slopes(&self, x: &[f64], all: usize) -> Vec<f64> {
         let moves: Vec<_> =
             (0..D).flat_map(|k| OFFSETS.map(|offset| [(k, offset), (k, 0.0)])).collect();
-        let slopes = self.values.first(&self.moved(x, &moves)).unwrap_or_default();
-        let all = slopes.len() / moves.len().max(1);
+        let slopes = self.values.first(&self.moved(x, &moves));
+        let slopes = slopes.unwrap_or_else(|| vec![f64::NAN; all * moves.len()]);
         let bend = |n: usize, k: usize| -> f64 {
             let slopes = (0..4).map(|i| SLOPE[i] * slopes[(4 * k + i) * all + n]);
             slopes.sum::<f64>() / self.step

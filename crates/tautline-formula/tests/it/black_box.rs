@@ -174,6 +174,26 @@ fn a_batch_of_a_black_box_takes_one_call_for_each_order() {
     }
 }
 
+/// Derivatives that are known at some points and not at others are undefined, and no panic.
+#[test]
+fn slopes_that_are_known_at_one_point_only_have_undefined_bends() {
+    struct Once(Arc<Hidden<2>>);
+    impl Values for Once {
+        fn gram(&self, x: &[f64]) -> Vec<f64> {
+            self.0.gram(x)
+        }
+
+        fn first(&self, x: &[f64]) -> Option<Vec<f64>> {
+            (x == [1.0, 2.0]).then(|| self.0.first(x)).flatten()
+        }
+    }
+    let hidden = Hidden::<2>::new("[3 + sin(x1), x2; x2, 4 + x2^2]", 1);
+    let black_box = BlackBox::<2>::new(Arc::new(Once(hidden)), H).expect("a step");
+    let h = black_box.gram(&SVector::from(Jet2::<f64, 2>::variables(&[1.0, 2.0])));
+    assert_eq!(h[(1, 1)].first(1), 4.0);
+    assert!(h[(1, 1)].second(1, 1).is_nan());
+}
+
 #[test]
 fn a_black_box_is_refused_where_it_is_no_metric() {
     // Not symmetric, though each half alone is that of a metric; not positive definite; not finite, in
