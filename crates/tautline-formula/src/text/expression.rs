@@ -2,18 +2,41 @@
 
 use std::sync::Arc;
 
-use tautline_scalar::{Scalar, Table};
+use tautline_scalar::{Interval, Scalar, Table};
 
 use super::{
     Problem, TextError,
     parser::{Meaning, Parser, STEP},
     token::Token,
-    value::Value,
+    value::{Rounded, Value},
 };
-use crate::{operation::Function, recording::Symbol};
+use crate::{
+    operation::{Arithmetic, Function},
+    recording::Symbol,
+};
 
 /// The largest depth of nested brackets. Each level takes stack.
 const DEEPEST: usize = 128;
+
+/// The digits that arithmetic between numbers may lose, relative to its result: 16 units of the last place.
+const LAST_DIGITS: f64 = 16.0 * f64::EPSILON;
+
+/// Returns bounds on a number as it was typed.
+fn within(value: Value) -> Interval {
+    match value {
+        Value::Number(value) => Interval::point(value),
+        Value::Rounded(Rounded { within, .. }) => within,
+        Value::Symbol(_) => Interval::UNDEFINED,
+    }
+}
+
+/// Returns a number as it was typed, as a step.
+fn steps(value: Value) -> Symbol {
+    match value {
+        Value::Rounded(Rounded { steps, .. }) => steps,
+        value => value.symbol(),
+    }
+}
 
 impl Parser<'_> {
     pub(super) fn expression(&mut self) -> Result<Value, TextError> {
@@ -21,6 +44,7 @@ impl Parser<'_> {
         if self.depth > DEEPEST {
             return self.error(Problem::TooDeep { most: DEEPEST });
         }
+        let start = self.ahead.1.start;
         let mut sum = self.term()?;
         loop {
             let is_minus = self.takes('-')?;
@@ -28,13 +52,15 @@ impl Parser<'_> {
                 break;
             }
             let term = self.term()?;
-            sum = if is_minus { sum - term } else { sum + term };
+            let how = if is_minus { Arithmetic::Sub } else { Arithmetic::Add };
+            sum = self.combined(start, how, sum, term)?;
         }
         self.depth -= 1;
         Ok(sum)
     }
 
     fn term(&mut self) -> Result<Value, TextError> {
+        let start = self.ahead.1.start;
         let mut product = self.factor()?;
         loop {
             let is_division = self.takes('/')?;
@@ -42,8 +68,63 @@ impl Parser<'_> {
                 return Ok(product);
             }
             let factor = self.factor()?;
-            product = if is_division { product / factor } else { product * factor };
+            let how = if is_division { Arithmetic::Div } else { Arithmetic::Mul };
+            product = self.combined(start, how, product, factor)?;
         }
+    }
+
+    /// Returns the result of an operation whose operands begin at `start`.
+    fn combined(
+        &self,
+        start: usize,
+        how: Arithmetic,
+        a: Value,
+        b: Value,
+    ) -> Result<Value, TextError> {
+        let (Some(x), Some(y)) = (a.number(), b.number()) else { return Ok(how.of(a, b)) };
+        let within = how.of(within(a), within(b));
+        // A step with a number, as it would be with a coordinate.
+        self.number(start, [x, y], how.of(x, y), within, || match (a, b) {
+            (_, Value::Number(y)) => how.of(steps(a), y),
+            (Value::Number(x), _) => match how {
+                Arithmetic::Add => x + steps(b),
+                Arithmetic::Sub => x - steps(b),
+                Arithmetic::Mul => x * steps(b),
+                Arithmetic::Div => x / steps(b),
+            },
+            _ => how.of(steps(a), steps(b)),
+        })
+    }
+
+    /// Returns the result of arithmetic between numbers that begins at `start`, given its `value` in `f64`,
+    /// bounds on it, and the same as steps: a number if it has all digits but the last ones, and the steps
+    /// otherwise. `1/0` is a number, with which there is no further arithmetic.
+    fn number(
+        &self,
+        start: usize,
+        operands: [f64; 2],
+        value: f64,
+        within: Interval,
+        steps: impl FnOnce() -> Symbol,
+    ) -> Result<Value, TextError> {
+        if let Some(number) = operands.iter().find(|number| !number.is_finite()) {
+            let (at, number) = (start..self.ahead.1.start, number.to_string());
+            return Err(TextError { at, problem: Problem::NotFinite { number } });
+        }
+        if !value.is_finite() {
+            return Ok(Value::Number(value));
+        }
+        if within.lo() == within.hi() && within.lo() == value {
+            return Ok(Value::Number(value));
+        }
+        let steps = steps();
+        let off = within.hull(Interval::point(value)).width();
+        let is_sharp = value.is_normal() && off <= LAST_DIGITS * value.abs();
+        Ok(if is_sharp {
+            Value::Rounded(Rounded { value, within, steps })
+        } else {
+            Value::Symbol(steps)
+        })
     }
 
     fn factor(&mut self) -> Result<Value, TextError> {
@@ -60,6 +141,7 @@ impl Parser<'_> {
     }
 
     fn power(&mut self) -> Result<Value, TextError> {
+        let start = self.ahead.1.start;
         let atom = self.atom()?;
         if !self.takes('^')? {
             return Ok(atom);
@@ -71,7 +153,12 @@ impl Parser<'_> {
             return self.error(Problem::Exponent);
         };
         self.advance()?;
-        Ok(atom.powi(n))
+        match atom.number() {
+            Some(a) => {
+                self.number(start, [a, a], a.powi(n), within(atom).powi(n), || steps(atom).powi(n))
+            }
+            None => Ok(Value::Symbol(atom.symbol().powi(n))),
+        }
     }
 
     fn bracket(&mut self) -> Result<Value, TextError> {
@@ -134,13 +221,20 @@ impl Parser<'_> {
         if function.is_none() && name != STEP {
             return self.error(Problem::UnknownFunction { name: name.to_owned() });
         }
-        self.advance()?;
+        let start = self.advance()?.1.start;
         let value = self.bracket()?;
-        Ok(function.map_or_else(|| Value::Symbol(value.symbol()), |function| value.under(function)))
+        match (function, value.number()) {
+            (None, _) => Ok(Value::Symbol(value.symbol())),
+            (Some(function), None) => Ok(Value::Symbol(function.of(value.symbol()))),
+            (Some(function), Some(a)) => {
+                let within = function.of(within(value));
+                self.number(start, [a, a], function.of(a), within, || function.of(steps(value)))
+            }
+        }
     }
 
     /// Returns the table of a name such as `height_10`, and the orders of the derivative.
-    fn derivative(&self, name: &str) -> Option<(Arc<dyn Table>, [u8; 3])> {
+    pub(super) fn derivative(&self, name: &str) -> Option<(Arc<dyn Table>, [u8; 3])> {
         let (name, digits) = name.rsplit_once('_')?;
         let Some(Meaning::Table(table)) = self.names.get(name) else { return None };
         let mut orders = [0; 3];

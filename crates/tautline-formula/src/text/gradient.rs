@@ -12,7 +12,7 @@ const ZERO: Value = Value::Number(0.0);
 const UNDEFINED: Value = Value::Number(f64::NAN);
 
 /// Returns the derivatives of each function with respect to each of these coordinates, by forward
-/// differentiation. A derivative that vanishes is the number 0. Where a function is undefined, so
+/// differentiation. A derivative that vanishes is the number 0; one that is 0 by rounding is a step. Where a function is undefined, so
 /// are its derivatives.
 pub(super) fn gradients(functions: &[Value], coordinates: &[usize]) -> Vec<Vec<Value>> {
     let operations = &recording::operations()[..];
@@ -20,7 +20,7 @@ pub(super) fn gradients(functions: &[Value], coordinates: &[usize]) -> Vec<Vec<V
         .iter()
         .filter_map(|function| match function {
             Value::Symbol(Symbol(step)) => Some(*step),
-            Value::Number(_) => None,
+            Value::Number(_) | Value::Rounded(_) => None,
         })
         .filter(|&step| (step as usize) < operations.len())
         .collect();
@@ -42,8 +42,8 @@ pub(super) fn gradients(functions: &[Value], coordinates: &[usize]) -> Vec<Vec<V
         }
         let of = |function: &Value| match function {
             Value::Symbol(Symbol(step)) => made.get(*step as usize).copied().unwrap_or(ZERO),
-            Value::Number(value) if value.is_finite() => ZERO,
-            Value::Number(_) => UNDEFINED,
+            other if other.number().is_some_and(f64::is_finite) => ZERO,
+            _ => UNDEFINED,
         };
         functions.iter().map(of).collect()
     };
@@ -67,6 +67,8 @@ fn may_fail(operation: &Operation) -> bool {
         Operation::Of(function, _) => {
             matches!(function, Function::Recip | Function::Sqrt | Function::Ln | Function::Tan)
         }
+        // A table may have an end.
+        Operation::Table(_) => true,
         _ => false,
     }
 }
@@ -101,7 +103,7 @@ fn derivative(operations: &[Operation], step: Step, made: &[Value], coordinate: 
         Operation::Powi(a, i32::MIN) => {
             along(by(a), Value::Number(f64::from(i32::MIN)) * at(step) / at(a))
         }
-        Operation::Powi(a, n) => along(by(a), Value::Number(f64::from(n)) * at(a).powi(n - 1)),
+        Operation::Powi(a, n) => along(by(a), Value::Number(f64::from(n)) * power(at(a), n - 1)),
         Operation::Of(function, a) => along(by(a), outer_derivative(function, at(a), at(step))),
         Operation::First(_, a) => along(by(a), at(step + 1)),
         Operation::Second => match operations[step as usize - 1] {
@@ -123,6 +125,10 @@ fn derivative(operations: &[Operation], step: Step, made: &[Value], coordinate: 
             call.arguments().iter().enumerate().map(along_axis).fold(ZERO, sum)
         }
     }
+}
+
+fn power(a: Value, n: i32) -> Value {
+    Value::Symbol(a.symbol().powi(n))
 }
 
 /// Returns whether the argument has derivative 0, so that the function needs no derivative.

@@ -47,7 +47,9 @@ impl<const D: usize> Formula<D> {
     ///
     /// Definitions may reuse these names.
     ///
-    /// Operands are evaluated from left to right, and arithmetic between numbers is done in `f64`.
+    /// Operands are evaluated from left to right. Arithmetic between numbers, such as `2*pi/3`, is done in
+    /// `f64`, and has to be finite. Where it would lose more than the last digits, it is recorded as
+    /// steps, which intervals enclose; so are numbers in derivatives that `f64` would round.
     /// A text records the same tape as the same formula in Rust, provided that the definitions are
     /// in the order of the `let`s. The operators are taken literally: `x1^2` records a power, as
     /// `x.powi(2)` does, and `sqr(x1)` records a square, as `x.sqr()` does. The two are different
@@ -156,6 +158,16 @@ impl<'a> Parser<'a> {
         table: &Arc<dyn Table>,
     ) -> Result<(), TextError> {
         self.check_new(name)?;
+        // `height_1` would be the derivative of `height` and something else.
+        let is_order = |digits: &str| {
+            digits.len() == table.axes() && digits.bytes().all(|byte| byte.is_ascii_digit())
+        };
+        let mut others =
+            self.names.keys().filter_map(|other| Some((other, other.strip_prefix(name)?)));
+        let taken = others.find(|(_, rest)| rest.strip_prefix('_').is_some_and(is_order));
+        if let Some((name, _)) = taken {
+            return self.error(Problem::TakenName { name: name.clone() });
+        }
         self.names.insert(name.to_owned(), Meaning::Table(Arc::clone(table)));
         Ok(())
     }
@@ -271,6 +283,7 @@ impl<'a> Parser<'a> {
         if is_word
             || Function::named(name).is_some()
             || self.names.contains_key(name)
+            || self.derivative(name).is_some()
             || !matches!(self.builtin(name), Ok(None))
         {
             return self.error(Problem::TakenName { name: name.to_owned() });

@@ -55,9 +55,19 @@ pub enum Problem {
     /// An exponent that is not an integer of 32 bits.
     #[error("an exponent must be an integer from {} to {}", i32::MIN, i32::MAX)]
     Exponent,
-    /// A number beyond the range of `f64`.
+    /// A number beyond the range of `f64`: too large, or so small that it would become 0.
     #[error("a number beyond the range of f64")]
     TooLarge,
+    /// Arithmetic with a number that is infinite or undefined, such as `1/0`.
+    #[error("there is no arithmetic with {number}")]
+    NotFinite {
+        /// The number.
+        number: String,
+    },
+    /// Arithmetic between numbers, such as `1e17 + 1 - 1e17`, that loses more than the last digits where a
+    /// number is needed.
+    #[error("arithmetic between these numbers loses too many digits")]
+    Digits,
     /// A matrix that is not `D × D`.
     #[error("{found} {what} in dimension {dimension}")]
     Shape {

@@ -54,7 +54,10 @@ impl<'a> Tokens<'a> {
                 let value: f64 = word
                     .parse()
                     .map_err(|_| TextError { at: at.clone(), problem: unexpected() })?;
-                if !value.is_finite() {
+                let mantissa = word.split(['e', 'E']).next().unwrap_or_default();
+                let is_lost =
+                    value == 0.0 && mantissa.bytes().any(|byte| (b'1'..=b'9').contains(&byte));
+                if !value.is_finite() || is_lost {
                     return Err(TextError { at, problem: Problem::TooLarge });
                 }
                 let is_integer = word.bytes().all(|byte| byte.is_ascii_digit());

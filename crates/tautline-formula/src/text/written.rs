@@ -297,12 +297,7 @@ pub fn number(text: &str, parameters: &[(&str, f64)]) -> Result<f64, TextError> 
     for &(name, value) in parameters {
         parser.define(name, Value::Number(value))?;
     }
-    match parser.whole_expression()? {
-        Value::Number(value) => Ok(value),
-        // Only `number(…)` makes a step without coordinates.
-        Value::Symbol(_) => {
-            let problem = Problem::UnknownFunction { name: super::parser::STEP.to_owned() };
-            Err(TextError { at: 0..text.len(), problem })
-        }
-    }
+    let value = parser.whole_expression()?;
+    // Only `number(…)` and arithmetic that loses digits make a step without coordinates.
+    value.number().ok_or(TextError { at: 0..text.len(), problem: Problem::Digits })
 }

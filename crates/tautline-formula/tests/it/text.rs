@@ -165,6 +165,87 @@ fn a_pullback_sums_over_all_functions() {
     }
 }
 
+/// Numbers that are typed or that derivatives bring along are enclosed as they are in real arithmetic, also
+/// where `f64` would lose all digits: in a difference, below the smallest number, in a large power.
+#[test]
+fn arithmetic_that_loses_digits_is_enclosed() {
+    // 0.1 is a little more than 1/10: 3 · 0.1 − 0.30000000000000004 is −2⁻⁵⁵.
+    let slope = -1e17 * 2.0_f64.powi(-55);
+    for (text, expected) in [
+        ("(2e16 + 3 - 2e16) I", 3.0),
+        ("((1e17 + 1 - 1e17)*2 + 1) I", 3.0),
+        ("a = 1e17; b = a + 1; (b - a + 1 + 0*x1) I", 2.0),
+        ("(1 + 1e-200*1e-200*1e200*1e200) I", 2.0),
+        // By arb: 3.20020505251e248.
+        ("1.00000095367431640625^600000001/3.20020505251e248 I", 1.0 + 1e-12),
+        ("graph(x1*1e17 + x1 - x1*1e17)", 2.0),
+        ("graph(x1*1e-200*1e-200*1e200*1e200)", 2.0),
+        ("graph((x1*0.1*3 - x1*0.30000000000000004)*1e17)", 1.0 + slope * slope),
+        ("pullback(x1*1e16 + x1 - x1*1e16, x1*0.5)", 1.25),
+        ("cost(2e16 + 3 - 2e16)", 9.0),
+    ] {
+        let formula =
+            Formula::<1>::parse(text, &[]).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let h = formula.gram(&vector![Interval::point(0.5)])[(0, 0)];
+        // The expected numbers are rounded, too.
+        assert!(
+            h.lo() <= expected * (1.0 + 4e-16) && expected * (1.0 - 4e-16) <= h.hi(),
+            "{text}: {h:?}"
+        );
+        // Written and read again, it is the same.
+        assert_eq!(Formula::parse(&formula.to_string(), &[]), Ok(formula), "{text}");
+    }
+}
+
+/// The last digits are those of `f64`, as in Rust.
+#[test]
+fn arithmetic_that_keeps_its_digits_gives_numbers() {
+    let a = 0.3;
+    for (text, number) in [
+        ("2*pi/3", 2.0 * std::f64::consts::PI / 3.0),
+        ("-1/a", -1.0 / a),
+        ("sqrt(2)*exp(-a)", 2.0_f64.sqrt() * (-a).exp()),
+        ("1 + 1e-17", 1.0),
+        ("0.1^3 - a", 0.1_f64.powi(3) - a),
+        ("1e-310", 1e-310),
+        ("0*1e300", 0.0),
+        ("1e17 - 1e17", 0.0),
+    ] {
+        assert_eq!(tautline_formula::number(text, &[("a", a)]), Ok(number), "{text}");
+        let formula = Formula::<1>::parse(&format!("(x1*({text})) I"), &[("a", a)]);
+        assert_eq!(formula.expect("a formula").operations().len(), 2, "{text}");
+    }
+    for text in ["1e17 + 1 - 1e17", "1e-200*1e-200", "1.00000095367431640625^600000001"] {
+        let refused = tautline_formula::number(text, &[]).expect_err("digits are lost");
+        assert_eq!(refused.problem, Problem::Digits, "{text}");
+    }
+}
+
+/// `tanh(1/0)` is not 1, and `exp(-1/a^2)` at `a = 0` is not 0: what is undefined stays so.
+#[test]
+fn there_is_no_arithmetic_with_infinite_numbers() {
+    for text in [
+        "1 + exp(-1/a^2)",
+        "1 + 3*tanh(1/a)*x1",
+        "1 + 1/(1/0)",
+        "1 + exp(ln(0))",
+        "(ln(-1))^0",
+        "1 + (1/0)^-1",
+        "atan(1/0)",
+        "1e200*1e200/1e300",
+        "x1 + 0*(0/0)",
+    ] {
+        let refused = Formula::<1>::parse(&format!("({text}) I"), &[("a", 0.0)]).expect_err("1/0");
+        assert!(matches!(refused.problem, Problem::NotFinite { .. }), "{text}: {refused}");
+    }
+    for text in ["1e-400", "1e400", "0.000e5 + 0.1e-330"] {
+        let refused = Formula::<1>::parse(&format!("({text}) I"), &[]).expect_err("out of range");
+        assert_eq!(refused.problem, Problem::TooLarge, "{text}");
+    }
+    let zero = Formula::<1>::parse("(1 + 0e-400 + 0.0) I", &[]);
+    assert!(zero.is_ok(), "{zero:?}");
+}
+
 /// The derivative `1/a` of a logarithm is defined where the logarithm is not.
 #[test]
 fn the_metric_of_an_undefined_function_is_undefined() {
