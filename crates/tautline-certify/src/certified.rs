@@ -1,7 +1,7 @@
 //! `Certified`: a metric with constants proved from its formula.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::AnyMetric;
+use tautline_formula::{AnyMetric, Formula};
 use tautline_metrics::{Bounded, Constants, Metric};
 use tautline_scalar::Scalar;
 
@@ -46,7 +46,10 @@ impl<M: Metric<D>, const D: usize> Certified<M, D> {
     /// [`LocallyCertified`](crate::LocallyCertified). Otherwise the errors of
     /// [`CertifiedConstants::new`].
     pub fn new(metric: M, accuracy: Accuracy) -> Result<Self, CertifyError> {
-        AnyMetric::new(&metric).formula().map_err(CertifyError::NotRecorded)?;
+        AnyMetric::new(&metric)
+            .formula()
+            .and_then(Formula::symmetric)
+            .map_err(CertifyError::NotRecorded)?;
         let space = Domain::space(&metric);
         if !space.is_all_of_space() {
             return Err(CertifyError::NotAllOfSpace);

@@ -56,9 +56,9 @@ pub enum CertifyError {
         /// The tolerance.
         tolerance: f64,
     },
-    /// The formula cannot be recorded. Proofs need the record, because intervals would follow only
-    /// one branch.
-    #[error("a formula that cannot be recorded proves nothing: {0}")]
+    /// The formula cannot be recorded, or the halves of its matrix are not known to be equal. Proofs
+    /// need the record, because intervals would follow only one branch, and they read one half.
+    #[error("nothing is proved of this formula: {0}")]
     NotRecorded(#[source] RecordError),
     /// The dimension is 0.
     #[error("D = 0: there is no dimension")]

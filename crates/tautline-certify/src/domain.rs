@@ -5,7 +5,7 @@ mod tests;
 
 use nalgebra::SVector;
 use num_traits::{One, Zero};
-use tautline_formula::AnyMetric;
+use tautline_formula::{AnyMetric, Formula};
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Jet2, Scalar};
 
@@ -161,7 +161,7 @@ impl<const D: usize> Domain<D> {
     /// [`CertifyError::NotRecorded`] if the formula cannot be recorded.
     pub fn settled_space(metric: &impl Metric<D>) -> Result<Self, CertifyError> {
         let metric = &AnyMetric::new(metric);
-        metric.formula().map_err(CertifyError::NotRecorded)?;
+        metric.formula().and_then(Formula::symmetric).map_err(CertifyError::NotRecorded)?;
         let space = Self::space(metric);
         if space.is_all_of_space() {
             return Ok(space);

@@ -9,7 +9,7 @@ use crate::{
     polygon::length_within,
     region::MOST,
     sweep::Sweep,
-    work::{self, Work, lines},
+    work::{self, UNLIMITED, Work, lines},
 };
 
 /// The most lines of a formula. No reader has to know formulas of any length.
@@ -235,13 +235,18 @@ impl<'c, const D: usize> Chain<'c, D> {
     /// large, [`CheckError::Side`] and [`CheckError::Place`] if halves are out of range; for the first
     /// level the errors of [`Region::required`].
     pub fn required(&self, exponent: i32) -> Result<Cubes<D>, CheckError> {
-        self.required_of(exponent, MOST)
+        self.required_of(exponent, MOST, &UNLIMITED)
     }
 
-    fn required_of(&self, exponent: i32, most: usize) -> Result<Cubes<D>, CheckError> {
+    fn required_of(
+        &self,
+        exponent: i32,
+        most: usize,
+        work: &Work<'_>,
+    ) -> Result<Cubes<D>, CheckError> {
         match &self.kept {
             None => {
-                let limits = (exponent, most, &self.work);
+                let limits = (exponent, most, work);
                 self.region.required_within(self.sets.each_ref(), self.hi, limits)
             }
             Some(kept) if exponent == kept.exponent() => Ok(kept.clone()),
@@ -265,7 +270,7 @@ impl<'c, const D: usize> Chain<'c, D> {
     pub fn add(&mut self, level: &Level<D>, keep: f64) -> Result<(), CheckError> {
         let cubes = level.cubes();
         let most = self.work.most_cubes::<D>(cubes.places().len());
-        let required = self.required_of(cubes.exponent(), most)?;
+        let required = self.required_of(cubes.exponent(), most, &self.work)?;
         if let Some(place) = cubes.first_missing(required.places()) {
             return Err(CheckError::Missing { level: self.levels.len(), place: place.to_vec() });
         }

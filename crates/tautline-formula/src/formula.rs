@@ -1,6 +1,6 @@
 //! `Formula`: the Gram matrix of a metric as a list of operations.
 
-use std::sync::Arc;
+use std::{collections::HashMap, sync::Arc};
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
@@ -8,7 +8,7 @@ use tautline_scalar::{Scalar, Table};
 
 use crate::{
     RecordError,
-    operation::{Function, Operation, Pair, Step, function_at, needed},
+    operation::{Arithmetic, Function, Operation, Pair, Step, function_at, needed},
     recording::{Recording, Symbol, record},
 };
 
@@ -57,12 +57,48 @@ impl<const D: usize> Formula<D> {
         Ok(Self { operations, entries, tables })
     }
 
+    /// Returns the row and the column of an entry that is not the same expression as its mirror image, up
+    /// to the order of the terms of a sum and of the factors of a product; `None` if there is none.
+    ///
+    /// Then the matrix is symmetric wherever it is defined. Otherwise nothing is known: `x1*x2/2` and
+    /// `0.5*x1*x2` are two expressions.
+    #[must_use]
+    pub fn unequal_halves(&self) -> Option<(usize, usize)> {
+        let mut known: HashMap<Operation, Step> = HashMap::new();
+        // The first step that is the same expression.
+        let mut same: Vec<Step> = Vec::with_capacity(self.operations.len());
+        for (place, operation) in self.operations.iter().enumerate() {
+            same.push(match operation.with_reads(|step| same[step as usize]) {
+                // It comes right after the first step of its pair.
+                Operation::Second => same[place - 1] + 1,
+                Operation::Binary(how @ (Arithmetic::Add | Arithmetic::Mul), a, b) => {
+                    let sorted = Operation::Binary(how, a.min(b), a.max(b));
+                    *known.entry(sorted).or_insert(place as Step)
+                }
+                other => *known.entry(other).or_insert(place as Step),
+            });
+        }
+        let at = |i: usize, j: usize| same[self.entry(i, j) as usize];
+        let mut pairs = (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j)));
+        pairs.find(|&(i, j)| at(i, j) != at(j, i))
+    }
+
+    /// Returns the formula if its matrix is symmetric wherever it is defined. Proofs read one half only.
+    ///
+    /// # Errors
+    ///
+    /// [`RecordError::Halves`] if there are [unequal halves](Formula::unequal_halves).
+    pub fn symmetric(&self) -> Result<&Self, RecordError> {
+        match self.unequal_halves() {
+            Some((row, column)) => Err(RecordError::Halves { row, column }),
+            None => Ok(self),
+        }
+    }
+
     /// Returns the formula whose entries below the diagonal are the steps of those above it, without
     /// the steps that only the former ones read.
     ///
-    /// The matrix of a metric is symmetric, so the values are the same. But its halves may be written
-    /// in two ways, and one may be undefined where the other is not: then the result is defined at
-    /// more points.
+    /// It is the same matrix unless there are [unequal halves](Formula::unequal_halves).
     #[must_use]
     pub fn of_upper_half(&self) -> Self {
         let at = |i: usize, j: usize| self.entry(i.min(j), i.max(j));
@@ -205,6 +241,42 @@ fn without_idle(
 #[cfg(test)]
 mod tests {
     use super::Formula;
+
+    /// Terms and factors may be in any order, also within functions, powers and pairs; nothing else is
+    /// known to be equal.
+    #[test]
+    fn halves_are_equal_up_to_the_order_of_terms_and_factors() {
+        let halves = |upper: &str, lower: &str| {
+            let text =
+                format!("s, c = sin_cos(x1*x2); t, d = sin_cos(x2*x1); [9, {upper}; {lower}, 9]");
+            Formula::<2>::parse(&text, &[]).expect("a formula").unequal_halves()
+        };
+        for (upper, lower) in [
+            ("x1*x2", "x2*x1"),
+            ("x1 + x2*exp(x1 + x2)", "exp(x2 + x1)*x2 + x1"),
+            ("(x1*x2)^3 - 2*x1", "(x2*x1)^3 - x1*2"),
+            ("s/(c + x1)", "t/(x1 + d)"),
+            ("0", "0"),
+        ] {
+            assert_eq!(halves(upper, lower), None, "{upper} and {lower}");
+        }
+        for (upper, lower) in [
+            ("0", "x2"),
+            ("0", "3*(x1 + x2)"),
+            ("x1 - x2", "x2 - x1"),
+            ("x1/x2", "x2/x1"),
+            ("s", "d"),
+            ("s", "c"),
+            ("x1^2", "x1^3"),
+            ("x1*x2", "x1 + x2"),
+            ("x1 + 1", "x1 + 2"),
+            ("x1*x2/2", "0.5*x1*x2"),
+        ] {
+            assert_eq!(halves(upper, lower), Some((0, 1)), "{upper} and {lower}");
+        }
+        let later = Formula::<3>::parse("[9, x1, x2; x1, 9, x3; x2, x1, 9]", &[]);
+        assert_eq!(later.expect("a formula").unequal_halves(), Some((1, 2)));
+    }
 
     #[test]
     fn the_upper_half_leaves_nothing_of_the_lower_one() {

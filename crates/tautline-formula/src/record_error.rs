@@ -1,6 +1,6 @@
 //! `RecordError`: why a metric has no recorded formula.
 
-/// Why a metric is not a single list of operations.
+/// Why a metric is not a single list of operations, or why nothing is proved of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RecordError {
@@ -20,4 +20,17 @@ pub enum RecordError {
     /// The metric is a [`BlackBox`](crate::BlackBox).
     #[error("the metric is known by its values only, not by a formula")]
     BlackBox,
+    /// Two entries of the matrix that mirror each other are not known to be equal. See
+    /// [`Formula::unequal_halves`](crate::Formula::unequal_halves).
+    #[error(
+        "the entries ({}, {}) and ({}, {}) of the matrix are written in two ways: give the half on and above \
+         the diagonal only, or write both alike",
+        row + 1, column + 1, column + 1, row + 1
+    )]
+    Halves {
+        /// The row, from 0.
+        row: usize,
+        /// The column, from 0.
+        column: usize,
+    },
 }

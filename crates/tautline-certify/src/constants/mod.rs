@@ -22,7 +22,7 @@ pub use certified_constants::CertifiedConstants;
 pub use quantity::Quantity;
 
 use nalgebra::SVector;
-use tautline_formula::AnyMetric;
+use tautline_formula::{AnyMetric, Formula};
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Scalar};
 
@@ -131,7 +131,8 @@ fn enclose<const D: usize>(
     }
     let accuracy = accuracy.checked()?;
     let metric = AnyMetric::new(metric);
-    let formula = metric.formula().map_err(CertifyError::NotRecorded)?;
+    let formula =
+        metric.formula().and_then(Formula::symmetric).map_err(CertifyError::NotRecorded)?;
     let lift = domain.lift(&metric);
     let gram = Gram::new(&metric, formula, lift.as_ref());
     let region: &dyn Region = match &lift {

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::Formula;
+use tautline_formula::{Formula, RecordError};
 use tautline_metrics::{
     Metric,
     gallery::{CoupledCosines, Hyperbolic, Sphere, Valleys},
@@ -11,7 +11,7 @@ use tautline_metrics::{
 use tautline_scalar::Scalar;
 
 use super::{CertifiedConstant, CertifiedConstants, Quantity, certify, certify_watched};
-use crate::{Accuracy, Cell, CertifyError, Domain, Progress, Watch, testing::parsed};
+use crate::{Accuracy, Cell, Certified, CertifyError, Domain, Progress, Watch, testing::parsed};
 
 const CLOSE: Accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
 
@@ -98,6 +98,25 @@ fn a_constant_that_is_not_a_number_is_refused_for_each_quantity() {
     }
 }
 
+/// Constants are those of one half. If the other one may differ, nothing is proved.
+#[test]
+fn a_matrix_with_two_halves_has_no_constants() {
+    let space = |text: &str| {
+        let metric = parsed::<2>(text);
+        certify(&metric, Quantity::C1, &Domain::space(&metric), CLOSE)
+    };
+    let halves = RecordError::Halves { row: 0, column: 1 };
+    for text in ["[2, 0; 1.5, 2]", "[2, 0; 3*sin(x1 + x2), 2]", "[1, 0; 0/(x1 - 0.1), 1]"] {
+        assert_eq!(space(text), Err(CertifyError::NotRecorded(halves)), "{text}");
+        let metric = parsed::<2>(text);
+        let new = Certified::new(metric.clone(), CLOSE).map(|_| ());
+        assert_eq!(new, Err(CertifyError::NotRecorded(halves)), "{text}");
+        let settled = Domain::settled_space(&metric).map(|_| ());
+        assert_eq!(settled, Err(CertifyError::NotRecorded(halves)), "{text}");
+    }
+    assert!(space("[3, sin(x1)*cos(x2); cos(x2)*sin(x1), 3]").is_ok());
+}
+
 /// A metric that is indefinite where `|a x₁| > 1`.
 fn leaning(a: f64) -> Formula<2> {
     Formula::parse("[1, x1*a; x1*a, 1]", &[("a", a)]).expect("a formula")
@@ -137,19 +156,6 @@ fn a_constant_that_is_infinite_is_not_bounded() {
         }
     }
     assert!(certify(&growing, Quantity::C1, &space, accuracy).is_ok_and(|c1| c1.contains(1.0)));
-}
-
-/// Entries below the diagonal are not read.
-#[test]
-fn only_the_upper_triangle_is_read() {
-    let half = |below: &str| {
-        let off = "off = sin(x1 + x2*2)*0.5;";
-        parsed::<2>(&format!("{off} [cos(x1) + 3, off; {below}, sin(x2) + 2]"))
-    };
-    let cell = Domain::cell(Cell::new([0.0, 0.0], [1.0, 1.0]).expect("in order"));
-    let of = |below| CertifiedConstants::new(&half(below), &cell, Accuracy::default());
-    assert_eq!(of("off"), of("cos(x1)*1e3"));
-    assert!(of("off").is_ok());
 }
 
 /// The domain made for another metric represents only itself.

@@ -70,7 +70,7 @@ pub enum CurveError {
     },
     /// The formula of the metric cannot be recorded: it has too many steps, or it has branches, of
     /// which intervals would follow only one.
-    #[error("a formula that cannot be recorded proves nothing: {0}")]
+    #[error("nothing is proved of this formula: {0}")]
     NotRecorded(#[source] RecordError),
 }
 
@@ -234,9 +234,9 @@ mod tests {
             let error = AdmissibleCurve::new(&of(text), &curve, &ends).expect_err("no metric");
             assert!(matches!(error, CurveError::Indefinite { .. }), "{text}: {error}");
         }
-        let pole = "[1, 0; 0*x2/(x1 + 0.5), 1]";
+        let pole = "p = 0*x2/(x1 + 0.5); [1, p; p, 1]";
         let error = AdmissibleCurve::new(&of(pole), &curve, &ends).expect_err("undefined");
-        assert!(matches!(error, CurveError::Indefinite { chord: 0, .. }), "{error}");
+        assert!(matches!(error, CurveError::Undefined { chord: 0, .. }), "{error:?}");
     }
 
     /// Intervals prove `sin²a + cos²a > 0.9` only on parts on which `a` changes by less than about 0.1.
@@ -294,6 +294,17 @@ mod tests {
         assert!(energy.is_undefined() && length.is_undefined(), "{energy:?} {length:?}");
         let discrete = polygon.discrete_energy(LeftEndpoint, &Branch);
         assert!(discrete.is_undefined(), "{discrete:?}");
+    }
+
+    /// A bound on the length under one half would say nothing of the other one.
+    #[test]
+    fn a_matrix_with_two_halves_encloses_nothing() {
+        let metric = Formula::<2>::parse("[2, 0; x2, 2]", &[]).expect("a formula");
+        let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).expect("finite");
+        let curve = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 4).expect("finite");
+        let error = AdmissibleCurve::new(&metric, &curve, &ends).expect_err("nothing proved");
+        let halves = RecordError::Halves { row: 0, column: 1 };
+        assert_eq!(error, CurveError::NotRecorded(halves));
     }
 
     /// The ends of the sequence are not known to be members, but those of the polygon are.

@@ -3,7 +3,7 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
-use tautline_formula::{AnyMetric, RecordError};
+use tautline_formula::{AnyMetric, Formula, RecordError};
 use tautline_metrics::Metric;
 use tautline_scalar::{Enclosure, Interval, Kernel, Rigorous};
 
@@ -124,7 +124,7 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
         metric: &impl Metric<D>,
     ) -> Result<(Enclosure<K>, Enclosure<K>), NotEnclosed> {
         let metric = AnyMetric::new(metric);
-        metric.formula().map_err(NotEnclosed::NotRecorded)?;
+        metric.formula().and_then(Formula::symmetric).map_err(NotEnclosed::NotRecorded)?;
         let (mut square, mut root) = (PairwiseSum::new(), PairwiseSum::new());
         for (n, chord) in self.chords().enumerate() {
             let integrals = chord.integrals(&metric);

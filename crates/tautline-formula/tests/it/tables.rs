@@ -251,6 +251,20 @@ fn wrong_calls_are_refused_where_they_stand() {
     let twice = [("h", Arc::clone(&tables[0].1)), ("h", Arc::clone(&tables[0].1))];
     let error = Formula::<1>::parse_with("[1]", &[], &twice).expect_err("refused");
     assert!(matches!(error.problem, Problem::TakenName { .. }), "{error}");
+    // `h_10` is a derivative, and nothing else may have its name; `h_1` and `h_x` are none.
+    let [h, other] = [("h", Arc::clone(&tables[0].1)), ("h_10", Arc::clone(&tables[0].1))];
+    for (tables, parameters, text) in [
+        (vec![h.clone(), other.clone()], vec![], "[1]"),
+        (vec![other, h.clone()], vec![], "[1]"),
+        (vec![h.clone()], vec![("h_10", 1.0)], "[1]"),
+        (vec![h.clone()], vec![], "h_10 = 2; [1]"),
+    ] {
+        let error = Formula::<1>::parse_with(text, &parameters, &tables).expect_err("taken");
+        let problem = Problem::TakenName { name: "h_10".to_owned() };
+        assert_eq!(error.problem, problem, "{parameters:?} {text}");
+    }
+    let free = Formula::<1>::parse_with("h_1 = 2; h_x = 3; [h_1*h_x]", &[("h_", 1.0)], &[h]);
+    assert!(free.is_ok(), "{free:?}");
 }
 
 #[test]
