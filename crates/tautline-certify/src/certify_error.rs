@@ -60,6 +60,10 @@ pub enum CertifyError {
     /// need the record, because intervals would follow only one branch, and they read one half.
     #[error("nothing is proved of this formula: {0}")]
     NotRecorded(#[source] RecordError),
+    /// The formula reads a second derivative of a table, whose own derivative jumps. So does that of `H`,
+    /// and there is no `M_H`, though second derivatives may be bounded between the jumps.
+    #[error("there is no M_H: first derivatives of the metric jump with those of a table")]
+    Jumps,
     /// The dimension is 0.
     #[error("D = 0: there is no dimension")]
     NoDimension,

@@ -22,7 +22,7 @@ pub use certified_constants::CertifiedConstants;
 pub use quantity::Quantity;
 
 use nalgebra::SVector;
-use tautline_formula::{AnyMetric, Formula};
+use tautline_formula::{AnyMetric, Formula, Operation};
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Scalar};
 
@@ -117,6 +117,15 @@ pub fn certify_watched<const D: usize>(
     if reached { Ok(constant) } else { Err(constant.spent(quantity)) }
 }
 
+/// Returns whether first derivatives of `H` may jump. A spline has third derivatives that jump, so that its
+/// second ones have kinks. Boxes that end at the knots would not show it.
+fn has_jumps<const D: usize>(formula: &Formula<D>) -> bool {
+    formula.operations().iter().any(|operation| match operation {
+        Operation::Table(call) => call.orders.iter().any(|&order| order >= 2),
+        _ => false,
+    })
+}
+
 /// Encloses a constant like [`certify`], and returns whether the tolerance is reached. If it is
 /// not, the bounds are those that the budget allows.
 fn enclose<const D: usize>(
@@ -133,6 +142,9 @@ fn enclose<const D: usize>(
     let metric = AnyMetric::new(metric);
     let formula =
         metric.formula().and_then(Formula::symmetric).map_err(CertifyError::NotRecorded)?;
+    if quantity == Quantity::MH && has_jumps(formula) {
+        return Err(CertifyError::Jumps);
+    }
     let lift = domain.lift(&metric);
     let gram = Gram::new(&metric, formula, lift.as_ref());
     let region: &dyn Region = match &lift {

@@ -1,6 +1,6 @@
 //! Constants that are known in closed form, and metrics without constants.
 
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::{Formula, RecordError};
@@ -8,7 +8,8 @@ use tautline_metrics::{
     Metric,
     gallery::{CoupledCosines, Hyperbolic, Sphere, Valleys},
 };
-use tautline_scalar::Scalar;
+use tautline_scalar::{Scalar, Table};
+use tautline_spline::Spline;
 
 use super::{CertifiedConstant, CertifiedConstants, Quantity, certify, certify_watched};
 use crate::{Accuracy, Cell, Certified, CertifyError, Domain, Progress, Watch, testing::parsed};
@@ -95,6 +96,28 @@ fn a_constant_that_is_not_a_number_is_refused_for_each_quantity() {
     for quantity in Quantity::ALL {
         let error = certify(&nowhere, quantity, &space, CLOSE).expect_err("nowhere defined");
         assert!(matches!(error, CertifyError::Undefined { .. }), "{quantity}: {error}");
+    }
+}
+
+/// A metric that reads a second derivative of a table has kinks, and so no `M_H`. Boxes are cut at the knots,
+/// and would not show them.
+#[test]
+fn there_is_no_m_h_where_first_derivatives_jump() {
+    let table: Arc<dyn Table> =
+        Arc::new(Spline::new(&[5], vec![1.0, 1.0, 1.0, 2.0, 3.0]).expect("a table"));
+    let box_ = Domain::cell(Cell::new([-2.0, -1.0], [2.0, 1.0]).expect("in order"));
+    let of = |text: &str, quantity| {
+        let tables = [("t", Arc::clone(&table))];
+        let metric = Formula::<2>::parse_with(text, &[], &tables).expect("a formula");
+        certify(&metric, quantity, &box_, Accuracy { tolerance: 0.5, budget: 2000 })
+    };
+    for text in ["phi(1 + 0.1*t_2(0.5*x1 + 2) + 0.3*sin(x2))", "graph(t_1(x1 + 2))"] {
+        assert_eq!(of(text, Quantity::MH), Err(CertifyError::Jumps), "{text}");
+        assert!(of(text, Quantity::LH).is_ok(), "{text}");
+    }
+    for text in ["phi(9 + t_1(x1 + 2))", "graph(0.1*t(x1 + 2))"] {
+        let found = of(text, Quantity::MH);
+        assert!(!matches!(found, Err(CertifyError::Jumps)), "{text}: {found:?}");
     }
 }
 
