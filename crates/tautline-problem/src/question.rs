@@ -49,6 +49,8 @@ pub struct Question {
     pub(crate) ends: Option<[Vec<Piece>; 2]>,
     pub(crate) rule: RuleName,
     pub(crate) grid: Grid,
+    /// The grid that was set in place of the file's.
+    pub(crate) set_grid: Option<Grid>,
     pub(crate) starts: Vec<Vec<Vec<f64>>>,
     pub(crate) only_these_starts: bool,
     pub(crate) lattice: Option<Placed<Nodes>>,
@@ -164,6 +166,7 @@ impl Question {
             ends,
             rule,
             grid,
+            set_grid: None,
             starts,
             only_these_starts,
             lattice,
@@ -232,9 +235,10 @@ impl Question {
         self.time_limit
     }
 
-    /// Replaces the number of chords or the tolerance.
+    /// Replaces the number of chords or the tolerance, also for other values of parameters.
     pub fn set_grid(&mut self, grid: Grid) {
         self.grid = grid;
+        self.set_grid = Some(grid);
     }
 
     /// Asks for no bounds.

@@ -69,10 +69,11 @@ impl Question {
     /// [`Diagnostic`] if numbers of the file are wrong for these values. Names that are no parameters
     /// are ignored.
     pub fn with_parameters(&self, values: &[(&str, f64)]) -> Result<Self, Diagnostic> {
-        let (grid, bound) = (self.grid, self.bound);
+        let (set_grid, bound) = (self.set_grid, self.bound);
         let question =
             Self::evaluated(self.file.clone(), self.problem.clone(), self.tables.clone(), values)?;
-        Ok(Self { grid, bound, ..question })
+        let grid = set_grid.unwrap_or(question.grid);
+        Ok(Self { grid, set_grid, bound, ..question })
     }
 
     /// Returns the text of the file with other values of some parameters, which are written so that they
@@ -99,7 +100,7 @@ impl Question {
 #[cfg(test)]
 mod tests {
     use super::{Axis, Sweep, Values};
-    use crate::Question;
+    use crate::{Grid, Question};
 
     const FILE: &str = "\
 [parameters]
@@ -113,6 +114,19 @@ point = [\"-a\", 0]
 [to]
 ball = { centre = [\"b\", 9], radius = \"long^2\" }
 ";
+
+    /// A tolerance that depends on a parameter changes with it, unless another grid was set.
+    #[test]
+    fn a_tolerance_may_depend_on_a_parameter() {
+        let file = FILE.replace("[metric]", "tol = 0.1\n[solve]\ntolerance = \"tol\"\n[metric]");
+        let mut question = Question::read(&file).expect("a file");
+        let other = question.with_parameters(&[("tol", 1e-9)]).expect("a file");
+        assert_eq!((question.grid, other.grid), (Grid::Tolerance(0.1), Grid::Tolerance(1e-9)));
+        question.set_grid(Grid::Chords(7));
+        let other = question.with_parameters(&[("tol", 1e-9)]).expect("a file");
+        let again = other.with_parameters(&[("tol", 1e-3)]).expect("a file");
+        assert_eq!((other.grid, again.grid), (Grid::Chords(7), Grid::Chords(7)));
+    }
 
     /// What is written is read back bit for bit, and what depends on it changes with it: other parameters,
     /// the metric and the sets.
