@@ -7,8 +7,8 @@ use crate::interval::directed::two_sum;
 /// `2³⁸`. Doubles there are `2⁻¹⁴` apart or less.
 pub(crate) const LARGEST_ANGLE: f64 = f64::from_bits((1023 + 38) << 52);
 
-/// The number `2²⁰`. A multiple of a part of `π/2` by an integer up to that is exact.
-const MILLION: f64 = 1_048_576.0;
+/// The number `2²⁰`. The products of an integer up to that with `P₀`, `P₁` and `P₂` are exact.
+const SPLIT: f64 = 1_048_576.0;
 
 /// An angle `x = turns · π/2 + head + tail + δ`, where `|δ| ≤ error`, `|head| < 0.7855` and
 /// `|tail| ≤ u |head|`.
@@ -25,8 +25,8 @@ impl QuarterTurns {
     ///
     /// Needs: `|x| ≤ 2³⁸`.
     ///
-    /// Beyond `2²⁰` see [`large`](QuarterTurns::large). Up to there, let `k` be the integer nearest to the rounded `x · (2/π)`. The splitting is valid for any
-    /// `k`. Since `|k| ≤ 667 545 < 2²⁰` and the error of the product is below `2⁻³¹`, the remainder
+    /// Beyond `2²⁰` see [`large`](QuarterTurns::large). Up to there, let `k` be the integer nearest to
+    /// the rounded `x · (2/π)`. The splitting is valid for any `k`. Since `|k| ≤ 667 545 < 2²⁰` and the error of the product is below `2⁻³¹`, the remainder
     /// is below `π/4 + 2⁻³⁰ < 0.7855`.
     ///
     /// * `x − k P₀` is exact. The product `k P₀` has 33 + 20 bits, and for `k ≠ 0` we have
@@ -39,7 +39,7 @@ impl QuarterTurns {
     ///   below `4 u (|b| + |c| + |d|)`, which is itself computed with a relative error of `3 u`.
     #[inline]
     pub(crate) fn of(x: f64) -> Self {
-        if x.abs() > MILLION {
+        if x.abs() > SPLIT {
             return Self::large(x);
         }
         let k = (x * std::f64::consts::FRAC_2_PI).round_ties_even();
@@ -74,7 +74,7 @@ impl QuarterTurns {
     #[cold]
     fn large(x: f64) -> Self {
         let k = (x * std::f64::consts::FRAC_2_PI).round_ties_even();
-        let m = (k / MILLION).round_ties_even() * MILLION;
+        let m = (k / SPLIT).round_ties_even() * SPLIT;
         let l = k - m;
         let [p0, p1, p2, p3] = HALF_PI;
         let (r, b) = two_sum(x - m * p0 - l * p0, -(m * p1));
@@ -120,14 +120,14 @@ const SMALL_FOR_LARGE: f64 = f64::from_bits((1023 - 117) << 52);
 
 #[cfg(test)]
 mod tests {
-    use super::{LARGEST_ANGLE, MILLION, QuarterTurns};
+    use super::{LARGEST_ANGLE, QuarterTurns, SPLIT};
     use crate::interval::high_precision::{P, RM, at_most, big, error_of_sum, half_pi};
 
     /// The errors are within the stated error, which is not much larger than they are.
     #[test]
     fn errors_of_the_remainder_are_as_stated() {
         let half_pi = half_pi();
-        for end in [3.0, 1e3, MILLION, 1e9, LARGEST_ANGLE] {
+        for end in [3.0, 1e3, SPLIT, 1e9, LARGEST_ANGLE] {
             let mut reached = false;
             for case in 1..4000 {
                 let x = end * (1.7 * f64::from(case)).sin();
