@@ -301,6 +301,83 @@ fn what_does_not_settle_is_not_all_of_space() {
     assert!(!Domain::space(&formula).is_all_of_space());
 }
 
+/// An entry that is linear grows without bound wherever it stands, also if no other step reads its
+/// form.
+#[test]
+fn a_linear_entry_off_the_diagonal_is_not_all_of_space() {
+    for text in [
+        "[2 + tanh(x1), 0.1*x2, 0; 0.1*x2, 3, 0; 0, 0, 1]",
+        "[2 + tanh(x1), 0, 0.1*x1; 0, 3, 0; 0.1*x1, 0, 1]",
+        "[2 + tanh(x1), 0, 0; 0, 3, x2 - x3; 0, x2 - x3, 1]",
+        "[2, 0, 0; 0, 3, x3; 0, x3, 1 + exp(-sqr(x2))]",
+    ] {
+        assert!(!Domain::<3>::space(&parsed(text)).is_all_of_space(), "{text}");
+    }
+}
+
+/// A product of linear functions of one form is a parabola. Products of more of them, or of
+/// different forms, and quotients are not, and what they do far out is another matter.
+#[test]
+fn an_exponent_of_another_kind_is_no_hill() {
+    let hills = |text: &str| {
+        let formula = parsed::<2>(&format!("2 + {text} I"));
+        let lift = Lift::new(&formula, [false; 2]).expect("few variables");
+        (lift.hills.len(), Domain::space(&formula).is_all_of_space())
+    };
+    assert_eq!(hills("exp(x1*(1 - x1) - sqr(x2))"), (1, true));
+    for text in [
+        // In each of the first five, the linear parts alone have the product −x₁².
+        "exp(x1*(sqr(x1) - x1))",
+        "exp((sqr(x1) - x1)*x1)",
+        "exp((x1 - sqr(x1))*(sqr(x1) - x1))",
+        "exp((x1 + x1^2)*-x1 - sqr(x2))",
+        "exp(sqr(x1 - sqr(x1))*-1)",
+        "exp(-x1*x2)",
+        "exp((x1 - x2)*(x2 + x1))",
+        "exp(-(x1^3))",
+        "exp(-sqr(x1)/(2 + x1))",
+    ] {
+        assert_eq!(hills(text), (0, false), "{text}");
+    }
+}
+
+/// What stands above a wall counts: a function that settles keeps its values, and one that grows
+/// still grows where the wall is down.
+#[test]
+fn a_numerator_of_a_wall_is_read() {
+    for text in [
+        "2 + x2/(1 + exp(x1)) I",
+        "2 + x1/(1 + exp(x1)) I",
+        "2 + (x1 - x2)/(2 + 3*exp(x2 - x1)) I",
+        "2 + sqr(x2)/(1 + exp(x1)) I",
+        "[2, x2/(1 + exp(x1)); 0, 2]",
+    ] {
+        assert!(!Domain::<2>::space(&parsed(text)).is_all_of_space(), "{text}");
+    }
+    let bend = 4.0 / (3.0 * 3_f64.sqrt());
+    check::<2>("3 + tanh(x2)/(1 + exp(x1)) I", [2.0, 4.0, 1.0, bend]);
+    check::<2>("3 + sin(x2)/(1 + 2*exp(x1)) I", [2.0, 4.0, 1.0, 1.0]);
+}
+
+/// The constants and the linear parts of an exponent may stand in any of its terms. The tops of these
+/// hills are at no midpoint, so that the search finds them only by the bounds.
+#[test]
+fn a_hill_has_all_terms_of_its_exponent() {
+    // e^(a − |s|²/2) is at most eᵃ, and has the slope e^(a − ½) and the bend eᵃ.
+    let hill = |a: f64| [1.0, 1.0 + a.exp(), (a - 0.5).exp(), a.exp()];
+    for (exponent, a) in [
+        ("(1 - sqr(x1 - 0.3)/2) + (2 - sqr(x2 + 0.7)/2)", 3.0),
+        ("(1 - sqr(x1 - 0.3)/2) - (sqr(x2 + 0.7)/2 - 2)", 3.0),
+        ("2 - (sqr(x1 - 0.3) - 1)/2 - (sqr(x2 + 0.7) - 1)*0.5", 3.0),
+        ("(0.3*x1 - sqr(x1)/2) + (x1 - 0.5*sqr(x2 + 0.7))", 0.845),
+        ("(1.3*x1 - sqr(x1)/2) + (0.7*x2 - 0.5*sqr(x2))", 1.09),
+        ("(x1 - sqr(x1 - 0.3)/2) - sqr(x2 - 0.7)/2", 0.8),
+        ("(0.3 - x1)*(x1 + 3)/2 - sqr(x2 + 0.7)/2", 1.36125),
+    ] {
+        check::<2>(&format!("1 + exp({exponent}) I"), hill(a));
+    }
+}
+
 /// The forms `x₁`, `x₂` and `x₁ + x₂` count as independent, so that the bounds may be too large, but
 /// they hold; the lower one is that of a point of space.
 #[test]
