@@ -143,10 +143,13 @@ impl Scalar for Pair {
     }
 
     fn tabulated(table: &Arc<dyn Table>, orders: [u8; 3], u: &[Self]) -> Self {
+        if u.len() > 3 {
+            return Self::constant(f64::NAN);
+        }
         let lane = |lane: usize| {
             let mut arguments = [0.0; 3];
             arguments.iter_mut().zip(u).for_each(|(to, u)| *to = u.both()[lane]);
-            f64::tabulated(table, orders, &arguments[..u.len().min(3)])
+            f64::tabulated(table, orders, &arguments[..u.len()])
         };
         Self::new(lane(0), lane(1))
     }

@@ -15,6 +15,7 @@ mod powers;
 mod precise;
 mod random_formulas;
 mod reference;
+mod tables;
 
 const MAX: f64 = f64::MAX;
 const INFINITY: f64 = f64::INFINITY;
