@@ -177,6 +177,18 @@ fn an_interval_and_its_points_have_common_coefficients_of_tables() {
     }
 }
 
+/// With too few or too many arguments no coefficient is defined.
+#[test]
+fn a_table_of_other_arguments_has_no_coefficients() {
+    let x = Taylor::<Interval, 5>::line(Interval::point(0.5), Interval::point(1.0)).sqr();
+    for (table, axes) in tables().iter().zip(1..) {
+        for count in (1..=4).filter(|&count| count != axes) {
+            let y = Taylor::tabulated(table, [0; 3], &vec![x; count]);
+            assert!((0..5).all(|k| y.coefficient(k).is_undefined()), "{axes} {count}: {y:?}");
+        }
+    }
+}
+
 /// Third derivatives of a table jump at a knot, so that there is no fourth one around it. It adds
 /// nothing to the coefficients below, which stay defined, also along the other axes.
 #[test]
