@@ -114,3 +114,29 @@ fn without_a_certificate_the_assumption_is_said() {
     let proof = sphere.prove(Accuracy::default()).expect("proved");
     assert!(proof.enclosure.assumes_global_minimum && proof.found.is_none());
 }
+
+/// Points that are unevenly spaced have more energy than the square of their length, so that another sequence
+/// of points has less. That is said beside a certificate too, which needs no minimum; of even points it is not.
+#[test]
+fn a_minimum_that_is_not_global_is_so_beside_a_certificate() {
+    let metric = Formula::<2>::parse("(2 - cos(x1)) I", &[]).expect("a formula");
+    let ball = |x: f64| Ball::new([x, 0.0], 0.0).expect("a radius");
+    let ends = Ends::new(ball(-1.0), ball(2.0)).expect("bounded");
+    // At the time t the curve is at 3t² − 1.
+    let at = |n: i32| [3.0 * (f64::from(n) / 64.0).powi(2) - 1.0, 0.0].into();
+    let uneven = PointSequence::new((0..=64).map(at).collect()).expect("finite");
+    let problem = Problem::new(metric, ends);
+    let solved = |starts, iterations| {
+        let options = Options { starts, iterations, ..Options::default() };
+        problem.solve_with(Trapezoidal, 64, &options).expect("solved")
+    };
+    let uneven = solved(Starts::OnTheGrid(vec![uneven]), 0);
+    let even = solved(Starts::Automatic, Options::<2>::default().iterations);
+    for (line, is_not_global) in [(uneven, true), (even, false)] {
+        let proof = line.prove(Accuracy::default()).expect("proved");
+        assert_eq!(by_theorems(&line, &proof).is_not_global, is_not_global);
+        is_checked(&proof);
+        assert_eq!(proof.enclosure.is_not_global, is_not_global);
+        assert_eq!(proof.enclosure.upper, proof.curve.distance_squared_at_most());
+    }
+}
