@@ -104,4 +104,27 @@ mod tests {
         check::<2>(1);
         check::<3>(2);
     }
+
+    /// In other units the directions are the same ones, and a power of two changes the exponents of the
+    /// weights only.
+    #[test]
+    fn the_directions_do_not_depend_on_the_unit() {
+        fn in_units<const D: usize>(random: &mut Random) {
+            let a: SMatrix<f64, D, D> = SMatrix::from_fn(|_, _| random.between(-1.0, 1.0));
+            let m = a.transpose() * a + SMatrix::identity() * 1e-3;
+            let terms = selling(&m);
+            for exponent in [-200, -40, 40, 200] {
+                let unit = 2.0_f64.powi(exponent);
+                let scaled: Vec<_> = terms.iter().map(|(e, weight)| (*e, weight * unit)).collect();
+                assert_eq!(selling(&(m * unit)), scaled, "2^{exponent} times {m}");
+            }
+        }
+        let mut random = Random(seed(3));
+        for _ in 0..50 {
+            in_units::<1>(&mut random);
+            in_units::<2>(&mut random);
+            in_units::<3>(&mut random);
+            in_units::<4>(&mut random);
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! Metrics that depend on the place, with distances in closed form.
 
 use nalgebra::{SVector, matrix, vector};
+use tautline_check::Region;
 use tautline_distance::Wanted;
 use tautline_formula::Formula;
 use tautline_sets::Shape;
@@ -90,4 +91,29 @@ fn two_balls_under_a_full_matrix_that_depends_on_the_place_reach_their_gap() {
     let found = attempt(&formula, &sets, &[curve], Wanted { gap: 3e-2, cubes: 20_000 });
     let proved = found.expect("found").proved;
     assert!(proved.gap().is_some_and(|gap| gap <= 3e-2), "{:?}", proved.levels);
+}
+
+/// Curves end where they meet a large set, and the first level need not go beyond, but it has to go into it:
+/// otherwise a curve might leave the cubes in front of it. Here the cost `exp(−x₁)` falls behind the wall, so
+/// that no ball around the point holds short curves, and only the wall stops them. To the wall `x₁ = w` the
+/// distance is `1 − exp(−w)`.
+#[test]
+fn the_first_level_reaches_into_a_large_set() {
+    let formula = Formula::<3>::parse("cost(exp(-x1))", &[]).expect("a formula");
+    // The cubes have the side 1/8. The last ones before the wall are in front of it, and the ball around
+    // each reaches behind it: the wall is 0.55 sides from their centres.
+    let w: f64 = 1.0 + 0.05 / 8.0;
+    let first_level = |target: Shape<3>| {
+        let curve: Vec<_> = (0..=20).map(|n| vector![w * f64::from(n) / 20.0, 0.0, 0.0]).collect();
+        let sets = [point([0.0; 3]), target];
+        let wanted = Wanted { gap: 0.5, cubes: 60_000 };
+        let found = attempt(&formula, &sets, &[curve], wanted).expect("a region");
+        assert_eq!(found.certificate.region, Region::ExitOne);
+        holds(&found, 1.0 - (-w).exp(), 1e-3, 0.5);
+        found.certificate.levels[0].cubes().clone()
+    };
+    let (wall, far) = (at_least([1.0, 0.0, 0.0], w), ball([-9.0, 0.0, 0.0], 0.5));
+    let alone = first_level(wall.clone());
+    // Another piece far away changes nothing: no more cubes lie behind the wall.
+    assert_eq!(first_level(Shape::Union(vec![far, wall])), alone);
 }
