@@ -18,8 +18,21 @@ use crate::{
 /// The largest depth of nested brackets. Each level takes stack.
 const DEEPEST: usize = 128;
 
-/// The digits that arithmetic between numbers may lose, relative to its result: 16 units of the last place.
-const LAST_DIGITS: f64 = 16.0 * f64::EPSILON;
+/// The digits that arithmetic between numbers may lose, relative to its result: 64 units of the last place,
+/// as many as `1.05^30` may.
+const LAST_DIGITS: f64 = 64.0 * f64::EPSILON;
+
+/// Returns the orders of a derivative of a table, given a digit for each axis.
+pub(super) fn orders_of(digits: &str, table: &dyn Table) -> Option<[u8; 3]> {
+    let mut orders = [0; 3];
+    // Third derivatives jump.
+    let is_order = |byte: u8| (b'0'..=b'2').contains(&byte);
+    if digits.len() != table.axes() || !digits.bytes().all(is_order) {
+        return None;
+    }
+    orders.iter_mut().zip(digits.bytes()).for_each(|(order, digit)| *order = digit - b'0');
+    Some(orders)
+}
 
 /// Returns bounds on a number as it was typed.
 fn within(value: Value) -> Interval {
@@ -114,7 +127,7 @@ impl Parser<'_> {
         if !value.is_finite() {
             return Ok(Value::Number(value));
         }
-        if within.lo() == within.hi() && within.lo() == value {
+        if self.are_numbers || within.lo() == within.hi() && within.lo() == value {
             return Ok(Value::Number(value));
         }
         let steps = steps();
@@ -237,13 +250,7 @@ impl Parser<'_> {
     pub(super) fn derivative(&self, name: &str) -> Option<(Arc<dyn Table>, [u8; 3])> {
         let (name, digits) = name.rsplit_once('_')?;
         let Some(Meaning::Table(table)) = self.names.get(name) else { return None };
-        let mut orders = [0; 3];
-        // Third derivatives jump.
-        let is_order = |byte: u8| (b'0'..=b'2').contains(&byte);
-        if digits.len() != table.axes() || !digits.bytes().all(is_order) {
-            return None;
-        }
-        orders.iter_mut().zip(digits.bytes()).for_each(|(order, digit)| *order = digit - b'0');
+        let orders = orders_of(digits, &**table)?;
         Some((Arc::clone(table), orders))
     }
 

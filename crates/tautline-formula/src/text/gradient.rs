@@ -12,8 +12,8 @@ const ZERO: Value = Value::Number(0.0);
 const UNDEFINED: Value = Value::Number(f64::NAN);
 
 /// Returns the derivatives of each function with respect to each of these coordinates, by forward
-/// differentiation. A derivative that vanishes is the number 0; one that is 0 by rounding is a step. Where a function is undefined, so
-/// are its derivatives.
+/// differentiation. A derivative that vanishes is the number 0; one that only rounds to 0 is a step.
+/// Where a function is undefined, so are its derivatives.
 pub(super) fn gradients(functions: &[Value], coordinates: &[usize]) -> Vec<Vec<Value>> {
     let operations = &recording::operations()[..];
     let roots: Vec<Step> = functions

@@ -6,6 +6,7 @@ use tautline_scalar::Table;
 
 use super::{
     Problem, TextError,
+    expression::orders_of,
     form::{Form, form},
     token::{Token, Tokens},
     value::Value,
@@ -51,7 +52,7 @@ impl<const D: usize> Formula<D> {
     /// `f64`, and has to be finite. Where it would lose more than the last digits, it is recorded as
     /// steps, which intervals enclose; so are numbers in derivatives that `f64` would round.
     /// A text records the same tape as the same formula in Rust, provided that the definitions are
-    /// in the order of the `let`s. The operators are taken literally: `x1^2` records a power, as
+    /// in the order of the `let`s, and arithmetic between numbers is exact. The operators are taken literally: `x1^2` records a power, as
     /// `x.powi(2)` does, and `sqr(x1)` records a square, as `x.sqr()` does. The two are different
     /// formulas.
     ///
@@ -132,6 +133,8 @@ pub(super) struct Parser<'a> {
     pub(super) names: &'a mut Names,
     /// The number of levels of brackets that are open.
     pub(super) depth: usize,
+    /// Whether all values are numbers of `f64`, and none is a step.
+    pub(super) are_numbers: bool,
 }
 
 impl<'a> Parser<'a> {
@@ -142,7 +145,7 @@ impl<'a> Parser<'a> {
         names: &'a mut Names,
     ) -> Self {
         let (tokens, ahead) = (Tokens::of(text), (Token::End, 0..0));
-        Self { tokens, ahead, x, coordinates, names, depth: 0 }
+        Self { tokens, ahead, x, coordinates, names, depth: 0, are_numbers: false }
     }
 
     pub(super) fn define(&mut self, name: &str, value: Value) -> Result<(), TextError> {
@@ -159,13 +162,11 @@ impl<'a> Parser<'a> {
     ) -> Result<(), TextError> {
         self.check_new(name)?;
         // `height_1` would be the derivative of `height` and something else.
-        let is_order = |digits: &str| {
-            digits.len() == table.axes() && digits.bytes().all(|byte| byte.is_ascii_digit())
+        let is_derivative = |other: &&String| {
+            let digits = other.strip_prefix(name).and_then(|rest| rest.strip_prefix('_'));
+            digits.is_some_and(|digits| orders_of(digits, &**table).is_some())
         };
-        let mut others =
-            self.names.keys().filter_map(|other| Some((other, other.strip_prefix(name)?)));
-        let taken = others.find(|(_, rest)| rest.strip_prefix('_').is_some_and(is_order));
-        if let Some((name, _)) = taken {
+        if let Some(name) = self.names.keys().find(is_derivative) {
             return self.error(Problem::TakenName { name: name.clone() });
         }
         self.names.insert(name.to_owned(), Meaning::Table(Arc::clone(table)));

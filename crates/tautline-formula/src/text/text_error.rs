@@ -64,10 +64,6 @@ pub enum Problem {
         /// The number.
         number: String,
     },
-    /// Arithmetic between numbers, such as `1e17 + 1 - 1e17`, that loses more than the last digits where a
-    /// number is needed.
-    #[error("arithmetic between these numbers loses too many digits")]
-    Digits,
     /// A matrix that is not `D × D`.
     #[error("{found} {what} in dimension {dimension}")]
     Shape {

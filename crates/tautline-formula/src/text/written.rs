@@ -286,18 +286,22 @@ fn by_columns(dimension: usize, entry: impl Fn(usize, usize) -> Symbol) -> Vec<S
     places.map(|(i, j)| entry(i, j)).collect()
 }
 
-/// Returns the value of an expression of numbers and parameters, such as `2*pi/3`.
+/// Returns the value of an expression of numbers and parameters, such as `2*pi/3`, in `f64`.
 ///
 /// # Errors
 ///
-/// [`TextError`] with the offending bytes, if the text is not an expression without coordinates.
+/// [`TextError`] with the offending bytes, if the text is not an expression without coordinates, or does
+/// arithmetic with a number that is not finite.
 pub fn number(text: &str, parameters: &[(&str, f64)]) -> Result<f64, TextError> {
     let mut names = Names::new();
     let mut parser = Parser::new(text, &[], &[], &mut names);
+    parser.are_numbers = true;
     for &(name, value) in parameters {
         parser.define(name, Value::Number(value))?;
     }
-    let value = parser.whole_expression()?;
-    // Only `number(…)` and arithmetic that loses digits make a step without coordinates.
-    value.number().ok_or(TextError { at: 0..text.len(), problem: Problem::Digits })
+    // Only `number(…)` makes a step without coordinates.
+    parser.whole_expression()?.number().ok_or_else(|| {
+        let problem = Problem::UnknownFunction { name: super::parser::STEP.to_owned() };
+        TextError { at: 0..text.len(), problem }
+    })
 }
