@@ -61,8 +61,9 @@ pub enum CertifyError {
     #[error("nothing is proved of this formula: {0}")]
     NotRecorded(#[source] RecordError),
     /// The formula reads a second derivative of a table, whose own derivative jumps. So does that of `H`,
-    /// and there is no `M_H`, though second derivatives may be bounded between the jumps.
-    #[error("there is no M_H: first derivatives of the metric jump with those of a table")]
+    /// and there is no `M_H`, though second derivatives may be bounded between the jumps. (A third
+    /// derivative, which no text calls, jumps itself, and there is no constant.)
+    #[error("there is no such constant: derivatives of the metric jump with those of a table")]
     Jumps,
     /// The dimension is 0.
     #[error("D = 0: there is no dimension")]

@@ -25,12 +25,16 @@ const LOOSE: f64 = 1e-3;
 /// # Errors
 ///
 /// [`CheckError::CurveEnd`] if an end does not lie in its set, [`CheckError::CurveDomain`] if a chord is
-/// not proved to stay where the metric is one. The result may be infinite.
+/// not proved to stay where the metric is one, [`CheckError::Halves`] if two entries that mirror each other
+/// are not known to be equal. The result may be infinite.
 pub fn length_above<const D: usize>(
     formula: &Formula<D>,
     sets: [&Shape<D>; 2],
     points: &[SVector<f64, D>],
 ) -> Result<f64, CheckError> {
+    if let Some((row, column)) = formula.unequal_halves() {
+        return Err(CheckError::Halves { row, column });
+    }
     length_within(formula, sets, points, &UNLIMITED)
 }
 

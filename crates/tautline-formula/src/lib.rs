@@ -52,6 +52,7 @@ mod formula;
 mod functions;
 mod graph;
 mod operation;
+mod polynomial;
 mod program;
 mod record_error;
 mod recording;

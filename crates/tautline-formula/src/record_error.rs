@@ -23,8 +23,8 @@ pub enum RecordError {
     /// Two entries of the matrix that mirror each other are not known to be equal. See
     /// [`Formula::unequal_halves`](crate::Formula::unequal_halves).
     #[error(
-        "the entries ({}, {}) and ({}, {}) of the matrix are written in two ways: give the half on and above \
-         the diagonal only, or write both alike",
+        "the entries ({}, {}) and ({}, {}) of the matrix are written in two ways, which are not known to be \
+         equal: write both alike, or the entries on and above the diagonal alone",
         row + 1, column + 1, column + 1, row + 1
     )]
     Halves {

@@ -131,6 +131,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
             Some(formula) => formula.clone(),
             None => Formula::record(self.metric())?,
         };
+        formula.symmetric()?;
         let shape = |end, set: &Arc<dyn tautline_sets::ClosedSet<D>>| {
             set.shape().ok_or(CertificateError::NoShape { end })
         };

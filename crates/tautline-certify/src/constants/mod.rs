@@ -86,7 +86,9 @@ impl<const D: usize> CertifiedConstant<D> {
 ///
 /// * [`CertifyError::NoDimension`] if `D = 0`;
 /// * [`CertifyError::NotATolerance`] if the tolerance is not between 0 and 1;
-/// * [`CertifyError::NotRecorded`] if the formula cannot be recorded;
+/// * [`CertifyError::NotRecorded`] if the formula cannot be recorded, or its halves are not known to be
+///   equal;
+/// * [`CertifyError::Jumps`] for `M_H` if the formula reads second derivatives of a table;
 /// * [`CertifyError::NotPositiveDefinite`] with a point where the metric is certainly not so;
 /// * [`CertifyError::Undefined`] with a point where the formula, evaluated in intervals, may be
 ///   undefined;
@@ -117,13 +119,16 @@ pub fn certify_watched<const D: usize>(
     if reached { Ok(constant) } else { Err(constant.spent(quantity)) }
 }
 
-/// Returns whether first derivatives of `H` may jump. A spline has third derivatives that jump, so that its
-/// second ones have kinks. Boxes that end at the knots would not show it.
-fn has_jumps<const D: usize>(formula: &Formula<D>) -> bool {
-    formula.operations().iter().any(|operation| match operation {
-        Operation::Table(call) => call.orders.iter().any(|&order| order >= 2),
-        _ => false,
-    })
+/// Returns the largest order along an axis of a derivative of a table that the formula reads.
+///
+/// A spline has third derivatives that jump, so that its second ones have kinks. Boxes that end at the knots
+/// would not show it.
+fn order_of_tables<const D: usize>(formula: &Formula<D>) -> u8 {
+    let order = |operation: &Operation| match operation {
+        Operation::Table(call) => call.orders.into_iter().max().unwrap_or(0),
+        _ => 0,
+    };
+    formula.operations().iter().map(order).max().unwrap_or(0)
 }
 
 /// Encloses a constant like [`certify`], and returns whether the tolerance is reached. If it is
@@ -142,7 +147,8 @@ fn enclose<const D: usize>(
     let metric = AnyMetric::new(metric);
     let formula =
         metric.formula().and_then(Formula::symmetric).map_err(CertifyError::NotRecorded)?;
-    if quantity == Quantity::MH && has_jumps(formula) {
+    // Those of order 3 jump themselves.
+    if order_of_tables(formula) >= if quantity == Quantity::MH { 2 } else { 3 } {
         return Err(CertifyError::Jumps);
     }
     let lift = domain.lift(&metric);

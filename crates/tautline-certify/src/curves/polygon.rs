@@ -153,10 +153,13 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     /// Encloses the discrete energy `E_N = N Σ Σᵢ wᵢ dᵀ H(x + θᵢ d) d` of a rule, in `m²`.
     ///
     /// The weights and fractions are the doubles of the rule. The result is undefined if the metric
-    /// is undefined at a node, or if its formula cannot be recorded.
+    /// is undefined at a node, or if its formula cannot be recorded or is not known to be symmetric.
     #[must_use]
     pub fn discrete_energy<R: Rule>(&self, _rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
         let metric = AnyMetric::new(metric);
+        if !metric.formula().is_ok_and(|formula| formula.symmetric().is_ok()) {
+            return Enclosure::UNDEFINED;
+        }
         let mut sum = PairwiseSum::new();
         for chord in self.chords() {
             for node in R::NODES {

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 use tautline::{
     Bounded, CertifyError, Domain, Metric, Quantity,
     certify::{Accuracy, Cell, certify},
+    formula::Formula,
 };
 
 use super::{Case, claims::judge, extreme::Extreme};
@@ -59,14 +60,14 @@ impl Claim {
 /// difference if it is between them. A claim that the bounds contradict is refused; the fault shows
 /// the point to which an ascent from the box leads. If the boxes run out, the bounds reached so far
 /// may still prove or refute the claim, but without a point. Nothing is tried in more than three
-/// dimensions, or if the formula cannot be recorded. The standing of each constant says which of
+/// dimensions, or if the formula cannot be recorded or is not known to be symmetric. The standing of each constant says which of
 /// these cases it was.
 pub(super) fn constants<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, region) = (&case.metric, &case.region);
     let constants = metric.constants();
     let claimed = |claim: Claim| Some((claim, claim.of(&constants)?));
     let claims = Claim::ALL.into_iter().filter_map(claimed);
-    let unrecorded = metric.metric.formula().err();
+    let unrecorded = metric.metric.formula().and_then(Formula::symmetric).err();
     let is_recorded = unrecorded.is_none();
     let untried = || {
         let standings = claims.clone().map(|(claim, _)| Standing { claim, proof: Proof::NotTried });

@@ -8,6 +8,7 @@ use tautline::{
     certify::Accuracy,
     check::{AnyCertificate, CheckError},
     distance::{DistanceError, Ended, Found, Wanted},
+    formula::RecordError,
     gallery,
 };
 
@@ -223,6 +224,20 @@ fn sets_that_touch_up_to_rounding_are_not_said_to_touch() {
         assert!(proof.lower <= d * d && d * d <= proof.upper, "{proof:?}");
         // Points that are all the same are no minimum that bounds anything, and refute nothing.
         assert!(!proof.is_not_global && !proof.assumes_global_minimum, "{proof:?}");
+    }
+}
+
+/// Both halves agree on the line and not beside it. A certificate has one of them, whether the ends are
+/// apart, nearly equal or equal.
+#[test]
+fn a_matrix_with_two_halves_has_no_certificate() {
+    for to in [1.0, 1.0_f64.next_up(), 1.5] {
+        let metric = Formula::<2>::parse("[2, 0; x2, 2]", &[]).expect("a formula");
+        let ends = Ends::points([1.0, 0.0], [to, 0.0]).expect("finite");
+        let line = Problem::new(metric, ends).solve(Trapezoidal, 8).expect("solved");
+        let halves = RecordError::Halves { row: 0, column: 1 };
+        let refused = line.certificate(0.1).map(|_| ());
+        assert_eq!(refused, Err(CertificateError::NotRecorded(halves)), "{to}");
     }
 }
 
