@@ -395,11 +395,11 @@ mod tests {
     /// factors may be in any order.
     #[test]
     fn a_matrix_whose_factors_are_in_another_order_has_a_certificate() {
-        let text = "[2 + x1^2, 0.5*x1*x2; x2*(x1*0.5), 3]";
+        let text = "[2 + x1^2, 0.5*x1*x2; x2*x1/2, 3]";
         let refused = between(text, [[-0.5, 0.1], [0.5, 0.2]]).expect_err("another expression");
         let halves = CheckError::Halves { row: 0, column: 1 };
         assert!(matches!(&refused, DistanceError::Refused(error) if *error == halves), "{refused}");
-        let text = text.replace("x2*(x1*0.5)", "x2*(0.5*x1)");
+        let text = text.replace("x2*x1/2", "x2*(0.5*x1)");
         let found = between(&text, [[-0.5, 0.1], [0.5, 0.2]]).expect("a certificate");
         let read = AnyCertificate::read(&found.certificate.to_string());
         let verdict = read.and_then(|certificate| certificate.check()).expect("proved");
