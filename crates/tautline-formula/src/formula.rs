@@ -1,15 +1,17 @@
 //! `Formula`: the Gram matrix of a metric as a list of operations.
 
+mod polynomial;
+
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
 use tautline_scalar::{Scalar, Table};
 
+use self::polynomial::identities;
 use crate::{
     RecordError,
     operation::{Function, Operation, Pair, Step, function_at, needed},
-    polynomial::identities,
     recording::{Recording, Symbol, record},
 };
 

@@ -52,7 +52,6 @@ mod formula;
 mod functions;
 mod graph;
 mod operation;
-mod polynomial;
 mod program;
 mod record_error;
 mod recording;

@@ -2,7 +2,6 @@
 
 mod answers;
 mod certified;
-mod certified_bounds;
 mod constants;
 mod corridor;
 mod gallery;
