@@ -158,7 +158,7 @@ impl<const D: usize> Domain<D> {
     /// # Errors
     ///
     /// [`CertifyError::NotSettled`] with the coordinate along which the check fails;
-    /// [`CertifyError::NotRecorded`] if the formula cannot be recorded.
+    /// [`CertifyError::NotRecorded`] if the formula cannot be recorded or is not known to be symmetric.
     pub fn settled_space(metric: &impl Metric<D>) -> Result<Self, CertifyError> {
         let metric = &AnyMetric::new(metric);
         metric.formula().and_then(Formula::symmetric).map_err(CertifyError::NotRecorded)?;

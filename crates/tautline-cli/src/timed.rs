@@ -169,7 +169,7 @@ mod tests {
         Progress { boxes: 12, ..seen.expect("a report") }
     }
 
-    /// The quantities of a proof are told apart by the order of their two numbers: `c₁` is proved from
+    /// The order of its two numbers shows which quantity a proof is about: `c₁` is proved from
     /// below, the others from above. Both ends are rounded outwards: a third and two thirds are no decimals.
     #[test]
     fn progress_is_printed_outwards() {

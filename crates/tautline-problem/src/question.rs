@@ -49,8 +49,8 @@ pub struct Question {
     pub(crate) ends: Option<[Vec<Piece>; 2]>,
     pub(crate) rule: RuleName,
     pub(crate) grid: Grid,
-    /// The grid that was set in place of the file's.
-    pub(crate) set_grid: Option<Grid>,
+    /// The grid that [`set_grid`](Question::set_grid) asked for. It replaces the grid of the file.
+    pub(crate) asked_grid: Option<Grid>,
     pub(crate) starts: Vec<Vec<Vec<f64>>>,
     pub(crate) only_these_starts: bool,
     pub(crate) lattice: Option<Placed<Nodes>>,
@@ -166,7 +166,7 @@ impl Question {
             ends,
             rule,
             grid,
-            set_grid: None,
+            asked_grid: None,
             starts,
             only_these_starts,
             lattice,
@@ -238,7 +238,7 @@ impl Question {
     /// Replaces the number of chords or the tolerance, also for other values of parameters.
     pub fn set_grid(&mut self, grid: Grid) {
         self.grid = grid;
-        self.set_grid = Some(grid);
+        self.asked_grid = Some(grid);
     }
 
     /// Asks for no bounds.

@@ -69,11 +69,11 @@ impl Question {
     /// [`Diagnostic`] if numbers of the file are wrong for these values. Names that are no parameters
     /// are ignored.
     pub fn with_parameters(&self, values: &[(&str, f64)]) -> Result<Self, Diagnostic> {
-        let (set_grid, bound) = (self.set_grid, self.bound);
+        let (asked_grid, bound) = (self.asked_grid, self.bound);
         let question =
             Self::evaluated(self.file.clone(), self.problem.clone(), self.tables.clone(), values)?;
-        let grid = set_grid.unwrap_or(question.grid);
-        Ok(Self { grid, set_grid, bound, ..question })
+        let grid = asked_grid.unwrap_or(question.grid);
+        Ok(Self { grid, asked_grid, bound, ..question })
     }
 
     /// Returns the text of the file with other values of some parameters, which are written so that they

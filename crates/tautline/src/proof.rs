@@ -62,7 +62,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// [`CurveError`] if a set of your own does not implement
     /// [`ClosedSet::member_near`](crate::ClosedSet::member_near), if the metric is undefined on the
-    /// curve, or if its formula cannot be recorded.
+    /// curve, or if its formula cannot be recorded or is not known to be symmetric.
     pub fn admissible_curve(&self) -> Result<AdmissibleCurve<'_, D>, CurveError> {
         AdmissibleCurve::new(self.metric(), self.sequence(), self.ends())
     }

@@ -69,7 +69,7 @@ pub enum CurveError {
         chords: usize,
     },
     /// The formula of the metric cannot be recorded: it has too many steps, or it has branches, of
-    /// which intervals would follow only one.
+    /// which intervals would follow only one. Or its halves are not known to be equal.
     #[error("nothing is proved of this formula: {0}")]
     NotRecorded(#[source] RecordError),
 }
@@ -87,7 +87,7 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
     /// [`CurveError::NoMember`] if a set cannot prove a member, which is the default for your own
     /// sets; [`CurveError::Undefined`] if the metric is undefined somewhere on the curve;
     /// [`CurveError::Indefinite`] if it is not proved to be positive definite there;
-    /// [`CurveError::NotRecorded`] if its formula cannot be recorded.
+    /// [`CurveError::NotRecorded`] if its formula cannot be recorded or is not known to be symmetric.
     pub fn new(
         metric: &impl Metric<D>,
         sequence: &'a PointSequence<D>,

@@ -6,6 +6,7 @@ use nalgebra::{SVector, matrix, vector};
 use tautline_check::CheckError;
 use tautline_distance::{DistanceError, Ended, Found, Progress, Wanted, search};
 use tautline_formula::Formula;
+use tautline_sets::Shape;
 
 use crate::{
     attempt::{attempt, holds},
@@ -36,16 +37,20 @@ fn the_cubes_of_all_levels_keep_to_the_limit() {
     );
 }
 
+/// Returns a hill, a point on either side, and the straight line between them over the top. It is about half
+/// as long again as the way around.
+fn over_the_hill() -> (Formula<2>, [Shape<2>; 2], Vec<SVector<f64, 2>>) {
+    let hill = Formula::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
+    let ends = [vector![-1.5, 0.05], vector![1.5, -0.1]];
+    let line = |n: i32| ends[0].lerp(&ends[1], f64::from(n) / 200.0);
+    (hill, ends.map(point), (0..=200).map(line).collect())
+}
+
 /// The way around the hill that is not the shorter one: no certificate says that it is, and smaller cubes
 /// do not help.
 #[test]
 fn a_curve_that_is_not_minimal_stalls() {
-    let hill = Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
-    let ends = [vector![-1.5, 0.05], vector![1.5, -0.1]];
-    // Over the top, about half as long again as the way around.
-    let line = |n: i32| ends[0].lerp(&ends[1], f64::from(n) / 200.0);
-    let curve: Vec<SVector<f64, 2>> = (0..=200).map(line).collect();
-    let sets = ends.map(point);
+    let (hill, sets, curve) = over_the_hill();
     // The attempt asserts that the last two levels were slow, and no two before.
     let found =
         attempt(&hill, &sets, &[curve], Wanted { gap: 1e-3, cubes: 100_000 }).expect("a region");
@@ -57,11 +62,7 @@ fn a_curve_that_is_not_minimal_stalls() {
 /// A level may be slow for the second time and reach the gap: then it is reached.
 #[test]
 fn a_slow_level_that_reaches_the_gap_has_reached_it() {
-    let hill = Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
-    let ends = [vector![-1.5, 0.05], vector![1.5, -0.1]];
-    let line = |n: i32| ends[0].lerp(&ends[1], f64::from(n) / 200.0);
-    let curve: Vec<SVector<f64, 2>> = (0..=200).map(line).collect();
-    let sets = ends.map(point);
+    let (hill, sets, curve) = over_the_hill();
     let with = |gap: f64| {
         let wanted = Wanted { gap, cubes: 100_000 };
         attempt(&hill, &sets, std::slice::from_ref(&curve), wanted).expect("a region")

@@ -96,17 +96,7 @@ impl Parser<'_> {
     ) -> Result<Value, TextError> {
         let (Some(x), Some(y)) = (a.number(), b.number()) else { return Ok(how.of(a, b)) };
         let within = how.of(within(a), within(b));
-        // A step with a number, as it would be with a coordinate.
-        self.number(start, [x, y], how.of(x, y), within, || match (a, b) {
-            (_, Value::Number(y)) => how.of(steps(a), y),
-            (Value::Number(x), _) => match how {
-                Arithmetic::Add => x + steps(b),
-                Arithmetic::Sub => x - steps(b),
-                Arithmetic::Mul => x * steps(b),
-                Arithmetic::Div => x / steps(b),
-            },
-            _ => how.of(steps(a), steps(b)),
-        })
+        self.number(start, [x, y], how.of(x, y), within, || how.of(steps(a), steps(b)))
     }
 
     /// Returns the result of arithmetic between numbers that begins at `start`, given its `value` in `f64`,

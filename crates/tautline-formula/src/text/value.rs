@@ -94,23 +94,8 @@ macro_rules! arithmetic {
 
 arithmetic!(Add add Sub sub Mul mul Div div);
 
-/// Below this size a product may have digits that no double has: `2⁻⁹⁶⁰`.
-const SMALL: f64 = f64::from_bits((1023 - 960) << 52);
-
-/// Returns the result of an operation if it is the exact one.
-///
-/// A sum `s` of `a` and `b` is exact if neither `s − a` differs from `b` nor `s − b` from `a`: one of the two
-/// differences is exact. The remainder of a product or a quotient is a double unless it is below the
-/// smallest one.
+/// Returns the result of an operation if it is the exact one: intervals enclose it by a single double.
 fn exact(how: Arithmetic, a: f64, b: f64) -> Option<f64> {
-    let y = how.of(a, b);
-    let is_exact = match how {
-        Arithmetic::Add => y - a == b && y - b == a,
-        Arithmetic::Sub => a - y == b && y + b == a,
-        Arithmetic::Mul if a == 0.0 || b == 0.0 => a.is_finite() && b.is_finite(),
-        Arithmetic::Mul => y.abs() >= SMALL && a.mul_add(b, -y) == 0.0,
-        Arithmetic::Div if a == 0.0 => b != 0.0 && b.is_finite(),
-        Arithmetic::Div => a.abs() >= SMALL && y.abs() >= SMALL && y.mul_add(b, -a) == 0.0,
-    };
-    (is_exact && y.is_finite()).then_some(y)
+    let y = how.of(Interval::point(a), Interval::point(b));
+    (y.lo() == y.hi()).then(|| y.lo())
 }
