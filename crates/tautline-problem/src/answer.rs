@@ -113,9 +113,10 @@ pub struct CertificateAnswer {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum GlobalMinimum {
-    /// Convexity proves it.
+    /// Convexity proves it: the discrete energy has one local minimum only, and the search converged
+    /// to it.
     Proved,
-    /// The lower bound does not need it: it holds for all curves, by a certificate or by their ends.
+    /// The lower bound does not need it: it holds for all curves, whichever was found.
     NotNeeded,
     /// It is assumed.
     Assumed,

@@ -28,7 +28,8 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     if let Some(claimed) = proving.claimed {
         check_claims(claimed, line.metric(), line.sequence())?;
         let enclosure = line.enclosure_given(claimed).map_err(|error| error.to_string())?;
-        let found = in_words(enclosure, UsedConstants::new(claimed, false, None));
+        let constants = UsedConstants::new(claimed, false, None);
+        let found = in_words(enclosure, constants, line.minimum().is_local_minimum());
         let lengths = others.iter().map(|other| other.length().value + other.length().error);
         return found.and_no_longer_than(lengths).without_contradiction();
     }
@@ -41,7 +42,8 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     let within = proof
         .within
         .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
-    let mut found = in_words(proof.enclosure, UsedConstants::new(proof.constants, true, within));
+    let constants = UsedConstants::new(proof.constants, true, within);
+    let mut found = in_words(proof.enclosure, constants, line.minimum().is_local_minimum());
     if proof.enclosure.from_below == FromBelow::Certificate {
         found.certificate = proof.found.map(|found| CertificateAnswer {
             cubes: found.proved.levels.iter().map(|(cubes, _)| cubes).sum(),
@@ -180,8 +182,9 @@ fn no_proof(error: &ProofError) -> String {
     }
 }
 
-/// Turns bounds on the squared distance into bounds on the distance, rounded outwards.
-fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
+/// Turns bounds on the squared distance into bounds on the distance, rounded outwards. `converged`
+/// says whether the line is a local minimum.
+fn in_words(enclosure: Enclosure, constants: UsedConstants, converged: bool) -> Bounds {
     let lower = enclosure.lower.max(0.0).sqrt();
     let lower = if lower > 0.0 { lower.next_down() } else { lower };
     let upper = enclosure.upper.sqrt();
@@ -190,11 +193,14 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants) -> Bounds {
         (true, _) => GlobalMinimum::Refuted,
         (false, true) => GlobalMinimum::Assumed,
         (false, false) => match enclosure.from_below {
-            FromBelow::Minimum | FromBelow::Convexity => GlobalMinimum::Proved,
-            // These bound all curves between the sets, whichever was found.
-            FromBelow::Nothing | FromBelow::Euclidean | FromBelow::Certificate => {
-                GlobalMinimum::NotNeeded
+            // There is one local minimum only, and this is one.
+            FromBelow::Minimum | FromBelow::Convexity
+                if enclosure.has_known_minimum && converged =>
+            {
+                GlobalMinimum::Proved
             }
+            // The bounds hold for all curves between the sets, whichever was found.
+            _ => GlobalMinimum::NotNeeded,
         },
     };
     let lower_by = match enclosure.from_below {

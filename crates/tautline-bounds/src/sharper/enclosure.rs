@@ -51,6 +51,11 @@ pub struct Enclosure {
     /// Whether the numbers refute that assumption: some sequence has a smaller discrete energy. In
     /// that case `lower` does not use the assumption.
     pub is_not_global: bool,
+    /// Whether a positive lower bound on the least discrete energy is known
+    /// ([`DiscreteMinimum::AtLeast`]). In the enclosures of a line, the discrete energy then is
+    /// strictly convex where all competitors are (Proposition S.7), so that there is only one local
+    /// minimum among them.
+    pub has_known_minimum: bool,
     /// Whether the constants hold on a region only. In that case "global" means among the sequences
     /// in the region (Proposition S.8).
     pub is_local: bool,
@@ -192,6 +197,7 @@ fn enclose_in<T: Number>(
         from_above,
         assumes_global_minimum,
         is_not_global,
+        has_known_minimum: matches!(minimum, DiscreteMinimum::AtLeast(least) if least > 0.0),
         is_local: constants.is_local(),
     })
 }

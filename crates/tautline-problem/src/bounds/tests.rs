@@ -14,12 +14,13 @@ const ENCLOSURE: Enclosure = Enclosure {
     from_above: FromAbove::Length,
     assumes_global_minimum: true,
     is_not_global: false,
+    has_known_minimum: false,
     is_local: false,
 };
 
 fn bounds(enclosure: Enclosure) -> Bounds {
     let constants = Constants::new(1.0, 2.0, 3.0).expect("constants");
-    in_words(enclosure, UsedConstants::new(constants, true, None))
+    in_words(enclosure, UsedConstants::new(constants, true, None), true)
 }
 
 /// A root is rounded to nearest, so that it may be on the wrong side.
@@ -40,15 +41,22 @@ fn what_is_known_of_the_minimum_is_said() {
     };
     assert_eq!(known(true, false), GlobalMinimum::Assumed);
     assert_eq!(known(false, true), GlobalMinimum::Refuted);
-    assert_eq!(known(false, false), GlobalMinimum::Proved);
+    assert_eq!(known(false, false), GlobalMinimum::NotNeeded);
     for (from_below, found) in [
         (FromBelow::Certificate, GlobalMinimum::NotNeeded),
         (FromBelow::Euclidean, GlobalMinimum::NotNeeded),
         (FromBelow::Nothing, GlobalMinimum::NotNeeded),
+        (FromBelow::Minimum, GlobalMinimum::Proved),
         (FromBelow::Convexity, GlobalMinimum::Proved),
     ] {
         let with = Enclosure { assumes_global_minimum: false, from_below, ..ENCLOSURE };
+        // Convexity about the shortest curves says nothing of sequences elsewhere.
+        assert_eq!(bounds(with).global_minimum, GlobalMinimum::NotNeeded);
+        let with = Enclosure { has_known_minimum: true, ..with };
         assert_eq!(bounds(with).global_minimum, found);
+        // What did not converge is no minimum.
+        let constants = bounds(with).constants;
+        assert_eq!(in_words(with, constants, false).global_minimum, GlobalMinimum::NotNeeded);
         let refuted = Enclosure { is_not_global: true, ..with };
         assert_eq!(bounds(refuted).global_minimum, GlobalMinimum::Refuted);
     }
@@ -124,5 +132,5 @@ fn a_shorter_curve_lowers_the_upper_bound_and_may_refute_the_minimum() {
     // Nothing was assumed, so that there is no assumption to refute.
     let proved = bounds(Enclosure { assumes_global_minimum: false, ..ENCLOSURE });
     let beside = proved.clone().and_no_longer_than([1.5].into_iter());
-    assert_eq!((beside.global_minimum, beside.lower), (GlobalMinimum::Proved, proved.lower));
+    assert_eq!((beside.global_minimum, beside.lower), (GlobalMinimum::NotNeeded, proved.lower));
 }

@@ -45,6 +45,27 @@ fn each_number_of_an_answer_is_that_of_the_line() {
     }
 }
 
+/// Three points of a detour, and no step of the search. The bounds hold for all curves; but a straight
+/// sequence has less energy, so that nothing is proved of this one.
+#[test]
+fn a_sequence_that_did_not_converge_is_no_global_minimum() {
+    let file = |steps: &str| {
+        format!(
+            "[metric]\nformula = \"2 + 0.1*sin(x1) I\"\n[from]\npoint = [0, 0]\n\
+             [to]\npoint = [1, 0]\n[solve]\nn = 4\n{steps}\
+             starts = [[[0, 0], [0.25, 0.0354], [0.5, 0.05], [0.75, 0.0354], [1, 0]]]\n\
+             only_these_starts = true\n"
+        )
+    };
+    let solved = |steps: &str| {
+        let answer = Question::read(&file(steps)).expect("a file").solve(&mut |_| ());
+        let answer = answer.expect("solved");
+        (answer.search.converged, answer.bounds.expect("proved").global_minimum)
+    };
+    assert_eq!(solved("steps = 0\n"), (false, GlobalMinimum::NotNeeded));
+    assert_eq!(solved(""), (true, GlobalMinimum::Proved));
+}
+
 /// On the sphere the constants hold in a ball only, which is told with them.
 #[test]
 fn the_bounds_of_an_answer_are_those_of_the_proof() {

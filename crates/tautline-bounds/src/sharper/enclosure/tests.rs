@@ -73,12 +73,15 @@ fn without_the_assumption_the_minimum_must_be_known() {
     let known = computed(PaperRule::Trapezoidal, DiscreteMinimum::AtLeast(9.0));
     let known = enclose(constants(), 2, &known).expect("valid");
     assert!(known.from_below == FromBelow::Minimum && !known.assumes_global_minimum);
+    assert!(known.has_known_minimum);
+    let convex = known.with_convexity(known.lower.next_up()).expect("below the upper bound");
+    assert!(convex.from_below == FromBelow::Convexity && convex.has_known_minimum);
     for minimum in [DiscreteMinimum::Unknown, DiscreteMinimum::AtLeast(-3.0)] {
         let found = enclose(constants(), 2, &computed(PaperRule::Trapezoidal, minimum));
         let found = found.expect("valid");
         // The Euclidean bound is 4·(1/4)².
         assert_eq!((found.lower, found.from_below), (0.25, FromBelow::Euclidean));
-        assert!(!found.assumes_global_minimum);
+        assert!(!found.assumes_global_minimum && !found.has_known_minimum);
     }
     let nothing =
         Computed { gap: 0.0, ..computed(PaperRule::Trapezoidal, DiscreteMinimum::Unknown) };
