@@ -67,7 +67,7 @@ pub(crate) struct Bounds {
 
 impl From<problem::Bounds> for Bounds {
     fn from(bounds: problem::Bounds) -> Self {
-        let UsedConstants { c1, c2, l_h, m_h, proved, within } = bounds.constants;
+        let UsedConstants { c1, c2, l_h, m_h, proved, within, .. } = bounds.constants;
         Self {
             lower: bounds.lower.value,
             upper: bounds.upper.value,

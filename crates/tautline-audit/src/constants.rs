@@ -15,6 +15,8 @@ pub(crate) type BallOf = (Vec<f64>, f64);
 /// Constants that are proved.
 pub(crate) struct Proved {
     pub(crate) constants: Constants,
+    /// Whether they hold only if the metric settles.
+    pub(crate) if_it_settles: bool,
     /// The ball in which they hold; `None` if that is all of space.
     pub(crate) ball: Option<BallOf>,
     pub(crate) standings: Vec<Standing>,
@@ -66,7 +68,7 @@ fn proved(question: &Question, ball: Option<BallOf>) -> Result<Proved, Unproved>
         Failure::NotComputed(reason) => Unproved::Reason(reason),
         bad_input => Unproved::BadFile(bad_input),
     })?;
-    let ConstantsAnswer { region, constants: found } = &answer;
+    let ConstantsAnswer { region, if_it_settles, constants: found } = &answer;
     let undefined = found.iter().find(|constant| is_refuted(constant));
     if let Some(ConstantAnswer { at: Some(point), reason: Some(reason), .. }) = undefined {
         return Err(Unproved::At { point: point.clone(), reason: reason.clone() });
@@ -100,7 +102,8 @@ fn proved(question: &Question, ball: Option<BallOf>) -> Result<Proved, Unproved>
         };
         Some(Standing { constant: claim.name(), proof, within: region.clone() })
     });
-    Ok(Proved { constants, ball, standings: standings.collect() })
+    let if_it_settles = *if_it_settles;
+    Ok(Proved { constants, ball, if_it_settles, standings: standings.collect() })
 }
 
 /// Returns whether the formula fails at a point, so that no bound on the constant exists.

@@ -120,8 +120,9 @@ impl<const D: usize> Session<'_, D> {
             return Ok(());
         }
         match prove(question, &self.region) {
-            Ok(Proved { constants, ball, standings }) => {
-                self.audit.constants = Some(used(constants, true, ball.as_ref()));
+            Ok(Proved { constants, ball, if_it_settles, standings }) => {
+                let used = used(constants, true, ball.as_ref());
+                self.audit.constants = Some(UsedConstants { if_it_settles, ..used });
                 self.audit.no_constants = None;
                 self.audit.proved = standings;
                 self.with(constants, ball);

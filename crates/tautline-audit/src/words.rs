@@ -1,7 +1,7 @@
 //! The sentences of a report, which its formats share.
 
 use tautline_problem::{
-    UsedConstants,
+    IF_IT_SETTLES, UsedConstants,
     decimal::{shortly_down, shortly_up},
 };
 
@@ -113,7 +113,8 @@ fn off_by(about: &str, claimed: f64, found: f64) -> String {
 
 /// Returns the constants that the laws use, or why there are none.
 pub(crate) fn constants(audit: &Audit) -> String {
-    let Some(UsedConstants { c1, c2, l_h, m_h, proved, within }) = &audit.constants else {
+    let Some(UsedConstants { c1, c2, l_h, m_h, proved, within, if_it_settles }) = &audit.constants
+    else {
         let why = audit.no_constants.as_deref().unwrap_or("time ran out");
         return format!("none: {why}");
     };
@@ -123,6 +124,7 @@ pub(crate) fn constants(audit: &Audit) -> String {
     let m_h = m_h.as_ref().map_or(String::new(), |m_h| format!(", M_H = {}", up(m_h)));
     let how = if *proved { "proved" } else { "claimed" };
     let place = match within {
+        None if *if_it_settles => format!("on all of space, {IF_IT_SETTLES}"),
         None => "on all of space".to_owned(),
         Some(ball) => {
             let (centre, radius) = ball.shortened(DIGITS);

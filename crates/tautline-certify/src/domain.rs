@@ -196,6 +196,13 @@ impl<const D: usize> Domain<D> {
         self.scope != Scope::Region
     }
 
+    /// Returns whether constants hold on all of `R^D` only by your word that the metric
+    /// [settles](Domain::settled_space).
+    #[must_use]
+    pub fn is_declared_to_settle(&self) -> bool {
+        self.scope == Scope::SettledSpace
+    }
+
     /// Returns whether the [bounding box](Domain::bounding_cell) alone represents all of `R^D`: the
     /// metric is periodic along each coordinate, or its constants do not depend on it.
     #[must_use]

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use tautline_problem::{
-    Answer, Bounds, CertifiedAnswer, ConstantsAnswer, Estimated, GlobalMinimum, UsedConstants,
+    Answer, Bounds, CertifiedAnswer, ConstantsAnswer, Estimated, GlobalMinimum, IF_IT_SETTLES,
+    UsedConstants,
     decimal::{
         nearest, one_digit_up, places_up, rounded_down, rounded_up, shortly_down, shortly_up, up_to,
     },
@@ -171,7 +172,7 @@ fn share(lower: f64, upper: f64) -> String {
 const SHORT: usize = 5;
 
 fn constants(constants: &UsedConstants) -> String {
-    let UsedConstants { c1, c2, l_h, m_h, proved, within } = constants;
+    let UsedConstants { c1, c2, l_h, m_h, proved, within, if_it_settles } = constants;
     // A claim is what was typed.
     let down = |x: &f64| if *proved { shortly_down(*x, SHORT) } else { x.to_string() };
     let up = |x: &f64| if *proved { shortly_up(*x, SHORT) } else { x.to_string() };
@@ -179,6 +180,7 @@ fn constants(constants: &UsedConstants) -> String {
     let m_h = m_h.as_ref().map_or(String::new(), |m_h| format!(", M_H {}", up(m_h)));
     let how = if *proved { "proved" } else { "claimed" };
     let place = match within {
+        None if *if_it_settles => format!("on all of space, {IF_IT_SETTLES}"),
         None => "on all of space".to_owned(),
         Some(ball) => {
             let (centre, radius) = ball.shortened(SHORT);
@@ -321,6 +323,7 @@ mod tests {
             m_h: Some(third),
             proved,
             within,
+            if_it_settles: false,
         };
         assert_eq!(
             constants(&with(true, None)),
@@ -329,6 +332,9 @@ mod tests {
         let claimed = constants(&with(false, None));
         assert_eq!(claimed.matches("0.3333333333333333").count(), 4, "{claimed}");
         assert!(claimed.ends_with("; claimed on all of space"), "{claimed}");
+        let declared = UsedConstants { if_it_settles: true, ..with(true, None) };
+        let settled = "proved on all of space, if the metric settles within a distance of 2^100";
+        assert!(constants(&declared).ends_with(settled));
         let ball = BallAnswer { centre: vec![0.25, -1.0], radius: third };
         let within = constants(&with(true, Some(ball)));
         assert!(within.ends_with("; proved within 0.33333 of [0.25, -1]"), "{within}");
@@ -348,6 +354,7 @@ mod tests {
         };
         let text = proved_constants(&ConstantsAnswer {
             region: "a box".to_owned(),
+            if_it_settles: false,
             constants: vec![
                 with("c1", third(), third(), None),
                 with("c2", None, third(), Some("too many boxes")),

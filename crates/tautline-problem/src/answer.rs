@@ -140,6 +140,9 @@ pub struct UsedConstants {
     pub proved: bool,
     /// The ball in which they hold; absent if that is all of space.
     pub within: Option<BallAnswer>,
+    /// Whether they hold only if the metric settles: if it does not change farther out than `2¹⁰⁰`,
+    /// where nothing is proved.
+    pub if_it_settles: bool,
 }
 
 impl UsedConstants {
@@ -153,6 +156,7 @@ impl UsedConstants {
             m_h: constants.m_h(),
             proved,
             within,
+            if_it_settles: false,
         }
     }
 }

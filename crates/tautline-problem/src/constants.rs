@@ -20,6 +20,8 @@ use crate::{
 pub struct ConstantsAnswer {
     /// Where they hold: all of space, or the region of the file.
     pub region: String,
+    /// Whether they hold only if the metric settles, which is not proved; the region says so, too.
+    pub if_it_settles: bool,
     /// The constants c1, c2, L_H and M_H.
     pub constants: Vec<ConstantAnswer>,
 }
@@ -149,12 +151,16 @@ pub(crate) fn constants<const D: usize>(
         return Err(ConstantsError::TooManyCoordinates);
     }
     let (domain, region) = domain(formula, within)?;
+    let if_it_settles = domain.is_declared_to_settle();
     let of = |quantity| {
         let found = certify_watched(formula, quantity, &domain, accuracy, watch);
         answer(quantity, found)
     };
-    Ok(ConstantsAnswer { region, constants: Quantity::ALL.map(of).into() })
+    Ok(ConstantsAnswer { region, if_it_settles, constants: Quantity::ALL.map(of).into() })
 }
+
+/// What constants on all of space assume of a metric that is declared to settle.
+pub const IF_IT_SETTLES: &str = "if the metric settles within a distance of 2^100";
 
 /// Returns where constants are proved, and the same in words.
 fn domain<const D: usize>(
@@ -168,10 +174,9 @@ fn domain<const D: usize>(
             if space.is_all_of_space() {
                 return Ok((space, "all of space".to_owned()));
             }
-            let known = "all of space, if the metric settles within a distance of 2^100";
             let settled = Domain::settled_space(formula);
             return settled
-                .map(|space| (space, known.to_owned()))
+                .map(|space| (space, format!("all of space, {IF_IT_SETTLES}")))
                 .map_err(ConstantsError::NotAllOfSpace);
         }
         Some(Shape::Ball { centre, radius }) => {

@@ -49,7 +49,7 @@ pub use answer::{
     UsedConstants,
 };
 pub use certify::{CertifiedAnswer, LevelAnswer};
-pub use constants::{ConstantAnswer, ConstantsAnswer, ConstantsError};
+pub use constants::{ConstantAnswer, ConstantsAnswer, ConstantsError, IF_IT_SETTLES};
 pub use diagnostic::Diagnostic;
 pub use dimension::{InDimension, LARGEST_DIMENSION, LARGEST_PROVED_DIMENSION, in_dimension};
 pub use examples::{EXAMPLES, Example};

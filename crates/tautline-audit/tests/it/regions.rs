@@ -47,6 +47,27 @@ fn a_period_is_sampled_whole() {
     assert_eq!((low[1], high[1]), (-1.0, 3.0));
 }
 
+/// Of a metric with rational parts nothing is known farther out than 2¹⁰⁰. Here it is 2 there, and
+/// about 2³⁰⁰ near `x₁ = 2¹⁵⁰`.
+#[test]
+fn what_is_proved_only_if_the_metric_settles_is_said_to_be_so() {
+    let settles = "; proved on all of space, if the metric settles within a distance of 2^100";
+    for (phi, if_it_settles) in
+        [("2 + (x1*2^-150)^2/(1 + 2^-600*x1^4)", true), ("2 + 1/(2 + cos(x1))", false)]
+    {
+        let file = format!(
+            "dimension = 1\n[metric]\nphi = \"{phi}\"\n[audit]\n\
+             region = {{ lower = [0], upper = [2] }}\n"
+        );
+        let audit = run_on(&["-", "--json", "--cases", "4"], &file).json();
+        let constants = &audit["constants"];
+        assert!(constants["proved"] == true && constants["within"].is_null(), "{constants}");
+        assert_eq!(constants["if_it_settles"], if_it_settles, "{phi}");
+        let text = run_on(&["-", "--cases", "4"], &file).out;
+        assert_eq!(text.contains(settles), if_it_settles, "{text}");
+    }
+}
+
 /// The metric grows without bound, so that it has constants in a ball only.
 #[test]
 fn constants_that_are_not_global_are_proved_in_the_largest_ball_of_the_box() {

@@ -103,7 +103,7 @@ fn a_constant_is_known_by_the_bound_that_theorems_use() {
     let proved = |proved| ConstantAnswer { proved, ..with("c1", Some(1.0), Some(1.0)) };
     let all = |flags: [bool; 2]| {
         let constants = flags.map(proved).to_vec();
-        ConstantsAnswer { region: String::new(), constants }.are_proved()
+        ConstantsAnswer { region: String::new(), if_it_settles: false, constants }.are_proved()
     };
     assert_eq!([[true; 2], [true, false], [false, true]].map(all), [true, false, false]);
 }
