@@ -54,14 +54,18 @@ impl Region {
     /// # Errors
     ///
     /// [`CheckError::Tubes`] if the tubes are too thin, [`CheckError::Constant`] if `c₁` is not proved
-    /// on them, [`CheckError::Unbounded`] if their radius is not a positive number, and
-    /// [`CheckError::Declared`] if a declared `c₁` is not.
+    /// on them, [`CheckError::Unbounded`] if their radius is not a positive number,
+    /// [`CheckError::Declared`] if a declared `c₁` is not, and [`CheckError::Halves`] if two entries that
+    /// mirror each other are not known to be equal.
     pub fn prove<const D: usize>(
         &self,
         formula: &Formula<D>,
         sets: [&Shape<D>; 2],
         hi: f64,
     ) -> Result<(), CheckError> {
+        if let Some((row, column)) = formula.unequal_halves() {
+            return Err(CheckError::Halves { row, column });
+        }
         self.prove_within(formula, sets, hi, &UNLIMITED)
     }
 

@@ -32,7 +32,7 @@ impl RuleOfThePaper for LeftEndpoint {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SuggestedN {
     /// The proven `N` for a global minimiser, with the theorem that proves it; `None` if no theorem
-    /// applies up to `N = 2⁴⁰`.
+    /// applies up to `N = 2⁴⁰`, or if the length of the line has no proved bound.
     pub proven: Option<(NonZeroUsize, Theorem)>,
     /// The expected `N`, based on an excess over the extrapolated `d²` that falls like `1/N²`.
     /// `None` if there are too few grids, or if the excess is within the noise.
@@ -162,8 +162,8 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     }
 
     /// Suggests an `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`. The proven `N`
-    /// follows from the theorems with the length of this line for `d`; the expected `N` follows
-    /// from extrapolation over the grids of this line.
+    /// follows from the theorems with a proved upper bound on the length of this line for `d`; the
+    /// expected `N` follows from extrapolation over the grids of this line.
     ///
     /// # Errors
     ///
@@ -183,6 +183,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), by constants that
     /// hold where all [competitors](TautLine::competitors) of this line are. A global minimum
     /// then means a minimum among the sequences in that ball.
+    ///
+    /// Needs: the competitors are those of a line under the same metric.
     ///
     /// # Errors
     ///
@@ -287,7 +289,13 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
 
     fn suggest_n_by(&self, constants: Constants, tolerance: f64) -> Result<SuggestedN, BoundError> {
         let length = self.length();
-        let setting = Setting::new(constants, length.value + length.error, D)?;
+        let proven = match self.admissible_curve() {
+            Ok(curve) => {
+                let setting = Setting::new(constants, curve.length().hi(), D)?;
+                suggest_n(setting, R::OF_THE_PAPER, tolerance)
+            }
+            Err(_) => None,
+        };
         let expected = self.distance_squared_estimate().and_then(|estimate| {
             let excess = length.value * length.value - estimate.value;
             let noise = estimate.error + 2.0 * length.value * length.error;
@@ -295,7 +303,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             let is_known = excess > noise && count.is_finite() && count < 2_f64.powi(40);
             NonZeroUsize::new(if is_known { count.ceil() as usize } else { 0 })
         });
-        Ok(SuggestedN { proven: suggest_n(setting, R::OF_THE_PAPER, tolerance), expected })
+        Ok(SuggestedN { proven, expected })
     }
 }
 

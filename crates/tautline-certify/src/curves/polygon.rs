@@ -157,7 +157,7 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     #[must_use]
     pub fn discrete_energy<R: Rule>(&self, _rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
         let metric = AnyMetric::new(metric);
-        if !metric.formula().is_ok_and(|formula| formula.symmetric().is_ok()) {
+        if !is_symmetric(&metric) {
             return Enclosure::UNDEFINED;
         }
         let mut sum = PairwiseSum::new();
@@ -184,4 +184,9 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
         };
         (0..last).map(move |n| Chord::between(&vertex(n), &vertex(n + 1)))
     }
+}
+
+/// Returns whether the formula of a metric can be recorded and is known to be symmetric.
+pub(super) fn is_symmetric<const D: usize>(metric: &AnyMetric<'_, D>) -> bool {
+    metric.formula().is_ok_and(|formula| formula.symmetric().is_ok())
 }

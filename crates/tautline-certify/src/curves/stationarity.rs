@@ -6,18 +6,21 @@ use tautline_formula::AnyMetric;
 use tautline_metrics::Metric;
 use tautline_scalar::{Enclosure, Jet1, Kernel, Scalar};
 
-use super::{Polygon, chord::Chord, pairwise_sum::PairwiseSum};
+use super::{Polygon, chord::Chord, pairwise_sum::PairwiseSum, polygon::is_symmetric};
 
 impl<const D: usize, K: Kernel> Polygon<'_, D, K> {
     /// Encloses the residual `((1/N) Σ |ρₙ|²)^{1/2}` of a rule over the inner points, in `m²/ℓ`, with
     /// `∂E_N/∂xₙ = −2hρₙ` and `h = 1/N`.
     ///
-    /// The result is undefined if [`discrete_energy`](Polygon::discrete_energy) is. Otherwise it is 0
-    /// for a single chord. Overestimation: rounding, of the size of `ε N` times the length.
+    /// The result is undefined if [`discrete_energy`](Polygon::discrete_energy) is: where the metric is
+    /// undefined, or if it is not known to be symmetric. Otherwise it is 0 for a single chord.
+    /// Overestimation: rounding, of the size of `ε N` times the length.
     #[must_use]
     pub fn residual<R: Rule>(&self, rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
         let metric = AnyMetric::new(metric);
-        if self.n() == 1.0 && self.discrete_energy(rule, &metric).is_undefined() {
+        let is_single = self.n() == 1.0;
+        if !is_symmetric(&metric) || is_single && self.discrete_energy(rule, &metric).is_undefined()
+        {
             return Enclosure::UNDEFINED;
         }
         let mut squares = PairwiseSum::new();
@@ -87,7 +90,7 @@ fn slopes<R: Rule, K: Kernel, const D: usize>(
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{SMatrix, vector};
+    use nalgebra::{SMatrix, SVector, vector};
     use tautline_chance::{Random, seed};
     use tautline_discretizations::{
         LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
@@ -96,7 +99,7 @@ mod tests {
         Metric,
         gallery::{Constant, Shear, Sphere},
     };
-    use tautline_scalar::Interval;
+    use tautline_scalar::{Interval, Scalar};
 
     use super::Polygon;
 
@@ -187,6 +190,23 @@ mod tests {
             let first = vector![Interval::point(0.0), Interval::UNDEFINED];
             let unknown = polygon.with_ends(first, *polygon.last());
             assert!(unknown.residual(Trapezoidal, &hyperbolic).is_undefined());
+        }
+    }
+
+    /// The energy reads both halves as one, and so does its gradient.
+    #[test]
+    fn nothing_is_enclosed_if_the_halves_differ() {
+        struct Torn;
+        impl Metric<2> for Torn {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                SMatrix::<S, 2, 2>::new(S::one() * 2.0, x[0], S::zero(), S::one())
+            }
+        }
+        for n in [1, 2, 5] {
+            let sequence = PointSequence::straight([0.0, 0.0], [1.0, 0.5], n).expect("finite");
+            let polygon = Polygon::new(&sequence);
+            assert!(polygon.residual(Trapezoidal, &Torn).is_undefined(), "{n}");
+            assert!(polygon.residual(LeftEndpoint, &Torn).is_undefined(), "{n}");
         }
     }
 

@@ -35,6 +35,17 @@ fn the_constant_of_tubes_holds_in_the_direction_of_corners() {
     }
 }
 
+/// `(1 0; 5 1)` is no metric, though `(1 0; 0 1)` is.
+#[test]
+fn the_constant_of_tubes_is_that_of_a_symmetric_matrix() {
+    let region = Region::Tubes { radius: 1.0, c1: 0.5 };
+    let proves = |metric: &str| {
+        region.prove(&formula::<2>(metric), [&point([0.0, 0.0]), &point([9.0, 0.0])], 0.5)
+    };
+    assert_eq!(proves("[1, 0; 5, 1]"), Err(CheckError::Halves { row: 0, column: 1 }));
+    assert_eq!(proves("[1, 0; 0, 1]"), Ok(()));
+}
+
 #[test]
 fn the_constant_of_tubes_holds_about_both_sets() {
     let (near, far) = (point([0.0]), point([3.0]));

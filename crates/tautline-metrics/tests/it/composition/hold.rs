@@ -3,12 +3,40 @@
 use nalgebra::{SMatrix, SVector};
 use proptest::{array::uniform, prelude::*};
 use tautline_metrics::{
+    Metric,
     composition::{AffinePullback, Product, Scaled, Sum},
     gallery::{Lens, Ramp, RotatingAnisotropy, Shear, TwoLinkArm},
 };
+use tautline_scalar::Scalar;
 
 use super::conformal::Conformal;
 use crate::laws::{constants_hold, cube};
+
+/// A matrix that is not symmetric, `(3 1; x₁ 2)`.
+struct Torn;
+
+impl Metric<2> for Torn {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::<S, 2, 2>::new(S::constant(3.0), S::constant(1.0), x[0], S::constant(2.0))
+    }
+}
+
+/// What is wrong with a part is seen in the composition: no half is made from the other one.
+#[test]
+fn compositions_keep_the_halves_of_a_matrix_apart() {
+    let x = SVector::from([0.25, 0.5]);
+    // [1, 2; 0, 1] takes x to (1.25, 0.5), and pulls (a, b; c, d) back to (a, 2a + b; 2a + c, …).
+    let shear = SMatrix::<f64, 2, 2>::new(1.0, 2.0, 0.0, 1.0);
+    let pulled = AffinePullback::new(Torn, shear, [0.0, 0.0]).expect("invertible").gram(&x);
+    assert_eq!([pulled[(0, 1)], pulled[(1, 0)]], [7.0, 7.25]);
+    let scaled = Scaled::new(Torn, 2.0).expect("positive").gram(&x);
+    assert_eq!([scaled[(0, 1)], scaled[(1, 0)]], [2.0, 0.5]);
+    let sum = Sum::new(Torn, Torn).gram(&x);
+    assert_eq!([sum[(0, 1)], sum[(1, 0)]], [2.0, 0.5]);
+    let product = Product::<_, _, 2, 1>::new(Torn, Ramp::new(0.5, 1.0).expect("|a| < 1"));
+    let h = Metric::<3>::gram(&product, &SVector::from([0.25, 0.5, 0.0]));
+    assert_eq!([h[(0, 1)], h[(1, 0)]], [1.0, 0.25]);
+}
 
 fn shear() -> impl Strategy<Value = Shear> {
     (-2.0..2.0_f64, 0.2..3.0_f64).prop_map(|(a, k)| Shear::new(a, k).expect("k > 0"))
