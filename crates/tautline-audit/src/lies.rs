@@ -2,8 +2,7 @@
 
 use std::cmp::Ordering;
 
-use nalgebra::DMatrix;
-use tautline::{CertifyError, Metric, MetricError, check_gram};
+use tautline::{CertifyError, Metric, MetricError, RayleighQuotient, check_gram};
 use tautline_kit::{Claim, Fault};
 use tautline_statements::VerifyError;
 
@@ -28,8 +27,14 @@ pub(crate) fn shown_by<const D: usize>(metric: &impl Metric<D>, fault: &Fault) -
             };
             if lie.constant == Claim::C1 && !(lie.found > 0.0) {
                 // The lower bound is wrong since there is none.
+                if is_rounding(metric, lie.constant, lie.claimed, &lie.point) {
+                    return Vec::new();
+                }
                 let indefinite = indefinite(metric, &lie.point);
                 return indefinite.into_iter().chain([told]).collect();
+            }
+            if is_rounding(metric, lie.constant, lie.claimed, &lie.point) {
+                return Vec::new();
             }
             vec![told]
         }
@@ -86,33 +91,38 @@ fn of_the_metric<const D: usize>(metric: &impl Metric<D>, error: &MetricError) -
     }
 }
 
-/// Returns what is wrong with a metric at a point where its least eigenvalue is not positive, with
-/// the eigenvector; `None` if it is positive or not finite.
+/// Returns whether a claim about the eigenvalues of `H` fails in `f64` only: intervals do not show that it
+/// is wrong at this point.
+fn is_rounding<const D: usize>(
+    metric: &impl Metric<D>,
+    claim: Claim,
+    claimed: f64,
+    at: &[f64],
+) -> bool {
+    let Some([least, greatest]) = RayleighQuotient::extreme(metric, &point::<D>(at)) else {
+        return false;
+    };
+    match claim {
+        Claim::C1 => !(least.value.hi() < claimed),
+        Claim::C2 => !(greatest.value.lo() > claimed),
+        Claim::LH | Claim::MH => false,
+    }
+}
+
+/// Returns what is wrong with a metric at a point where its least eigenvalue is proved not to be positive,
+/// with the eigenvector; `None` if it may be positive or is not finite.
 pub(crate) fn indefinite<const D: usize>(metric: &impl Metric<D>, at: &[f64]) -> Option<Lie> {
-    let gram = metric.gram::<f64>(&point::<D>(at));
-    let (eigenvalue, direction) = least(&DMatrix::from_fn(D, D, |i, j| gram[(i, j)]))?;
-    (eigenvalue <= 0.0).then(|| Lie {
+    let [least, _] = RayleighQuotient::extreme(metric, &point::<D>(at))?;
+    (least.value.hi() <= 0.0).then(|| Lie {
         about: METRIC,
         claim: "wᵀ H(x) w > 0".to_owned(),
         claimed: Some(0.0),
-        found: Some(eigenvalue),
+        found: Some(least.value.hi()),
         formula: Claim::C1.formula().to_owned(),
         point: Some(at.to_vec()),
-        direction: Some(direction),
+        direction: Some(least.direction.normalize().as_slice().to_vec()),
         other: None,
     })
-}
-
-/// Returns the least eigenvalue of a symmetric matrix with a unit eigenvector; `None` if an entry
-/// is not finite.
-fn least(matrix: &DMatrix<f64>) -> Option<(f64, Vec<f64>)> {
-    // On other matrices nalgebra would iterate forever.
-    if !matrix.iter().all(|entry| entry.is_finite()) {
-        return None;
-    }
-    let eigen = matrix.clone().symmetric_eigen();
-    let (k, value) = eigen.eigenvalues.argmin();
-    Some((value, eigen.eigenvectors.column(k).iter().copied().collect()))
 }
 
 /// Adds a false claim. Of each kind only the worst is kept.

@@ -53,10 +53,12 @@ mod locally_bounded;
 mod metric;
 mod positive_definite;
 pub mod quadrature;
+mod rayleigh_quotient;
 
 pub use christoffel::christoffel;
 pub use constants::{Constants, HypothesisError};
 pub use locally_bounded::{LocalError, LocallyBounded};
 pub use metric::{Bounded, KnownDistance, Metric, norm_squared};
 pub use positive_definite::{MetricError, check_gram, check_matrix, cholesky, is_gram};
+pub use rayleigh_quotient::RayleighQuotient;
 pub use tautline_scalar::{Jet1, Jet2, Lanes, Pair, Scalar, Short};

@@ -1,5 +1,6 @@
 //! What an audit asks of a file: the part of space that it is about, and proofs in a ball.
 
+use tautline::Interval;
 use tautline_portrait::Shape;
 
 use crate::{Question, reading::shape::Piece};
@@ -24,9 +25,14 @@ impl Question {
         match &self.within.as_ref()?.shape {
             Shape::Ball { centre, radius } => Some((centre.clone(), *radius)),
             Shape::AxisBox { low, high } => {
-                let centre = low.iter().zip(high).map(|(a, b)| 0.5 * (a + b)).collect();
-                let halves = low.iter().zip(high).map(|(a, b)| 0.5 * (b - a));
-                Some((centre, halves.fold(f64::INFINITY, f64::min)))
+                let centre: Vec<f64> =
+                    low.iter().zip(high).map(|(a, b)| 0.5 * a + 0.5 * b).collect();
+                // Rounded down, so that the ball lies in the box.
+                let to = |a: f64, b: f64| (Interval::point(b) - Interval::point(a)).lo();
+                let sides = low.iter().zip(&centre).zip(high);
+                let halves = sides.map(|((&low, &c), &high)| to(low, c).min(to(c, high)));
+                let radius = halves.fold(f64::INFINITY, f64::min);
+                Some((centre, radius))
             }
             _ => None,
         }
@@ -104,6 +110,36 @@ mod tests {
         assert_eq!(question.ball_of_constants(), Some((vec![2.0, 1.0], 1.0)));
         question.prove_within_ball(vec![3.0, 4.0], 0.5);
         assert_eq!(question.ball_of_constants(), Some((vec![3.0, 4.0], 0.5)));
+    }
+
+    /// Middles and edges are rounded: of `[3, 10¹⁶ + 2]` the middle is `5·10¹⁵ + 2`, and the half of the
+    /// edge reaches from there to 2.
+    #[test]
+    fn the_largest_ball_in_a_box_lies_in_it() {
+        let ball = |low: f64, high: f64| {
+            let file = format!(
+                "dimension = 1\n[metric]\nphi = 1\n[certify]\n\
+                 within = {{ box = {{ lower = [{low:?}], upper = [{high:?}] }} }}\n"
+            );
+            let question = Question::read(&file).expect("a problem");
+            let (centre, radius) = question.ball_of_constants().expect("a ball");
+            (centre[0], radius)
+        };
+        let sides = (0..60).flat_map(|i| (i + 1..61).map(move |j| (i, j)));
+        let tenths = sides.map(|(i, j)| (0.1 * f64::from(i) - 3.0, 0.1 * f64::from(j) - 3.0));
+        for (low, high) in tenths.chain([(3.0, 1e16 + 2.0), (-1e308, 1e308), (1e308, 1.5e308)]) {
+            let (centre, radius) = ball(low, high);
+            // The difference of the centre and an end, exactly: its rounding error is a double.
+            let exactly = |a: f64, b: f64| {
+                let difference = b - a;
+                let rounded = difference - b;
+                (difference, (b - (difference - rounded)) - (a + rounded))
+            };
+            for (difference, error) in [exactly(low, centre), exactly(centre, high)] {
+                assert!(radius < difference || (radius == difference && error >= 0.0));
+            }
+            assert!(radius > 0.0 && radius >= 0.49 * (0.5 * high - 0.5 * low), "{low} {high}");
+        }
     }
 
     #[test]

@@ -202,13 +202,22 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// [isotropic](Constants::is_isotropic) if the formula shows that `H` is a multiple of the
     /// identity.
     ///
+    /// With the [proved curve](TautLine::admissible_curve) of this line, energies and lengths are
+    /// enclosed, and if the claims hold, so do the bounds to the last digit. Without it they rest on
+    /// the estimated errors of quadrature.
+    ///
     /// # Errors
     ///
     /// As for [`enclosure`](TautLine::enclosure).
-    pub fn enclosure_given(&self, constants: Constants) -> Result<Enclosure, BoundError> {
+    pub fn enclosure_given(
+        &self,
+        constants: Constants,
+        curve: Option<&AdmissibleCurve<'_, D>>,
+    ) -> Result<Enclosure, BoundError> {
         let is_isotropic = self.formula().is_some_and(tautline_certify::is_isotropic);
         let constants = if is_isotropic { constants.isotropic() } else { constants };
-        self.enclosure_by(global(constants)?, self.extent())
+        let extent = curve.map_or_else(|| self.extent(), |curve| self.proved_extent(curve));
+        self.enclosure_by(global(constants)?, extent)
     }
 
     /// Suggests an `N` like [`suggest_n`](TautLine::suggest_n), by constants that hold where all

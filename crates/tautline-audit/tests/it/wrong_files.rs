@@ -41,6 +41,28 @@ fn from_multiple(x: f64, of: f64) -> f64 {
     (x - (x / of).round() * of).abs()
 }
 
+/// `H = 2.2 I`, and all claims are true; doubles compute eigenvalues from 0.2 to 4.2. A law may fail, since
+/// laws compute in doubles, but no claim is said to be false.
+#[test]
+fn rounding_is_no_lie() {
+    for (metric, claims) in [
+        (
+            "phi = \"2.2 + 1e16*(sin(x1)^2 + cos(x1)^2 - 1)\"",
+            "c1 = 2.1, c2 = 2.3, l_h = 0, m_h = 0",
+        ),
+        ("phi = \"2.2 + (x1 + 1e16) - 1e16\"", "c1 = 2.1, c2 = 3.3, l_h = 1, m_h = 0"),
+    ] {
+        let file = format!(
+            "dimension = 2\n[metric]\n{metric}\n[certify]\nconstants = {{ {claims} }}\n\
+             [audit]\nregion = {{ lower = [0.1, 0], upper = [0.9, 1] }}\n"
+        );
+        let audit = run_on(&["-", "--json", "--cases", "16"], &file).json();
+        let lies = audit["lies"].as_array().expect("an array");
+        let about = |name: &str| lies.iter().filter(|lie| lie["about"] == name).count();
+        assert_eq!([about("H"), about("c1"), about("c2")], [0, 0, 0], "{lies:?}");
+    }
+}
+
 #[test]
 fn a_lipschitz_constant_that_is_a_tenth_too_small_is_named() {
     let lie = lie("wrong_l_h", "L_H");

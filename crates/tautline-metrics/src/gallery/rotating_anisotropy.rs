@@ -50,7 +50,10 @@ impl Metric<2> for RotatingAnisotropy {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let [first, second] = self.eigenvalues;
-        let (mean, half) = (0.5 * (first + second), 0.5 * (first - second));
+        // Where one eigenvalue is much smaller than the other, it is lost in a sum that is rounded; so
+        // the sums are steps of the formula, which intervals enclose.
+        let [first, second] = [first, second].map(S::constant);
+        let (mean, half) = ((first + second) * 0.5, (first - second) * 0.5);
         let (sin, cos) =
             (x[0] * (2.0 * self.wave_vector[0]) + x[1] * (2.0 * self.wave_vector[1])).sin_cos();
         let off = sin * half;

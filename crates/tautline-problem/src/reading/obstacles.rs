@@ -87,16 +87,25 @@ pub(crate) fn distance(shape: &Shape) -> Option<String> {
             Some(format!("sqrt({squares}) - {radius:?}"))
         }
         Shape::HalfSpace { normal, offset } => {
-            // No square of a quotient overflows, nor is it too small to count.
             let largest = normal.iter().fold(0.0_f64, |largest, n| largest.max(n.abs()));
-            let squares = normal.iter().map(|n| (n / largest) * (n / largest)).sum::<f64>();
-            let normal: Vec<f64> = normal.iter().map(|n| n / largest).collect();
-            let (norm, offset) = (squares.sqrt(), offset / largest);
-            let product = |(i, n): (usize, &f64)| format!("({n:?})*x{}", i + 1);
-            let products = sum(normal.iter().enumerate().map(product).collect());
+            // No square overflows, nor is it too small to count. A power of two rounds nothing.
+            let scale = match largest {
+                large if large > 1e100 => 0.5_f64.powi(500),
+                small if small < 1e-100 => 2.0_f64.powi(500),
+                _ => 1.0,
+            };
+            let scaled: Vec<f64> = normal.iter().map(|n| n * scale).collect();
+            let at = offset * scale;
+            let is_exact =
+                scaled.iter().zip(normal).all(|(n, of)| n / scale == *of) && at / scale == *offset;
+            let (product, square) = (
+                |(i, n): (usize, &f64)| format!("({n:?})*x{}", i + 1),
+                |n: &f64| format!("sqr({n:?})"),
+            );
+            let products = sum(scaled.iter().enumerate().map(product).collect());
+            let squares = sum(scaled.iter().map(square).collect());
             // The half-space is normal·x ≤ offset.
-            (norm > 0.0 && norm.is_finite() && offset.is_finite())
-                .then(|| format!("({products} - ({offset:?}))/{norm:?}"))
+            (largest > 0.0 && is_exact).then(|| format!("({products} - ({at:?}))/sqrt({squares})"))
         }
         _ => None,
     }
@@ -131,6 +140,24 @@ mod tests {
             // A dozen roundings of numbers up to 10.
             assert!((found - expected).abs() < 1e-14, "{text}: {found} for {expected}");
         }
+    }
+
+    /// Nothing typed is rounded: `3 x₁ ≤ 10¹⁶` begins at 10¹⁶/3, and the double next to it is not there.
+    #[test]
+    fn the_numbers_of_a_half_space_are_those_of_its_distance() {
+        for scale in [1.0, 2.0_f64.powi(700), 0.5_f64.powi(700)] {
+            let wall = Shape::HalfSpace { normal: vec![3.0 * scale], offset: 1e16 * scale };
+            let text = distance(&wall).expect("a normal");
+            // 3 · 3333333333333334 = 10¹⁶ + 2.
+            let text = text.replace("x1", "3333333333333334");
+            let found = tautline::formula::number(&text, &[]).expect("a number");
+            assert_eq!(found, 2.0 / 3.0, "{text}");
+        }
+        let none = Shape::HalfSpace { normal: vec![0.0, 0.0], offset: 1.0 };
+        assert_eq!(distance(&none), None);
+        // No power of two takes both entries to doubles whose squares are.
+        let uneven = Shape::HalfSpace { normal: vec![1e200, 5e-324], offset: 1.0 };
+        assert_eq!(distance(&uneven), None);
     }
 
     /// Positive outside, negative inside.

@@ -2,6 +2,11 @@
 
 use std::ops::Range;
 
+use toml::{
+    Spanned,
+    de::{DeTable, DeValue},
+};
+
 use crate::{
     Diagnostic,
     file::ProblemFile,
@@ -10,7 +15,29 @@ use crate::{
 
 /// Reads a problem file word for word.
 pub(crate) fn parse(file: &str) -> Result<ProblemFile, Diagnostic> {
-    toml::from_str(file).map_err(|error| explain(&error, file))
+    let problem = toml::from_str(file).map_err(|error| explain(&error, file))?;
+    let document = DeTable::parse(file).map_err(|error| explain(&error, file))?;
+    match document.get_ref().values().find_map(lost) {
+        None => Ok(problem),
+        Some(at) => Err(Diagnostic::new("this number is too small for a double", at)
+            .label("expected 0, or a number of at least 5e-324")),
+    }
+}
+
+/// Returns the place of a number in a value that is read as 0 and is not 0.
+fn lost(value: &Spanned<DeValue<'_>>) -> Option<Range<usize>> {
+    match value.get_ref() {
+        DeValue::Float(number) => {
+            let number = number.as_str();
+            let mantissa = number.split(['e', 'E']).next().unwrap_or_default();
+            let is_lost = number.parse() == Ok(0.0)
+                && mantissa.bytes().any(|byte| (b'1'..=b'9').contains(&byte));
+            is_lost.then(|| value.span())
+        }
+        DeValue::Array(items) => items.iter().find_map(lost),
+        DeValue::Table(table) => table.values().find_map(lost),
+        _ => None,
+    }
 }
 
 fn explain(error: &toml::de::Error, file: &str) -> Diagnostic {

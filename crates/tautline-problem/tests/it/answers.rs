@@ -66,6 +66,31 @@ fn a_sequence_that_did_not_converge_is_no_global_minimum() {
     assert_eq!(solved(""), (true, GlobalMinimum::Proved));
 }
 
+/// The claims are true. Quadrature misses a spike of width 10⁻⁶ and height 10⁶, and says that its error is
+/// small. The length is 1 + √π.
+#[test]
+fn bounds_by_claims_are_those_of_an_enclosed_curve() {
+    let file = "[metric]\nphi = \"sqr(1 + 1e6*exp(-((x1 - 0.50123)*1e6)^2))\"\n[from]\npoint = [0]\n\
+                [to]\npoint = [1]\n[certify]\n\
+                constants = { c1 = 1, c2 = 1000002000001, l_h = 2e18, m_h = 1e25 }\n";
+    let answer = Question::read(file).expect("a file").solve(&mut |_| ()).expect("solved");
+    let bounds = answer.bounds.expect("bounds");
+    let length = 1.0 + std::f64::consts::PI.sqrt();
+    assert!(!bounds.constants.proved && bounds.lower.value <= length, "{bounds:?}");
+    assert!(bounds.upper.value >= length && answer.length.value < 1.1, "{bounds:?}");
+}
+
+/// `H = 2 + x₁`, which doubles round to 2, below the claim.
+#[test]
+fn claims_that_only_rounding_breaks_are_not_refused() {
+    let file = "[metric]\nphi = \"2 + (x1 + 1e16) - 1e16\"\n[from]\npoint = [0.2, 0]\n\
+                [to]\npoint = [0.8, 0]\n[certify]\n\
+                constants = { c1 = 2.1, c2 = 3, l_h = 1, m_h = 0 }\n";
+    let answer = Question::read(file).expect("a file").solve(&mut |_| ()).expect("solved");
+    let why = answer.no_bounds.unwrap_or_default();
+    assert!(!why.contains("claim c1") && !why.contains("claim c2"), "{why}");
+}
+
 /// On the sphere the constants hold in a ball only, which is told with them.
 #[test]
 fn the_bounds_of_an_answer_are_those_of_the_proof() {

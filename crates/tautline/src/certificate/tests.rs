@@ -209,8 +209,8 @@ fn constants_on_a_region_are_refused() {
     assert_eq!(line.suggest_n(1.0), Err(BoundError::LocalConstants));
     // Nor does a claim make them hold elsewhere.
     let claim = Bounded::<2>::constants(&Valleys);
-    assert_eq!(line.enclosure_given(claim.on_a_region()), Err(BoundError::LocalConstants));
-    assert!(line.enclosure_given(claim).is_ok());
+    assert_eq!(line.enclosure_given(claim.on_a_region(), None), Err(BoundError::LocalConstants));
+    assert!(line.enclosure_given(claim, None).is_ok());
 }
 
 #[test]
@@ -231,7 +231,7 @@ fn claimed_constants_count_as_much_as_proved_ones() {
     let claim = claim.and_then(|claim| claim.with_m_h(proof.constants.m_h().expect("proved")));
     let claim = claim.expect("constants");
     assert!(!claim.is_isotropic() && proof.constants.is_isotropic());
-    let claimed = line.enclosure_given(claim).expect("bounds");
+    let claimed = line.enclosure_given(claim, None).expect("bounds");
     // The curves' energies differ by a quadrature error of a few roundings.
     let proved = line.enclosure_by(proof.constants, line.extent()).expect("bounds");
     let difference = (claimed.lower - proved.lower).abs();
@@ -246,7 +246,7 @@ fn claimed_constants_of_an_anisotropic_metric_stay_anisotropic() {
     let line = Problem::new(shear, ends).solve(Trapezoidal, 64).expect("solved");
     assert!(!shear.constants().is_isotropic());
     let [claimed, isotropic] = [shear.constants(), shear.constants().isotropic()]
-        .map(|constants| line.enclosure_given(constants).expect("bounds"));
+        .map(|constants| line.enclosure_given(constants, None).expect("bounds"));
     assert_eq!(Ok(claimed), line.enclosure());
     assert!(isotropic.lower > claimed.lower, "a wrong claim of isotropy would show");
 }

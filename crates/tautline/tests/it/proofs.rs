@@ -34,7 +34,7 @@ fn by_theorems(line: &TautLine<Formula<2>, Trapezoidal, 2>, proof: &Proof<'_, 2>
     let proved = proof.constants;
     let claimed = Constants::new(proved.c1(), proved.c2(), proved.l_h());
     let claimed = claimed.and_then(|claimed| claimed.with_m_h(proved.m_h().expect("proved")));
-    line.enclosure_given(claimed.expect("constants")).expect("bounds")
+    line.enclosure_given(claimed.expect("constants"), None).expect("bounds")
 }
 
 fn is_checked<const D: usize>(proof: &Proof<'_, D>) {

@@ -1,0 +1,98 @@
+//! `RayleighQuotient`: `wᵀ H(x) w / |w|²`, enclosed.
+
+use nalgebra::{DMatrix, SVector};
+use tautline_scalar::{Interval, Scalar};
+
+use crate::Metric;
+
+/// The quotient `wᵀ H(x) w / |w|²` of one direction. The least eigenvalue of `H(x)` is no larger, and the
+/// greatest no smaller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayleighQuotient<const D: usize> {
+    /// The direction `w`; its largest entry is 1.
+    pub direction: SVector<f64, D>,
+    /// Rigorous bounds on the quotient.
+    pub value: Interval,
+}
+
+impl<const D: usize> RayleighQuotient<D> {
+    /// Returns quotients near the least and the greatest eigenvalue of `H(x)`: in the directions that
+    /// are eigenvectors in `f64`. `None` if an entry of `H(x)` is not finite.
+    ///
+    /// The quotients are enclosed, so that they prove what is wrong with a claim about the eigenvalues
+    /// where `f64` alone shows rounding.
+    ///
+    /// ```
+    /// use tautline_metrics::{RayleighQuotient, gallery::Ramp};
+    ///
+    /// let [least, greatest] = RayleighQuotient::extreme(&Ramp::new(0.5, 1.0)?, &[0.0].into()).ok_or("finite")?;
+    /// assert_eq!([least.value.lo(), greatest.value.hi()], [1.0, 1.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn extreme(metric: &impl Metric<D>, x: &SVector<f64, D>) -> Option<[Self; 2]> {
+        let h = metric.gram(x);
+        // On other matrices nalgebra would iterate forever.
+        if !h.iter().all(|entry| entry.is_finite()) {
+            return None;
+        }
+        let eigen = DMatrix::from_fn(D, D, |i, j| h[(i.min(j), i.max(j))]).symmetric_eigen();
+        let enclosed = metric.gram(&x.map(Interval::point));
+        let quotient = |k: usize| {
+            let column = eigen.eigenvectors.column(k);
+            let largest = column[column.icamax()];
+            // So scaled, the direction in which a singular matrix of short numbers vanishes is exact.
+            let direction = SVector::<f64, D>::from_fn(|i, _| column[i] / largest);
+            let mut form = Interval::constant(0.0);
+            let mut square = Interval::constant(0.0);
+            for (i, &wi) in direction.iter().enumerate() {
+                square += Interval::point(wi).sqr();
+                for (j, &wj) in direction.iter().enumerate() {
+                    form += enclosed[(i.min(j), i.max(j))] * wi * wj;
+                }
+            }
+            Self { direction, value: form / square }
+        };
+        Some([quotient(eigen.eigenvalues.imin()), quotient(eigen.eigenvalues.imax())])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+    use tautline_scalar::Scalar;
+
+    use super::RayleighQuotient;
+    use crate::{Metric, gallery::Constant};
+
+    /// In `f64` the first entry is 0 at `x₁ = 1/4`, and in truth it is 1/4.
+    struct Cancelled;
+
+    impl Metric<2> for Cancelled {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let entry = (x[0] + 1e17) - 1e17;
+            SMatrix::from_diagonal(&SVector::from([entry, S::constant(1.0)]))
+        }
+    }
+
+    #[test]
+    fn a_quotient_contains_the_eigenvalue_that_rounding_loses() {
+        let [least, greatest] =
+            RayleighQuotient::extreme(&Cancelled, &[0.25, 0.0].into()).expect("finite");
+        assert!(least.value.lo() <= 0.25 && 0.25 <= least.value.hi(), "{least:?}");
+        assert_eq!((greatest.value.lo(), greatest.value.hi()), (1.0, 1.0));
+        assert_eq!(greatest.direction, SVector::from([0.0, 1.0]));
+    }
+
+    /// `(2 1; 1 2)` has the eigenvalues 1 and 3.
+    #[test]
+    fn the_quotients_of_eigenvectors_are_the_eigenvalues() {
+        let metric = Constant::<2>::new([[2.0, 1.0], [1.0, 2.0]].into()).expect("definite");
+        let found = RayleighQuotient::extreme(&metric, &[0.0, 0.0].into()).expect("finite");
+        for (quotient, eigenvalue) in found.iter().zip([1.0, 3.0]) {
+            // Four products and their sum, of numbers up to 6.
+            assert!((quotient.value.midpoint() - eigenvalue).abs() < 4e-15, "{quotient:?}");
+            assert!(quotient.value.lo() <= eigenvalue + 1e-15 && quotient.value.width() < 1e-14);
+        }
+    }
+}
