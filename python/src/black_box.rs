@@ -3,7 +3,7 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
-use pyo3::{prelude::*, types::PyDict};
+use pyo3::prelude::*;
 use tautline_problem::value::Values;
 
 use crate::error::ProblemError;
@@ -62,19 +62,9 @@ impl Callback {
     ) -> PyResult<Vec<f64>> {
         let (d, m) = (self.dimension, x.len() / self.dimension);
         let points = x.to_vec().into_pyarray(py).reshape([m, d])?;
-        let numpy = py.import("numpy")?;
-        let values = numpy.call_method1("asarray", (function.call1(py, (points,))?,))?;
         let what = ["H", "the first derivative", "the second derivative"][order];
-        if values.getattr("dtype")?.getattr("name")?.extract::<String>()? == "float32" {
-            let message = format!(
-                "{what} is of type float32, which is too coarse for a search; in JAX, call \
-                 jax.config.update('jax_enable_x64', True) first"
-            );
-            return Err(ProblemError::new_err(message));
-        }
-        let options = PyDict::new(py);
-        options.set_item("dtype", "float64")?;
-        let values = numpy.call_method("ascontiguousarray", (values,), Some(&options))?;
+        let values = function.call1(py, (points,))?;
+        let values = py.import("tautline._convert")?.call_method1("returned", (values, what))?;
         let values = values.cast_into::<PyArrayDyn<f64>>()?;
         let mut shape = vec![m];
         shape.extend(std::iter::repeat_n(d, 2 + order));

@@ -14,6 +14,7 @@ from ._tautline import ProblemError
 
 def array(x: Any, what: str) -> NDArray[np.float64]:
     """An array of real numbers."""
+    refuse_masked(x, what)
     try:
         found = np.asarray(x)
     except ValueError:
@@ -27,6 +28,36 @@ def array(x: Any, what: str) -> NDArray[np.float64]:
         return np.ascontiguousarray(found, np.float64).reshape(found.shape)
     except (TypeError, ValueError):
         raise ProblemError(f"{what} is {_short(x)}; expected numbers") from None
+
+
+def refuse_masked(x: Any, what: str) -> None:
+    """Refuses cells without a number, which NumPy would take with the number under the mask."""
+    if _is_masked(x):
+        raise ProblemError(
+            f"{what} has masked cells: {_short(x)}; expected numbers, such as those of `filled`"
+        )
+
+
+def _is_masked(x: Any) -> bool:
+    if isinstance(x, np.ma.MaskedArray):
+        return bool(np.ma.is_masked(x))
+    if isinstance(x, np.ndarray) and x.dtype.kind == "O":
+        x = x.ravel().tolist()
+    return isinstance(x, (list, tuple)) and any(map(_is_masked, x))
+
+
+def returned(x: Any, what: str) -> NDArray[np.float64]:
+    """What the function of a black box returned: real numbers in double precision."""
+    found = array(x, what)
+    given = np.asarray(x)
+    entries = given.ravel().tolist() if given.dtype.kind == "O" else []
+    for dtype in (given.dtype, *(entry.dtype for entry in entries if isinstance(entry, np.generic))):
+        if dtype.kind == "f" and dtype.itemsize < 8:
+            raise ProblemError(
+                f"{what} is of type {dtype.name}, which is too coarse for a search: compute it in double "
+                "precision; in JAX, call jax.config.update('jax_enable_x64', True) first"
+            )
+    return found
 
 
 def vector(x: Any, what: str) -> list[float]:

@@ -202,9 +202,10 @@ class Metric:
 
         `first` returns the derivatives, of shape (m, D, D, D) with the direction last, and `second`
         those of shape (m, D, D, D, D). With JAX they are `jax.vmap(jax.jacfwd(h1))` and
-        `jax.vmap(jax.jacfwd(jax.jacfwd(h1)))` of a function `h1` of one point, in double precision.
-        Those that are not given are computed from differences of values at points whose coordinates
-        differ by `step`: a thousandth of the length over which H changes is a good one.
+        `jax.vmap(jax.jacfwd(jax.jacfwd(h1)))` of a function `h1` of one point. Those that are not given
+        are computed from differences of values at points whose coordinates differ by `step`: a thousandth
+        of the length over which H changes is a good one. All return real numbers in double precision;
+        complex ones and those of float16 and float32 are refused.
 
         >>> def h(x):
         ...     cost = np.where(x[:, 0] > 1, 2 + (x[:, 0] - 1) ** 4, 2)

@@ -51,7 +51,7 @@ class Table:
             raise ProblemError(f"a table on {axes} axes takes {axes} arguments, not {len(x)}")
         if any(isinstance(u, Traced) for u in x):
             return Traced.called(self, x)
-        arrays = np.broadcast_arrays(*(np.asarray(u, float) for u in x))
+        arrays = np.broadcast_arrays(*(array(u, "an argument of a table") for u in x))
         values = [self.spline.value(list(u), (0, 0, 0)) for u in zip(*(a.ravel() for a in arrays))]
         return values[0] if arrays[0].ndim == 0 else np.reshape(values, arrays[0].shape)
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._convert import array, plain
+from ._convert import array, plain, refuse_masked
 from ._recorded import coordinates, written
 from ._table import Table
 from ._tautline import ProblemError
@@ -155,6 +155,7 @@ def _values(function: Callable[[np.ndarray], Any], dimension: int) -> np.ndarray
             "symbols were added into an array of floats, as by `a += x`: write `a = a + x`, or make the "
             f"array with dtype=object ({error})"
         ) from None
+    refuse_masked(found, "what the function returned")
     if isinstance(found, (list, tuple)):
         try:
             found = np.asarray(found, object)

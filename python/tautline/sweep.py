@@ -40,6 +40,7 @@ from typing import Any
 
 import numpy as np
 
+from ._convert import refuse_masked
 from ._draft import write
 from ._tautline import Plan, ProblemError, is_finished, merged, shard
 
@@ -188,6 +189,7 @@ class Batch:
 
     def __call__(self, batch: Mapping[str, Any]) -> dict[str, np.ndarray]:
         """The results of the problems whose ids are in the column `id` of a batch."""
+        refuse_masked(batch["id"], "the column id")
         ids = np.asarray(batch["id"])
         lines = self.plan.lines(ids.tolist(), self.threads)
         if self.lines:

@@ -68,12 +68,50 @@ class Points(unittest.TestCase):
             lambda: FLAT(np.array([1j, 0])),
             lambda: tl.distance_matrix(FLAT, np.zeros((2, 2), complex)),
             lambda: tl.Table([1, 2j]),
+            lambda: tl.Table([1, 2])(1j),
+            lambda: tl.Table([1, 2])(np.array([1j])),
             lambda: tl.ball([0, 0], 1j),
             lambda: tl.Metric("cost(2 + k*x1)", 1, parameters={"k": 1j}),
             lambda: tl.Metric.image(np.ones((2, 2), complex)),
         ):
             with self.assertRaisesRegex(TypeError, "complex"):
                 attempt()
+
+    def test_masked_cells_are_refused(self):
+        def masked(*shape):
+            return np.ma.masked_array(np.ones(shape), np.arange(np.prod(shape)).reshape(shape) == 0)
+
+        for attempt in (
+            lambda: tl.solve(FLAT, masked(2), [1, 1]),
+            lambda: tl.solve(FLAT, [np.ma.masked, 0], [1, 1]),
+            lambda: tl.solve(FLAT, [0, 0], [1, 1], starts=masked(3, 2)),
+            lambda: tl.solve(FLAT, [0, 0], [1, 1], starts=[masked(3, 2)]),
+            lambda: tl.solve_batch(FLAT, [0, 0], masked(3, 2)),
+            lambda: tl.solve_batch(FLAT, masked(3, 2), [0, 0]),
+            lambda: tl.distance_matrix(FLAT, masked(3, 2)),
+            lambda: FLAT(masked(3, 2)),
+            lambda: FLAT([masked(2), [0, 0]]),
+            lambda: tl.Table(masked(4, 4)),
+            lambda: tl.Table(np.ones((4, 4)))(masked(2), 0),
+            lambda: tl.Metric.image(masked(4, 4)),
+            lambda: tl.Metric.image(np.ones((4, 4)), spacing=masked(2)),
+            lambda: tl.Metric.field(masked(4, 2, 2, 2)),
+            lambda: tl.Metric("cost(1 + h(x1))", 1, tables={"h": masked(4)}),
+            lambda: tl.Metric("cost(2 + k*x1)", 1, parameters={"k": np.ma.masked}),
+            lambda: tl.Metric(masked(2, 2)),
+            lambda: tl.Metric(lambda x: masked(2, 2), 2),
+            lambda: tl.Metric(lambda x: [masked(2), [0, 1]], 2),
+            lambda: tl.solve(tl.Metric.black_box(lambda x: masked(len(x), 2, 2), 2), [0, 0], [1, 1]),
+            lambda: tl.ball(masked(2), 1),
+            lambda: tl.points(masked(3, 2)),
+            lambda: tl.union(masked(2)),
+            lambda: tl.affine_subspace([0, 0], masked(1, 2)),
+        ):
+            with self.assertRaisesRegex(tl.ProblemError, "masked cells"):
+                attempt()
+        # Without a masked cell it is an array.
+        whole = np.ma.masked_array([3.0, 4.0], [False, False])
+        self.assertEqual(float(tl.solve(FLAT, [0, 0], whole, n=8).length), 5.0)
 
     def test_a_matrix_of_distances_needs_finite_points(self):
         with self.assertRaisesRegex(tl.ProblemError, r"row 1 of a is \[nan, 1.0\]"):

@@ -258,6 +258,9 @@ class BlackBoxes(unittest.TestCase):
             (KeyError, "of the user", broken),
             (tl.ProblemError, r"H has the shape \[2, 2\] at 1 points|H has the shape", lambda x: np.eye(2)),
             (tl.ProblemError, "jax_enable_x64", lambda x: self.values(x).astype(np.float32)),
+            (tl.ProblemError, "of type float16", lambda x: self.values(x).astype(np.float16)),
+            (TypeError, "H is complex", lambda x: self.values(x) + 0j),
+            (TypeError, "H is complex", lambda x: (self.values(x) + 1e-3j).tolist()),
             (tl.MetricError, "", lambda x: -self.values(x)),
             (TypeError, "", None),
         ]
@@ -271,6 +274,9 @@ class BlackBoxes(unittest.TestCase):
                     attempt()
         with self.assertRaisesRegex(tl.ProblemError, "step"):
             tl.Metric.black_box(self.values, 2, step=0)
+        first = tl.Metric.black_box(self.values, 2, first=lambda x: np.zeros((len(x), 2, 2, 2), complex))
+        with self.assertRaisesRegex(TypeError, "the first derivative is complex"):
+            tl.solve(first, *self.ends)
 
 
 class Tables(unittest.TestCase):
