@@ -33,6 +33,7 @@ and those of the command `tautline run`.
 from __future__ import annotations
 
 import csv
+import hashlib
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -156,6 +157,8 @@ def run_on_dask(
     crash of everything, call it again: finished blocks are not done again. `merge` joins the files.
     """
     folder = str(Path(folder).absolute())
+    # The same sweep in another folder is other work.
+    work = hashlib.sha256(f"{plan.hash} {folder}".encode()).hexdigest()[:16]
     futures = [
         client.submit(
             run_shard,
@@ -164,7 +167,7 @@ def run_on_dask(
             shards,
             folder,
             threads=threads,
-            key=f"tautline-{plan.hash[:16]}-{k}-of-{shards}",
+            key=f"tautline-{work}-{k}-of-{shards}",
             pure=False,
             retries=retries,
         )

@@ -107,6 +107,31 @@ class Sweeps(unittest.TestCase):
         self.assertEqual(self.plan.results(lines), self.whole)
         with self.assertRaisesRegex(tl.ProblemError, "id"):
             self.plan.results(lines[::-1])
+        with self.assertRaisesRegex(tl.ProblemError, "the column id has masked cells"):
+            sweep.Batch(self.plan)({"id": np.ma.masked_array([3, 4], [False, True])})
+
+    def test_the_same_sweep_in_two_folders_is_two_works_of_one_cluster(self):
+        class Cluster:
+            """As a client of Dask, one result for each key."""
+
+            def __init__(self):
+                self.results = {}
+
+            def submit(self, function, *arguments, key, pure, retries, **options):
+                if key not in self.results:
+                    self.results[key] = function(*arguments, **options)
+                return key
+
+            def gather(self, keys):
+                return [self.results[key] for key in keys]
+
+        cluster = Cluster()
+        for folder in (self.folder / "a", self.folder / "b", self.folder / "a"):
+            paths = sweep.run_on_dask(self.plan, cluster, folder, shards=3)
+            self.assertEqual({Path(path).parent for path in paths}, {folder})
+            sweep.merge(folder, self.folder / "merged.csv")
+            self.assertEqual((self.folder / "merged.csv").read_text(), self.whole)
+        self.assertEqual(len(cluster.results), 6)
 
     @unittest.skipUnless(importlib.util.find_spec("pyarrow"), "needs pyarrow")
     def test_parquet(self):
