@@ -12,6 +12,7 @@ use tautline::{certify, distance::Wanted};
 use tautline_problem::value::{self, Proofs};
 
 use crate::{
+    accuracy::accuracy,
     bounds::Bounds,
     certificate::Certificate,
     claims::Claims,
@@ -183,7 +184,7 @@ impl Curve {
         boxes: Option<usize>,
     ) -> PyResult<Bounds> {
         let claimed = claimed.map(|Claims(constants)| constants);
-        let proofs = Proofs { claimed, tolerance: Some(tolerance), boxes };
+        let proofs = Proofs { claimed, tolerance: Some(accuracy(tolerance)?), boxes };
         let curve = Arc::clone(&self.curve);
         let found = interruptible(py, move |stopped| {
             curve.bounds(&proofs, &unless(stopped), &mut |_| flow(stopped))

@@ -1,5 +1,6 @@
 //! The Python module `tautline._tautline`. The package `tautline` documents it.
 
+mod accuracy;
 mod avoiding;
 mod black_box;
 mod bounds;

@@ -14,6 +14,7 @@ use tautline::Table;
 use tautline_problem::value::{self, Found, Given, Grid, Nodes, Proofs, Request, RuleName, Shape};
 
 use crate::{
+    accuracy::accuracy,
     black_box::Callback,
     bounds::Constant,
     curve::{Curve, unless},
@@ -158,7 +159,7 @@ impl Program {
         if within.as_ref().is_some_and(|set| set.pieces.len() != 1) {
             return Err(ProblemError::new_err("constants hold in a ball or a box, not in a union"));
         }
-        let proofs = Proofs { claimed: None, tolerance: Some(tolerance), boxes };
+        let proofs = Proofs { claimed: None, tolerance: Some(accuracy(tolerance)?), boxes };
         let given = self.given.clone();
         let found = interruptible(py, move |stopped| {
             let within = within.as_ref().and_then(|set| set.pieces.first());

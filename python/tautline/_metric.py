@@ -269,7 +269,8 @@ class Metric:
         first and second derivatives.
 
         They hold `within` a ball or a box, or on all of space if the formula shows what happens far
-        out. `tolerance` is their relative accuracy, `boxes` the largest number of boxes for one.
+        out. `tolerance` is their relative accuracy, between 0 and 1, `boxes` the largest number of boxes
+        for one.
 
         >>> constants = Metric.cost("2 - cos(x1)", 2).constants()
         >>> [round(constants[name].upper, 3) for name in ("c1", "c2", "L_H")]

@@ -283,6 +283,21 @@ class Metrics(unittest.TestCase):
 class Proofs(unittest.TestCase):
     curve = tl.solve(VALLEYS, [0, 0], [1, 0.5], n=64)
 
+    def test_an_accuracy_is_between_0_and_1(self):
+        for wrong in (np.inf, np.nan, -1e-3, 0.0, 1.0, -np.inf):
+            for attempt in (
+                lambda: VALLEYS.constants(tolerance=wrong),
+                lambda: self.curve.bounds(tolerance=wrong),
+            ):
+                message = f"(?i)the tolerance {wrong} is out of range; expected a number between 0 and 1"
+                with self.assertRaisesRegex(tl.ProblemError, message):
+                    attempt()
+            with self.assertRaisesRegex(tl.ProblemError, "a gap of .* which is not between 0 and 1"):
+                self.curve.certificate(wrong)
+            with self.assertRaisesRegex(tl.ProblemError, "the tolerance is "):
+                tl.solve(VALLEYS, [0, 0], [1, 0.5], tolerance=wrong)
+        self.assertIsNotNone(VALLEYS.constants(tolerance=0.5)["c1"].lower)
+
     def test_constants_that_are_proved_may_be_claimed(self):
         constants = VALLEYS.constants()
         four = (constants["c1"].lower, *(constants[name].upper for name in ("c2", "L_H", "M_H")))
