@@ -1,5 +1,6 @@
 """What may be given, and what is said of the rest."""
 
+import importlib.metadata
 import os
 import pathlib
 import subprocess
@@ -325,6 +326,11 @@ class Proofs(unittest.TestCase):
 
 
 class Module(unittest.TestCase):
+    def test_the_oldest_numpy_raises_what_a_comparison_raises(self):
+        # Before 1.25, `array == v` swallows the refusal of a branch.
+        required = importlib.metadata.requires("tautline") or []
+        self.assertIn("numpy>=1.25", [each.replace(" ", "") for each in required])
+
     def test_the_module_lists_what_it_offers(self):
         self.assertEqual(set(dir(tl)), {*tl.__all__, "sweep"})
         self.assertTrue(all(hasattr(tl, name) for name in dir(tl)))
