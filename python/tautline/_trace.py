@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,6 +25,23 @@ class TraceError(TypeError):
 
 # The order in which numbers are computed.
 ORDER = itertools.count()
+
+# The branches that were refused while a function was recorded.
+REFUSED: ContextVar[list[TraceError] | None] = ContextVar("refused", default=None)
+
+
+@contextmanager
+def no_branches() -> Iterator[None]:
+    """Raises the refusal of a branch again, if somebody caught it: before 1.25, NumPy makes an answer of an
+    exception in `array == v`, and what follows would be recorded for all points."""
+    refused: list[TraceError] = []
+    token = REFUSED.set(refused)
+    try:
+        yield
+    finally:
+        REFUSED.reset(token)
+    if refused:
+        raise refused[0]
 
 
 class Traced:
@@ -217,8 +236,14 @@ class Traced:
             "max(u, v), or give a black box to `Metric.black_box`"
         )
 
+    def _is_no_branch(self, what: str) -> TraceError:
+        error = self._is_no_number(what)
+        if (refused := REFUSED.get()) is not None:
+            refused.append(error)
+        return error
+
     def __bool__(self) -> bool:
-        raise self._is_no_number("an `if`, `and`, `min` or `max` of a traced number")
+        raise self._is_no_branch("an `if`, `and`, `min` or `max` of a traced number")
 
     def __float__(self) -> float:
         raise TraceError(
@@ -227,13 +252,19 @@ class Traced:
         )
 
     def _compared(self, other: Any) -> bool:
-        raise self._is_no_number("a comparison of a traced number")
+        raise self._is_no_branch("a comparison of a traced number")
 
     __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _compared
     __hash__ = object.__hash__
 
     def __abs__(self) -> Traced:
         raise self._is_no_number("`abs` of a traced number")
+
+    def _jumps(self, *_: Any) -> Traced:
+        raise self._is_no_number("`%`, `//` or `round` of a traced number")
+
+    __mod__ = __rmod__ = __divmod__ = __rdivmod__ = __floordiv__ = __rfloordiv__ = _jumps
+    __round__ = __floor__ = __ceil__ = __trunc__ = _jumps
 
     def __repr__(self) -> str:
         return f"<traced {self.text.format(*['…'] * len(self.arguments))}>"

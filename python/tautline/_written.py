@@ -13,7 +13,7 @@ from ._convert import array, plain, refuse_masked
 from ._recorded import coordinates, written
 from ._table import Table
 from ._tautline import ProblemError
-from ._trace import UFUNCS, Number, TraceError
+from ._trace import UFUNCS, Number, TraceError, no_branches
 
 # The forms that take one function.
 SCALARS = ("cost", "speed", "phi", "graph")
@@ -139,11 +139,17 @@ def _values(function: Callable[[np.ndarray], Any], dimension: int) -> np.ndarray
                 f"the function gets one array x of shape ({dimension},), and takes {signature}"
             ) from None
     try:
-        found = function(x)
+        with no_branches():
+            found = function(x)
     except (TypeError, AttributeError) as error:
         # Of NumPy, which does not ask the symbols in an array.
-        missing = re.search(r"'(?:float|int)' object has no attribute '(\w+)'", str(error))
-        is_missing = missing is not None and missing[1] in UFUNCS
+        missing = re.search(r"'(float|int|Traced)' object has no attribute '(\w+)'", str(error))
+        if missing is not None and missing[1] == "Traced":
+            raise TraceError(
+                f"a function needs arrays of numbers, and not of symbols: {error}. Write it with "
+                f"{', '.join(sorted(UFUNCS))}, or give a black box to `Metric.black_box`"
+            ) from None
+        is_missing = missing is not None and isinstance(getattr(np, missing[2], None), np.ufunc)
         if is_missing or "ufunc" in str(error) and "dtype('O')" not in str(error):
             raise TraceError(
                 f"a function of NumPy does not take an array of symbols: {error}. Call it for each entry, "

@@ -64,6 +64,41 @@ class Scalars(unittest.TestCase):
 
 
 class Functions(unittest.TestCase):
+    def test_a_branch_that_somebody_catches_is_refused_all_the_same(self):
+        def compared(x):
+            # As NumPy before 1.25 does in `x == 0`.
+            try:
+                same = x == 0
+            except TypeError:
+                same = False
+            return 2.0 if same is False else 3.0 + x[0]
+
+        def decided(x):
+            try:
+                return 2.0 if x[0] else 3.0
+            except TypeError:
+                return 4.0
+
+        def less(x):
+            try:
+                return 2.0 if x[0] < 1 else 3.0
+            except TypeError:
+                return 4.0
+
+        for function in (compared, decided, less):
+            with self.assertRaisesRegex(tl.TraceError, "would follow one of the branches"):
+                tl.Metric.phi(function, 2)
+        # The next function is another one.
+        self.assertEqual(tl.Metric.phi(lambda x: 2.0, 2)([0, 0])[0, 0], 2.0)
+
+    def test_what_needs_an_array_of_numbers_says_so(self):
+        for function in (np.sinc, np.i0, np.angle, np.cbrt, np.round, np.rint, lambda u: u % 1, lambda u: u // 2):
+            for attempt in (lambda x: 2 + function(x[0]), lambda x: 2 + sum(function(x))):
+                with self.assertRaises(tl.TraceError):
+                    tl.Metric.phi(attempt, 2)
+        with self.assertRaisesRegex(tl.TraceError, "needs arrays of numbers.*black_box"):
+            tl.Metric.phi(lambda x: np.sinc(x[0]), 1)
+
     def test_compositions_have_the_values_of_numpy(self):
         names = (
             "exp2 expm1 log2 log10 log1p arcsin arccos arctanh radians degrees deg2rad rad2deg"
