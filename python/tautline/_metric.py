@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from ._convert import array, number, whole
 from ._image import Lattice, of_field, of_image
+from ._sympy import is_sympy, of_sympy
 from ._table import Table
 from ._tautline import Constant, ProblemError, Program, Set, Spline, avoiding
-from ._written import check_used, is_sympy, of_form, of_matrix, of_sympy, sign, words
+from ._written import check_used, of_form, of_matrix, sign, words
 
 
 class Metric:
@@ -32,6 +33,11 @@ class Metric:
     Definitions go before, as in "u = exp(-x1^2); [2 + u, 0; 0, 1]". `parameters` gives values to other
     names of a text or to symbols of SymPy, and `tables` are functions that a text may call: see `Table`,
     or arrays.
+
+    Numbers, also parameters, are doubles: the nearest ones to decimals, and to pi, in a text. What stands
+    for more digits is a step, which intervals enclose: ln 2 in `2**x` and `np.log2`, π/180 in
+    `np.deg2rad`, and the fractions, roots, pi and E of a SymPy expression. A Float of SymPy that is no
+    double is refused.
 
     For what is no formula, there is `Metric.black_box`.
 

@@ -51,14 +51,23 @@ class Traced:
     compared, converted to a float, or decide an `if`.
     """
 
-    __slots__ = ("text", "arguments", "order", "table")
+    __slots__ = ("text", "arguments", "order", "table", "value", "is_constant")
 
     def __init__(
-        self, text: str, arguments: tuple[Traced, ...] = (), table: Table | None = None
+        self,
+        text: str,
+        arguments: tuple[Traced, ...] = (),
+        table: Table | None = None,
+        value: float | None = None,
     ) -> None:
         # The text has a {} for each argument; that of a table begins with the arguments.
         self.text, self.arguments, self.order = text, arguments, next(ORDER)
         self.table = table
+        # A number that is a step.
+        self.value = value
+        self.is_constant: bool = value is not None or (
+            bool(arguments) and table is None and all(x.is_constant for x in arguments)
+        )
 
     @classmethod
     def called(cls, table: Table, x: Sequence[Any]) -> Traced:
@@ -106,6 +115,10 @@ class Traced:
 
     def __pow__(self, exponent: Any) -> Any:
         exponent = plain(exponent)
+        if isinstance(exponent, Traced) and self.is_constant:
+            if self.value is not None and self.value <= 0:
+                return exponent.__rpow__(self.value)
+            return (exponent * self.log()).exp()
         if isinstance(exponent, Number) and float(exponent) == 0.5:
             return self.sqrt()
         if isinstance(exponent, Number) and float(exponent) == -0.5:
@@ -117,6 +130,8 @@ class Traced:
             power = int(abs(float(exponent)))
             found = (self if power == 1 else self**power) * self.sqrt()
             return found if exponent > 0 else Traced("recip({})", (found,))
+        if isinstance(exponent, Number) and self.is_constant:
+            return self ** constant(exponent)
         raise TraceError(
             f"the power {exponent!r}: exponents are integers or halves of them; where x is positive, use "
             "exp(p*log(x))"
@@ -124,7 +139,7 @@ class Traced:
 
     def __rpow__(self, base: Any) -> Any:
         if isinstance(base, Number) and base > 0:
-            return (self * math.log(base)).exp()
+            return (self * constant(base).log()).exp()
         raise TraceError(f"a power of {base!r} with an exponent that depends on the coordinates")
 
     # NumPy calls these for each entry of an array of objects.
@@ -164,18 +179,18 @@ class Traced:
     def reciprocal(self) -> Traced:
         return Traced("recip({})", (self,))
 
-    # Compositions that are exact.
+    # Compositions that are exact: of numbers that are doubles, and of steps, which intervals enclose.
     def exp2(self) -> Any:
-        return (self * math.log(2)).exp()
+        return (self * constant(2).log()).exp()
 
     def expm1(self) -> Any:
         return self.exp() - 1
 
     def log2(self) -> Any:
-        return self.log() / math.log(2)
+        return self.log() / constant(2).log()
 
     def log10(self) -> Any:
-        return self.log() / math.log(10)
+        return self.log() / constant(10).log()
 
     def log1p(self) -> Any:
         return (1 + self).log()
@@ -184,7 +199,7 @@ class Traced:
         return (self / (1 - self * self).sqrt()).arctan()
 
     def arccos(self) -> Any:
-        return math.pi / 2 - self.arcsin()
+        return 2 * constant(1).arctan() - self.arcsin()
 
     def arccosh(self) -> Any:
         return (self + (self * self - 1).sqrt()).log()
@@ -192,11 +207,12 @@ class Traced:
     def arctanh(self) -> Any:
         return ((1 + self) / (1 - self)).log() / 2
 
+    # π/180 is arctan(1)/45.
     def radians(self) -> Any:
-        return self * (math.pi / 180)
+        return self * (constant(1).arctan() / 45)
 
     def degrees(self) -> Any:
-        return self * (180 / math.pi)
+        return self * (45 / constant(1).arctan())
 
     deg2rad, rad2deg = radians, degrees
 
@@ -303,21 +319,44 @@ UFUNCS: dict[str, Callable[..., Any]] = {
 }
 
 
+def constant(x: Any) -> Traced:
+    """A number as a step, so that intervals enclose what is computed from it."""
+    found = numeral(x)
+    if isinstance(found, Traced):
+        return found
+    return Traced(f"number({number(found)})", value=found)
+
+
+def numeral(x: Any) -> float | Traced:
+    """A number as a double, or the sum of doubles that it is."""
+    if isinstance(x, (int, np.integer)):
+        whole = int(x)
+        try:
+            high = float(whole)
+        except OverflowError:
+            raise TraceError(f"a whole number of {whole.bit_length()} bits in a formula") from None
+        rest = whole - int(high)
+        return constant(high) + numeral(rest) if rest else high
+    found = float(x)
+    if not math.isfinite(found):
+        raise TraceError(f"the number {x!r} in a formula")
+    return found
+
+
 def binary(text: str, a: Any, b: Any) -> Any:
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
         return NotImplemented
-    arguments, parts = [], []
-    for x in (a, b):
-        if isinstance(x, Traced):
-            arguments.append(x)
-            parts.append("{}")
-        elif isinstance(x, Number) and math.isfinite(x):
-            parts.append(number(float(x)))
-        elif isinstance(x, Number):
-            raise TraceError(f"the number {x!r} in a formula")
-        else:
-            return NotImplemented
-    return Traced(text.format(*parts), tuple(arguments))
+    if not all(isinstance(x, (Traced, *Number)) for x in (a, b)):
+        return NotImplemented
+    operands = [x if isinstance(x, Traced) else numeral(x) for x in (a, b)]
+    # Beside what depends on the coordinates a number needs no step.
+    if any(isinstance(x, Traced) and not x.is_constant for x in operands):
+        operands = [
+            x.value if isinstance(x, Traced) and x.value is not None else x for x in operands
+        ]
+    parts = ["{}" if isinstance(x, Traced) else number(x) for x in operands]
+    arguments = tuple(x for x in operands if isinstance(x, Traced))
+    return Traced(text.format(*parts), arguments)
 
 
 def number(x: float) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,7 +13,7 @@ from ._convert import array, plain, refuse_masked
 from ._recorded import coordinates, written
 from ._table import Table
 from ._tautline import ProblemError
-from ._trace import UFUNCS, Number, TraceError, no_branches
+from ._trace import UFUNCS, Number, TraceError, no_branches, numeral
 
 # The forms that take one function.
 SCALARS = ("cost", "speed", "phi", "graph")
@@ -56,44 +56,6 @@ def of_form(form: str, f: Any, dimension: int) -> Written:
     return Written("\n".join([*lines, f"{form}({', '.join(names)})"]), tables)
 
 
-def is_sympy(what: Any) -> bool:
-    """Whether it is of SymPy, or a list of such."""
-    if isinstance(what, (list, tuple)):
-        return any(is_sympy(each) for each in what)
-    return hasattr(what, "free_symbols")
-
-
-def of_sympy(
-    what: Any, variables: Sequence[Any] | None, parameters: Mapping[str, float]
-) -> Callable[[np.ndarray], Any]:
-    """A SymPy expression, matrix or list as a function."""
-    import sympy  # type: ignore[import-untyped, import-not-found, unused-ignore]
-
-    found = sympy.sympify(what)
-    free = {str(symbol) for each in _leaves(found) for symbol in each.free_symbols}
-    if variables is None:
-        names = sorted(free - set(parameters)) or ["x", "y"]
-        raise ProblemError(
-            f"variables=({', '.join(names)}) are needed, in the order of the coordinates, for an "
-            "expression of SymPy"
-        )
-    names = [str(variable) for variable in variables]
-    if unknown := sorted(free - set(names) - set(parameters)):
-        raise ProblemError(f"{', '.join(unknown)}: neither in `variables` nor in `parameters`")
-    check_used(parameters, free)
-    # A matrix as nested lists, which need no arrays of numbers.
-    entries = found.tolist() if hasattr(found, "tolist") else found
-    symbols = [*variables, *(sympy.Symbol(name) for name in parameters)]
-    if any(str(symbol) in parameters for symbol in variables):
-        raise ProblemError(f"{[*parameters]} are parameters, and {names} variables")
-    # Symbols with assumptions are others than those of the same name without.
-    by_name = {str(symbol): symbol for each in _leaves(found) for symbol in each.free_symbols}
-    symbols = [by_name.get(str(symbol), symbol) for symbol in symbols]
-    function = sympy.lambdify(symbols, entries, "numpy", cse=True)
-    values = [*parameters.values()]
-    return lambda x: function(*x, *values)
-
-
 def check_used(given: Mapping[str, Any], names: set[str], what: str = "parameter") -> None:
     """Refuses parameters, or tables, that a metric does not use."""
     if unused := [name for name in given if name not in names]:
@@ -111,12 +73,6 @@ def sign(text: str) -> tuple[str, str] | None:
         return None
     start, end = found.span(1)
     return found[1], f"{text[:start]}phi{text[end:]}"
-
-
-def _leaves(found: Any) -> list[Any]:
-    if isinstance(found, (list, tuple)) or type(found).__name__ in ("Tuple", "List"):
-        return [leaf for each in found for leaf in _leaves(each)]
-    return [found]
 
 
 def _constants(what: Any, name: str) -> np.ndarray:
@@ -173,5 +129,5 @@ def _values(function: Callable[[np.ndarray], Any], dimension: int) -> np.ndarray
         if isinstance(each, complex):
             raise TypeError(f"the function returned the complex number {each!r}; expected real ones")
     result = np.empty(len(entries), object)
-    result[:] = [float(each) if isinstance(each, Number) else each for each in entries]
+    result[:] = [numeral(each) if isinstance(each, Number) else each for each in entries]
     return result.reshape(values.shape)

@@ -200,6 +200,14 @@ class Metrics(unittest.TestCase):
             (r"3 dimensions, but 2 variables \(x, y\)", lambda: tl.Metric(matrix, 3, variables=(x, y))),
             ("y: neither in `variables` nor", lambda: tl.Metric.cost(2 + y**2, variables=(x,))),
             ("parameter k is not used", lambda: tl.Metric(matrix, variables=(x, y), parameters={"k": 1})),
+            (r"x is twice in variables=\(x, x\)", lambda: tl.Metric.cost(2 + x**2, variables=(x, x))),
+            (r"x is twice in variables=\(x, x\)", lambda: tl.Metric.cost(2 + x**2, variables=(x, "x"))),
+            (r"x \+ y in `variables` is no symbol", lambda: tl.Metric.cost(2 + x**2, variables=(x, x + y))),
+            ("2 in `variables` is no symbol", lambda: tl.Metric.cost(2 + x**2, variables=(x, 2))),
+            (
+                "two symbols have the name x",
+                lambda: tl.Metric.cost(2 + x + sympy.Symbol("x", real=True), variables=(x, y)),
+            ),
         ]
         for message, attempt in cases:
             with self.assertRaisesRegex(tl.ProblemError, message):

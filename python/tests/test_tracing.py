@@ -1,13 +1,15 @@
 """Functions of NumPy and SymPy as formulas."""
 
 import operator
+import re
 import unittest
+from fractions import Fraction
 
 import numpy as np
 
 import tautline as tl
 from tautline._recorded import coordinates
-from tautline._trace import Traced
+from tautline._trace import UFUNCS, Traced
 
 OPERATIONS = operator.add, operator.sub, operator.mul, operator.truediv, operator.pow
 
@@ -63,7 +65,133 @@ class Scalars(unittest.TestCase):
         np.testing.assert_allclose(np.diag(h), [1.25 * 2**0.5, 7 / 3], rtol=1e-15)
 
 
+class Numbers(unittest.TestCase):
+    def test_a_float_of_sympy_is_its_double(self):
+        import sympy
+
+        x = sympy.Symbol("x")
+        for k in (1 / 3, 0.1, -2 / 3, 1e-300, 5e-324, 1.7976931348623157e308, 0.1 + 0.2):
+            metric = tl.Metric.phi(sympy.Float(k) * x, variables=[x])
+            self.assertEqual(metric([1.0])[0, 0], k)
+            self.assertEqual(metric, tl.Metric.phi(lambda x: k * x[0], 1))
+            given = tl.Metric.phi(sympy.Symbol("k") * x, variables=[x], parameters={"k": k})
+            self.assertEqual(metric, given)
+        typed = (sympy.Float("0.1"), sympy.Float(0.1), 0.1, sympy.Float("0.1", 15))
+        self.assertEqual(len({tl.Metric.phi(k * x, variables=[x]).program.text for k in typed}), 1)
+        quarter = tl.Metric.phi(sympy.Float("0.25", 40) * x**2.0, variables=[x])
+        self.assertEqual(quarter([2.0])[0, 0], 1.0)
+
+    def test_a_float_of_sympy_with_more_digits_is_refused(self):
+        import sympy
+
+        x = sympy.Symbol("x")
+        for k in (sympy.pi.evalf(30), sympy.Float("0.1", 20), sympy.Float("1e-400")):
+            for entry in (k * x, x + k, sympy.exp(x) ** k, x**k):
+                with self.assertRaisesRegex(tl.ProblemError, "more digits than a double"):
+                    tl.Metric.phi(entry, variables=[x])
+        for entry in (sympy.Float("1e400") * x, sympy.exp(sympy.Float("1e400")) * x):
+            with self.assertRaisesRegex(tl.ProblemError, "larger than all doubles"):
+                tl.Metric.phi(entry, variables=[x])
+
+    def test_intervals_enclose_the_exact_numbers_of_sympy(self):
+        import sympy
+
+        x, k = sympy.symbols("x k")
+        third = sympy.Rational(1, 3)
+        numbers = [third, -third, 2 * third, sympy.Rational(2**60 + 1, 3), sympy.Integer(2**53 + 1)]
+        numbers += [sympy.Rational(1, 10), sympy.Rational(3**40, 7**30), third / 2**1060]
+        numbers += [sympy.pi, sympy.E, sympy.GoldenRatio, 2 * sympy.pi / 3, 1 / sympy.pi]
+        numbers += [sympy.sqrt(2), sympy.cbrt(3), sympy.log(2), sympy.sin(1), sympy.atanh(third)]
+        numbers += [sympy.sqrt(2) ** 3 + sympy.exp(-2), 2**third, 10 ** sympy.pi]
+        for number in numbers:
+            exact = Fraction(*map(int, sympy.Rational(str(number.evalf(60))).as_numer_denom()))
+            metric = tl.Metric.phi(sympy.Abs(number), variables=[x])
+            bounds = metric.constants()["c1"]
+            self.assertLessEqual(Fraction(bounds.lower), abs(exact), number)
+            self.assertGreaterEqual(Fraction(bounds.upper), abs(exact), number)
+            self.assertLess(bounds.upper - bounds.lower, 1e-13 * abs(exact) + 1e-320, number)
+        # What SymPy makes of a parameter is exact too, up to the parameter.
+        root = tl.Metric.phi(sympy.sqrt(k), variables=[x], parameters={"k": 2.0})
+        self.assertEqual(root, tl.Metric.phi(sympy.sqrt(2), variables=[x]))
+        power = tl.Metric.phi(1 + x ** (2 * k), variables=[x], parameters={"k": 1.5})
+        self.assertEqual(power([2.0])[0, 0], 9.0)
+        many = tl.Metric.phi((1 + k) ** 365 + (k * x) ** 20, variables=[x], parameters={"k": 0.01})
+        np.testing.assert_allclose(many([3.0])[0, 0], 1.01**365 + 0.03**20, rtol=1e-13)
+        for exponent in (third, 0.3, sympy.sqrt(2), -third):
+            root = tl.Metric.phi(k**exponent, variables=[x], parameters={"k": 5})
+            exact = sympy.Integer(5) ** (sympy.Rational(exponent) if exponent == 0.3 else exponent)
+            bounds, exact = root.constants()["c1"], sympy.Rational(str(exact.evalf(60)))
+            self.assertTrue(bounds.lower <= exact <= bounds.upper, exponent)
+        with self.assertRaisesRegex(tl.TraceError, "a power of -2.0"):
+            tl.Metric.phi(k**x, variables=[x], parameters={"k": -2})
+
+    def test_numbers_of_sympy_beside_coordinates(self):
+        import sympy
+
+        x, y = sympy.symbols("x y")
+        third = sympy.Rational(1, 3)
+        forms = [
+            (1 + x**2 / 3, 1 + 0.49 / 3),
+            (2 + sympy.sin(sympy.pi * x), 2 + np.sin(np.pi * 0.7)),
+            (third**x + 2**y + sympy.pi**x, 3**-0.7 + 2**0.2 + np.pi**0.7),
+            (sympy.Rational(5, 3) * x * y + 1, 5 / 3 * 0.7 * 0.2 + 1),
+            (x ** sympy.Rational(-3, 2) + sympy.log(x + 2, 10), 0.7**-1.5 + np.log10(2.7)),
+        ]
+        for form, expected in forms:
+            found = tl.Metric.phi(form, variables=[x, y])([0.7, 0.2])[0, 0]
+            self.assertAlmostEqual(found, expected, delta=4e-16 * expected, msg=form)
+        division = tl.Metric.phi(x / 3, variables=[x, y])
+        self.assertEqual(division, tl.Metric.phi("x1/3", 2))
+
+    def test_what_is_no_number_of_a_formula_is_refused(self):
+        import sympy
+
+        x = sympy.Symbol("x")
+        for number in (sympy.I, sympy.oo, sympy.zoo, sympy.sqrt(-2), sympy.EulerGamma, sympy.gamma(sympy.pi)):
+            with self.assertRaisesRegex(tl.TraceError, "the number .* in a formula, which "):
+                tl.Metric.phi(x + number, variables=[x])
+        with self.assertRaisesRegex(tl.ProblemError, "the parameter k is inf"):
+            tl.Metric.phi(x * sympy.Symbol("k"), variables=[x], parameters={"k": np.inf})
+
+    def test_functions_of_the_table_bring_no_rounded_number_along(self):
+        for name in UFUNCS:
+            x = coordinates(2)
+            ufunc = getattr(np, name)
+            arguments = {2: [(x[0], x[1]), (x[0], 2), (2, x[1])]}.get(ufunc.nin, [(x[0],)])
+            for given in arguments:
+                if name in ("power", "float_power") and given[1] is x[1] and given[0] is x[0]:
+                    continue
+                recorded = ufunc(*given)
+                text = tl.Metric.phi(lambda x: recorded, 2).program.text
+                numbers = re.findall(r"(?<![\w.])\d[\d.]*(?:e[+-]?\d+)?", text)
+                self.assertTrue(all(float(number).is_integer() for number in numbers), text)
+        self.assertIn("ln(", tl.Metric.phi(lambda x: 2 ** x[0], 1).program.text)
+        self.assertIn("ln(", tl.Metric.phi(lambda x: 0.3 ** x[0], 1).program.text)
+
+    def test_whole_numbers_lose_no_digits(self):
+        huge = 2**53 + 1
+        for metric in (tl.Metric.phi(lambda x: huge + 0 * x[0], 1), tl.Metric.phi(lambda x: huge, 1)):
+            bounds = metric.constants(tl.ball([0], 1))["c1"]
+            self.assertTrue(bounds.lower <= huge <= bounds.upper)
+        with self.assertRaisesRegex(tl.TraceError, "a whole number of 2049 bits"):
+            tl.Metric.phi(lambda x: x[0] + 2**2048, 1)
+
+
 class Functions(unittest.TestCase):
+    def test_all_functions_of_the_table_have_the_values_of_numpy(self):
+        for name in UFUNCS:
+            ufunc = getattr(np, name)
+            # Where all of them are defined.
+            x = np.array([1.3, 1.7]) if name == "arccosh" else np.array([0.3, 0.7])
+            # Powers of two coordinates are refused.
+            second = 2 if "power" in name else x[1]
+            given = (x[0], second)[: ufunc.nin]
+            metric = tl.Metric.phi(lambda x: 10 + ufunc(*(x[0], 2 if "power" in name else x[1])[: ufunc.nin]), 2)
+            np.testing.assert_allclose(metric(x)[0, 0], 10 + ufunc(*given), rtol=1e-15, err_msg=name)
+            if ufunc.nin == 1:
+                metric = tl.Metric.diag(lambda x: 10 + ufunc(x), 2)
+                np.testing.assert_allclose(np.diag(metric(x)), 10 + ufunc(x), rtol=1e-15, err_msg=name)
+
     def test_a_branch_that_somebody_catches_is_refused_all_the_same(self):
         def compared(x):
             # As NumPy before 1.25 does in `x == 0`.
