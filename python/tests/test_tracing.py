@@ -168,6 +168,18 @@ class Numbers(unittest.TestCase):
         self.assertIn("ln(", tl.Metric.phi(lambda x: 2 ** x[0], 1).program.text)
         self.assertIn("ln(", tl.Metric.phi(lambda x: 0.3 ** x[0], 1).program.text)
 
+    def test_a_certificate_has_the_steps_of_numbers(self):
+        import sympy
+
+        x, y = sympy.symbols("x y")
+        for metric, step in (
+            (tl.Metric.cost(lambda x: 2 + 2 ** -(x @ x), 2), "ln("),
+            (tl.Metric.cost(2 + sympy.cos(sympy.pi * x) * y / 3, variables=[x, y]), "atan("),
+        ):
+            found = tl.solve(metric, [-0.5, 0.05], [0.5, -0.1], n=32).certificate(0.2)
+            self.assertIn(step, found.text)
+            self.assertEqual(tl.check(found.text).lower, found.lower)
+
     def test_whole_numbers_lose_no_digits(self):
         huge = 2**53 + 1
         for metric in (tl.Metric.phi(lambda x: huge + 0 * x[0], 1), tl.Metric.phi(lambda x: huge, 1)):
