@@ -97,6 +97,14 @@ def number(x: Any, what: str) -> float:
     return float(found)
 
 
+def finite(x: Any, what: str) -> float:
+    """A number that is neither infinite nor NaN."""
+    found = number(x, what)
+    if math.isinf(found):
+        raise ProblemError(f"{what} is {found}; expected a finite number")
+    return found
+
+
 def whole(x: Any, what: str) -> int:
     """A whole number of at least 1."""
     try:

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import NDArray
 
-from ._convert import array, number, whole
+from ._convert import array, finite, number, whole
 from ._image import Lattice, of_field, of_image
 from ._sympy import is_sympy, of_sympy
 from ._table import Table
@@ -88,7 +88,7 @@ class Metric:
         variables: Sequence[Any] | None = None,
     ) -> None:
         values = {
-            name: number(value, f"the parameter {name}")
+            name: finite(value, f"the parameter {name}")
             for name, value in (parameters or {}).items()
         }
         if variables is not None:
@@ -285,7 +285,8 @@ class Metric:
         Raises `NotCertified` if the formula does not show where its constants hold. A constant that
         is not proved to the tolerance says so: `Constant.proved`, `Constant.reason`.
         """
-        found, _ = self.program.constants(within, tolerance, boxes)
+        most = None if boxes is None else whole(boxes, "boxes")
+        found, _ = self.program.constants(within, tolerance, most)
         return {constant.name: constant for constant in found}
 
     def __call__(self, x: npt.ArrayLike) -> NDArray[np.float64]:

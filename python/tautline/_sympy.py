@@ -60,7 +60,9 @@ def of_sympy(
         raise ProblemError(f"{[*parameters]} are parameters, and {names} variables")
     # Symbols with assumptions are others than those of the same name without.
     arguments = [symbols.get(name, sympy.Symbol(name)) for name in names]
-    given = {symbols[name]: _fraction(name, value) for name, value in parameters.items()}
+    given = {
+        symbols[name]: sympy.Rational(*value.as_integer_ratio()) for name, value in parameters.items()
+    }
     steps = {symbols[name]: Step(symbols[name], constant(value)) for name, value in parameters.items()}
     entries = _mapped(lambda entry: _with_steps(entry, given, steps), entries)
     arguments += [step.symbol for step in steps.values()]
@@ -113,15 +115,6 @@ def _mapped(function: Callable[[Any], Any], found: Any) -> Any:
 
 def _is_list(found: Any) -> bool:
     return isinstance(found, (list, tuple)) or type(found).__name__ in ("Tuple", "List")
-
-
-def _fraction(name: str, value: float) -> Any:
-    """A parameter, in exact arithmetic."""
-    import sympy
-
-    if not math.isfinite(value):
-        raise ProblemError(f"the parameter {name} is {value}; expected a finite number")
-    return sympy.Rational(*value.as_integer_ratio())
 
 
 def _with_steps(found: Any, given: Mapping[Any, Any], steps: dict[Any, Step]) -> Any:

@@ -119,6 +119,8 @@ class Traced:
             if self.value is not None and self.value <= 0:
                 return exponent.__rpow__(self.value)
             return (exponent * self.log()).exp()
+        if isinstance(exponent, (int, np.integer)):
+            return Traced(f"{{}}^{int(exponent)}", (self,))
         if isinstance(exponent, Number) and float(exponent) == 0.5:
             return self.sqrt()
         if isinstance(exponent, Number) and float(exponent) == -0.5:

@@ -77,7 +77,10 @@ def sign(text: str) -> tuple[str, str] | None:
 
 def _constants(what: Any, name: str) -> np.ndarray:
     """Numbers as an array of objects."""
-    return array(what, name).astype(object)
+    found = array(what, name)
+    if not np.isfinite(found).all():
+        raise ProblemError(f"{name} is {found.tolist()}; expected finite numbers")
+    return found.astype(object)
 
 
 def _values(function: Callable[[np.ndarray], Any], dimension: int) -> np.ndarray:

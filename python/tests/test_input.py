@@ -222,6 +222,14 @@ class Metrics(unittest.TestCase):
     def test_parameters_are_numbers_that_are_used(self):
         with self.assertRaisesRegex(tl.ProblemError, "the parameter k is nan"):
             tl.Metric.cost("2 + k*x1", 1, parameters={"k": float("nan")})
+        with self.assertRaisesRegex(tl.ProblemError, "the parameter k is inf; expected a finite number"):
+            tl.Metric.cost("2 + k*x1", 1, parameters={"k": float("inf")})
+        with self.assertRaisesRegex(tl.ProblemError, r"H is \[\[inf\]\]; expected finite numbers"):
+            tl.Metric([[float("inf")]])
+        with self.assertRaisesRegex(tl.ProblemError, "boxes is -1; expected a whole number of at least 1"):
+            VALLEYS.constants(boxes=-1)
+        with self.assertRaisesRegex(tl.ProblemError, "a number beyond the range of f64"):
+            tl.Metric.phi(lambda x: x[0] ** 10**400, 1)
         with self.assertRaisesRegex(tl.ProblemError, "the table f is not used"):
             tl.Metric.cost("1 + x1^2", 2, tables={"f": np.ones((3, 3))})
         with self.assertRaisesRegex(tl.ProblemError, "the parameter k is not used"):
