@@ -65,8 +65,6 @@ impl Form {
     /// Returns the entries of the matrix for curves along which only these coordinates change,
     /// column by column.
     pub(super) fn entries(self, functions: &[Value], coordinates: &[usize]) -> Vec<Symbol> {
-        let functions: &[Value] =
-            &functions.iter().map(|value| value.settled()).collect::<Vec<_>>();
         let dimension = coordinates.len();
         let one = |is_diagonal: bool| Value::Number(f64::from(u8::from(is_diagonal)));
         let derivatives: Vec<Vec<Value>> = match self {

@@ -13,12 +13,13 @@ use crate::{operation::Arithmetic, recording::Symbol};
 #[derive(Clone, Copy)]
 pub(super) enum Value {
     Number(f64),
-    /// A number typed as arithmetic between numbers, such as `2*pi/3`.
+    /// A number typed as arithmetic between numbers, such as `2*pi/3`. Beside coordinates it counts as its
+    /// steps.
     Rounded(Rounded),
     Symbol(Symbol),
 }
 
-/// A number that differs from what was typed in its last digits.
+/// A number that differs from what was typed in its last digits, where a number is needed.
 #[derive(Clone, Copy)]
 pub(super) struct Rounded {
     pub(super) value: f64,
@@ -32,12 +33,13 @@ impl Value {
     /// Returns the value as a step.
     pub(super) fn symbol(self) -> Symbol {
         match self {
-            Value::Number(value) | Value::Rounded(Rounded { value, .. }) => Symbol::constant(value),
+            Value::Number(value) => Symbol::constant(value),
+            Value::Rounded(Rounded { steps, .. }) => steps,
             Value::Symbol(symbol) => symbol,
         }
     }
 
-    /// Returns the value if it is a number.
+    /// Returns the value if it is a number, rounded or not.
     pub(super) fn number(self) -> Option<f64> {
         match self {
             Value::Number(value) | Value::Rounded(Rounded { value, .. }) => Some(value),
@@ -45,9 +47,9 @@ impl Value {
         }
     }
 
-    /// Returns the value, from now on without what it was before it was rounded.
-    pub(super) fn settled(self) -> Self {
-        self.number().map_or(self, Value::Number)
+    /// Returns the value if it is a number that is not rounded.
+    fn exact(self) -> Option<f64> {
+        if let Value::Number(value) = self { Some(value) } else { None }
     }
 
     /// Returns whether it is this number, and not a step.
@@ -57,7 +59,7 @@ impl Value {
 
     /// Returns the square.
     pub(super) fn squared(self) -> Self {
-        let square = self.number().and_then(|a| exact(Arithmetic::Mul, a, a));
+        let square = self.exact().and_then(|a| exact(Arithmetic::Mul, a, a));
         square.map_or_else(|| Value::Symbol(self.symbol().sqr()), Value::Number)
     }
 }
@@ -80,7 +82,7 @@ macro_rules! arithmetic {
         impl $operator for Value {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
-                match (self.number(), other.number()) {
+                match (self.exact(), other.exact()) {
                     (Some(a), Some(b)) => exact(Arithmetic::$operator, a, b)
                         .map_or_else(|| Value::Symbol(Symbol::constant(a).$method(b)), Value::Number),
                     (Some(a), None) => Value::Symbol(a.$method(other.symbol())),

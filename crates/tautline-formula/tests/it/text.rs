@@ -184,6 +184,11 @@ fn arithmetic_that_loses_digits_is_enclosed() {
         ("graph(x1*1e-200*1e-200*1e200*1e200)", 2.0),
         ("graph((x1*0.1*3 - x1*0.30000000000000004)*1e17)", 1.0 + slope * slope),
         ("pullback(x1*1e16 + x1 - x1*1e16, x1*0.5)", 1.25),
+        // A number that is rounded in its last digit may be all that is left of another one.
+        ("graph(x1*(1e16 + 1) - x1*1e16)", 2.0),
+        ("a = 1e16 + 1; graph(a*x1 - 1e16*x1)", 2.0),
+        ("graph(1e17*(x1*(1 + 1e-17) - x1))", 2.0),
+        ("graph(1e17*(x1*(0.1 + 0.2) - x1*0.3))", 1.0 + (1e17 * 2.0_f64.powi(-55)).powi(2)),
         ("cost(2e16 + 3 - 2e16)", 9.0),
     ] {
         let formula =
@@ -199,9 +204,10 @@ fn arithmetic_that_loses_digits_is_enclosed() {
     }
 }
 
-/// The last digits are those of `f64`, as in Rust.
+/// Where a number is needed, its last digits are those of `f64`, as in Rust. Beside coordinates the number is
+/// enclosed as it was typed.
 #[test]
-fn arithmetic_that_keeps_its_digits_gives_numbers() {
+fn numbers_that_are_rounded_are_those_of_f64_and_are_enclosed_beside_coordinates() {
     let a = 0.3;
     for (text, number) in [
         ("2*pi/3", 2.0 * PI / 3.0),
@@ -217,7 +223,13 @@ fn arithmetic_that_keeps_its_digits_gives_numbers() {
     ] {
         assert_eq!(tautline_formula::number(text, &[("a", a)]), Ok(number), "{text}");
         let formula = Formula::<1>::parse(&format!("(x1*({text})) I"), &[("a", a)]);
-        assert_eq!(formula.expect("a formula").operations().len(), 2, "{text}");
+        let formula = formula.expect("a formula");
+        assert_eq!(formula.gram(&vector![1.0])[(0, 0)], number, "{text}");
+        let h = formula.gram(&vector![Interval::point(1.0)])[(0, 0)];
+        assert!(h.lo() <= number && number <= h.hi(), "{text}: {h:?}");
+        // Exact results are numbers.
+        let is_exact = ["1e-310", "0*1e300", "1e17 - 1e17"].contains(&text);
+        assert_eq!(formula.operations().len() == 2, is_exact, "{text}");
     }
     // Where numbers are needed, they are those of `f64`.
     for (text, number) in [("1e17 + 1 - 1e17", 0.0), ("cos(90*pi/180)", (PI / 2.0).cos())] {
