@@ -355,8 +355,25 @@ impl<'a> Parser<'a> {
         Ok(form(name).filter(|_| is_form))
     }
 
+    /// Parses a metric that is `cost(f)` or `speed(f)`, and returns which one it is, and `f`; `None` for
+    /// another metric, which is not parsed to its end.
+    pub(super) fn squared(&mut self) -> Result<Option<(Form, Value)>, TextError> {
+        while self.is_definition()? {
+            self.definition()?;
+        }
+        let Some(form @ (Form::Cost | Form::Speed)) = self.named_form()? else { return Ok(None) };
+        // There is one function.
+        Ok(self.functions(form)?.pop().map(|function| (form, function)))
+    }
+
     /// Parses the functions of a form in brackets, and returns the entries of its matrix.
     fn form(&mut self, form: Form) -> Result<Vec<Symbol>, TextError> {
+        let functions = self.functions(form)?;
+        Ok(form.entries(&functions, self.coordinates))
+    }
+
+    /// Parses a form with its functions in brackets, and returns them.
+    fn functions(&mut self, form: Form) -> Result<Vec<Value>, TextError> {
         let at = self.advance()?.1;
         self.sign('(', "(")?;
         let functions = self.row(|value| value)?;
@@ -370,7 +387,7 @@ impl<'a> Parser<'a> {
             let problem = Problem::Functions { form, takes, found, dimension };
             return Err(TextError { at: at.start..end, problem });
         }
-        Ok(form.entries(&functions, self.coordinates))
+        Ok(functions)
     }
 
     fn multiple_of_identity(&mut self) -> Result<Vec<Symbol>, TextError> {

@@ -7,7 +7,7 @@ use tautline_scalar::Table;
 use super::{
     Problem, TextError,
     form::Form,
-    parser::{Names, Parser},
+    parser::{Meaning, Names, Parser},
     value::Value,
 };
 use crate::{
@@ -69,6 +69,9 @@ pub enum Written<'a> {
     Sum(Vec<Written<'a>>),
     /// A metric times a positive function.
     Scaled(Part<'a>, Box<Written<'a>>),
+    /// A metric times a positive function of the values of expressions. The function calls them `u1`,
+    /// `u2`, …, and has no other names than these and the coordinates; no other text knows these names.
+    Weighted(Vec<Part<'a>>, Part<'a>, Box<Written<'a>>),
     /// Metrics in blocks along the diagonal, each with the coordinates of its block, from 0. Every
     /// coordinate belongs to one block.
     Product(Vec<(Vec<usize>, Written<'a>)>),
@@ -102,25 +105,53 @@ impl<const D: usize> Formula<D> {
         metric: &Written<'_>,
     ) -> Result<Self, WrittenError> {
         let id = metric.first_id();
-        let whole = |error: TextError| WrittenError { id, error };
         let (entries, recording) = record(D, |x| {
             let mut writer = Writer { x, names: Names::new(), id };
-            for &(name, value) in parameters {
-                writer.parser("", &[]).define(name, Value::Number(value)).map_err(whole)?;
-            }
-            for (name, table) in tables {
-                writer.parser("", &[]).define_table(name, table).map_err(whole)?;
-            }
-            for [name, value] in definitions {
-                let value = writer.expression(*value)?;
-                let named = writer.parser(name.text, &[]).define_itself(value);
-                named.map_err(|error| WrittenError { id: name.id, error })?;
-            }
+            writer.define(parameters, tables, definitions)?;
             writer.entries(metric, &(0..D).collect::<Vec<_>>())
         });
-        let at = 0..0;
-        Self::of(&entries?, &recording)
-            .map_err(|error| whole(TextError { at, problem: error.into() }))
+        let whole = |problem| WrittenError { id, error: TextError { at: 0..0, problem } };
+        Self::of(&entries?, &recording).map_err(|error| whole(error.into()))
+    }
+
+    /// Returns the function `f` of a metric in one text that is `cost(f)` or `speed(f)`, as the metric
+    /// `f I`, and which of the two it is; `None` for another metric. That of the text, `f² I` or `f⁻² I`,
+    /// does not show the sign of `f`. The names are those of [`compose`](Formula::compose).
+    ///
+    /// ```
+    /// use tautline_formula::{Form, Formula, Part};
+    ///
+    /// let part = |text| Part { text, id: 0 };
+    /// let negative = Formula::<1>::squared_in(&[], &[], &[], part("f = -2 - cos(x1); cost(f)"))?;
+    /// assert_eq!(negative, Some((Form::Cost, Formula::parse("(-2 - cos(x1)) I", &[]).unwrap())));
+    /// assert_eq!(Formula::<1>::squared_in(&[], &[], &[], part("x1^2 I"))?, None);
+    /// # Ok::<(), tautline_formula::WrittenError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`compose`](Formula::compose).
+    pub fn squared_in(
+        parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
+        definitions: &[[Part<'_>; 2]],
+        text: Part<'_>,
+    ) -> Result<Option<(Form, Self)>, WrittenError> {
+        let Part { id, .. } = text;
+        let wrong = |error| WrittenError { id, error };
+        let coordinates: Vec<usize> = (0..D).collect();
+        let (found, recording) = record(D, |x| {
+            let mut writer = Writer { x, names: Names::new(), id };
+            writer.define(parameters, tables, definitions)?;
+            let mut parser = writer.parser(text.text, &coordinates);
+            let found = parser.advance().and_then(|_| parser.squared()).map_err(wrong)?;
+            Ok(found.map(|(form, f)| (form, Form::Phi.entries(&[f], &coordinates))))
+        });
+        let Some((form, entries)) = found? else { return Ok(None) };
+        let formula = Self::of(&entries, &recording);
+        let formula =
+            formula.map_err(|error| wrong(TextError { at: 0..0, problem: error.into() }))?;
+        Ok(Some((form, formula)))
     }
 }
 
@@ -135,6 +166,7 @@ impl<'a> Written<'a> {
             }
             Written::Form(_, parts) => first(parts),
             Written::Sum(metrics) => metrics.first().map_or(0, Written::first_id),
+            Written::Weighted(_, _, metric) => metric.first_id(),
             Written::Product(blocks) => blocks.first().map_or(0, |(_, block)| block.first_id()),
             Written::Recorded(_) => 0,
         }
@@ -152,6 +184,29 @@ struct Writer<'x> {
 impl Writer<'_> {
     fn parser<'p>(&'p mut self, text: &'p str, coordinates: &'p [usize]) -> Parser<'p> {
         Parser::new(text, self.x, coordinates, &mut self.names)
+    }
+
+    /// Gives the parameters, the tables and the definitions their names.
+    fn define(
+        &mut self,
+        parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
+        definitions: &[[Part<'_>; 2]],
+    ) -> Result<(), WrittenError> {
+        let id = self.id;
+        let whole = |error: TextError| WrittenError { id, error };
+        for &(name, value) in parameters {
+            self.parser("", &[]).define(name, Value::Number(value)).map_err(whole)?;
+        }
+        for (name, table) in tables {
+            self.parser("", &[]).define_table(name, table).map_err(whole)?;
+        }
+        for [name, value] in definitions {
+            let value = self.expression(*value)?;
+            let named = self.parser(name.text, &[]).define_itself(value);
+            named.map_err(|error| WrittenError { id: name.id, error })?;
+        }
+        Ok(())
     }
 
     fn expression(&mut self, part: Part<'_>) -> Result<Value, WrittenError> {
@@ -208,6 +263,15 @@ impl Writer<'_> {
             }
             Written::Scaled(by, metric) => {
                 let by = self.expression(*by)?.symbol();
+                Ok(self.entries(metric, coordinates)?.into_iter().map(|h| by * h).collect())
+            }
+            Written::Weighted(values, by, metric) => {
+                let named = |(i, value)| (format!("u{}", i + 1), Meaning::Value(value));
+                let own = self.expressions(values)?.into_iter().enumerate().map(named).collect();
+                let names = std::mem::replace(&mut self.names, own);
+                let by = self.expression(*by);
+                self.names = names;
+                let by = by?.symbol();
                 Ok(self.entries(metric, coordinates)?.into_iter().map(|h| by * h).collect())
             }
             Written::Product(blocks) => self.product(blocks, coordinates),

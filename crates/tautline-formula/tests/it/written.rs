@@ -195,3 +195,54 @@ fn a_number_is_an_expression_without_coordinates() {
         assert_eq!(number(text, &[]).expect_err(text).at, at, "{text}");
     }
 }
+
+/// The values of a weight are named for the weight alone, which knows no other name.
+#[test]
+fn a_weight_has_names_of_its_own() {
+    let compose = |weight: &'static str, value: &'static str, metric: &'static str| {
+        let metric = Box::new(Written::Whole(part(3, metric)));
+        let values = vec![part(0, "2 + x1"), part(1, value)];
+        let definitions = [[part(4, "u1"), part(5, "7*x2")]];
+        let weighted = Written::Weighted(values, part(2, weight), metric);
+        Formula::<2>::compose(&[("a", 0.5)], &[], &definitions, &weighted)
+    };
+    let found = compose("1 + u1*u2", "a + u1", "u1 I").expect("a metric");
+    // 1 + (2 + x1)(1/2 + 7 x2) with x = (1, 2), times 14.
+    assert_eq!(found.gram(&vector![1.0, 2.0])[(0, 0)], (1.0 + 3.0 * 14.5) * 14.0);
+    let name = |id: usize, name: &str| {
+        let problem = Problem::UnknownName { name: name.to_owned() };
+        (id, problem)
+    };
+    for (weight, value, metric, expected) in [
+        ("u1", "1", "u2 I", name(3, "u2")),
+        ("u1", "u2", "1 I", name(1, "u2")),
+        ("u1 + a", "1", "1 I", name(2, "a")),
+    ] {
+        let WrittenError { id, error } = compose(weight, value, metric).expect_err("unknown");
+        assert_eq!((id, error.problem), expected);
+    }
+}
+
+/// `f² I` and `f⁻² I` do not show the sign of `f`. What is no form is not one because of a name.
+#[test]
+fn the_function_of_a_cost_or_a_speed_is_found() {
+    let squared = |text: &'static str| {
+        let definitions = [[part(1, "g"), part(2, "a - x1")]];
+        Formula::<2>::squared_in(&[("a", 0.5)], &[], &definitions, part(0, text)).expect(text)
+    };
+    for (text, form, function) in [
+        ("cost(-2 - cos(x1))", Form::Cost, "-2 - cos(x1)"),
+        ("speed(g)", Form::Speed, "0.5 - x1"),
+        ("f = -x2; h = 2*f; cost(h)", Form::Cost, "2*(-x2)"),
+        ("phi = x1; cost(phi)", Form::Cost, "x1"),
+        ("cost(-3)", Form::Cost, "-3"),
+    ] {
+        let expected = Formula::parse(&format!("phi({function})"), &[]).expect(function);
+        assert_eq!(squared(text), Some((form, expected)), "{text}");
+    }
+    for text in ["phi(g)", "(-2 - x1)^2 I", "cost = 2; cost I", "[1, 0; 0, 1]", "diag(1, 2)"] {
+        assert_eq!(squared(text), None, "{text}");
+    }
+    let error = Formula::<1>::squared_in(&[], &[], &[], part(6, "cost(y)")).expect_err("unknown");
+    assert_eq!((error.id, error.error.at), (6, 5..6));
+}
