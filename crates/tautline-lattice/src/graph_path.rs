@@ -44,7 +44,7 @@ pub enum GraphPathError {
         n: usize,
     },
     /// There are too many nodes.
-    #[error("a lattice of {nodes:e} nodes; at most {MOST_NODES} are possible")]
+    #[error("a lattice of {} nodes; at most {MOST_NODES} are possible", whole(*nodes))]
     TooManyNodes {
         /// How many there would be.
         nodes: f64,
@@ -103,6 +103,12 @@ pub enum GraphPathError {
     /// The path is no sequence of finite points.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
+}
+
+/// Returns a number of nodes with all of its digits, as those of the largest number of nodes are printed.
+fn whole(nodes: f64) -> String {
+    // A number beyond is no longer exact.
+    if nodes < 2.0_f64.powi(53) { nodes.to_string() } else { format!("{nodes:e}") }
 }
 
 /// Returns a shortest path along a lattice between two sets, as a sequence of `n` chords of equal

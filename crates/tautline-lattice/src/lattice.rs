@@ -55,10 +55,12 @@ impl<const D: usize> Lattice<D> {
                 return Err(GraphPathError::Box { axis: i + 1, lower, upper, spacing });
             }
             nodes *= steps + 1.0;
-            if !(nodes <= MOST_NODES as f64) {
-                return Err(GraphPathError::TooManyNodes { nodes });
-            }
-            counts[i] = steps as usize + 1;
+            // A conversion to an integer saturates.
+            counts[i] = (steps as usize).saturating_add(1);
+        }
+        // The number of all nodes, not of those along the first axes.
+        if !(nodes <= MOST_NODES as f64) {
+            return Err(GraphPathError::TooManyNodes { nodes });
         }
         Ok(Self { lower, spacing, counts })
     }

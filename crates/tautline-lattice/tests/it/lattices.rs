@@ -29,7 +29,10 @@ fn what_is_no_lattice_is_refused() {
         ([0.0, f64::NAN], [1.0, 1.0], 0.1, "coordinate 2"),
         ([f64::NEG_INFINITY, 0.0], [1.0, 1.0], 0.1, "coordinate 1"),
         ([0.0, 0.0], [1e30, 1.0], 1e-3, "nodes; at most"),
-        ([0.0, 0.0], [1e9, 1e9], 1e-3, "e12 nodes; at most 8388608"),
+        // All axes count, with all digits up to 2^53.
+        ([0.0, 0.0], [1e9, 1e9], 1e-3, "a lattice of 1.000000000002e24 nodes; at most 8388608"),
+        ([0.0, 0.0], [9999.0, 999.0], 1.0, "a lattice of 10000000 nodes; at most 8388608"),
+        ([0.0, 0.0], [10_000_000.0, 0.0], 1.0, "a lattice of 10000001 nodes; at most 8388608"),
     ] {
         assert!(
             refused(lower, upper, spacing).contains(says),
