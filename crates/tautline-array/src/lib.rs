@@ -6,8 +6,9 @@
 //! | grey PNG | the rows of the picture from the top, each with its pixels from the left |
 //! | PNG with colours or transparency | the same, with the channels of a pixel as a last axis |
 //!
-//! A pixel has the number that the file has, 0 to 255 in eight bits and 0 to 65535 in sixteen; those of
-//! fewer bits are spread over 0 to 255.
+//! A pixel has numbers from 0 to 255, or from 0 to 65535 in a file of sixteen bits. Grey numbers of `b < 8`
+//! bits are multiplied by `255/(2ᵇ − 1)`, so that white is 255 however the picture was made smaller. A
+//! palette becomes its colours, and transparency a channel.
 //!
 //! ```
 //! use tautline_array::Array;

@@ -12,7 +12,8 @@ pub(crate) const MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
 pub(crate) fn read(file: &[u8]) -> Result<Array, ArrayError> {
     let failed = |error: png::DecodingError| ArrayError::Picture { what: error.to_string() };
     let mut decoder = Decoder::new(Cursor::new(file));
-    // Palettes become colours, and one to four bits become eight.
+    // Palettes become colours, and grey numbers of one to four bits are spread over those of eight. Programs
+    // that make files smaller choose among these formats, and must not change the numbers.
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(failed)?;
     // Deflate makes at most 1032 bytes of one. More would be reserved in memory for nothing.

@@ -34,12 +34,91 @@ fn sixteen_bits_are_numbers_up_to_65535() {
     assert_eq!(array.expect("a picture").values(), expected);
 }
 
+/// White is 255 in up to eight bits, as it is in a palette: programs that make a file smaller choose the
+/// number of bits, and must not change a table. A number of `b` bits is multiplied by `255/(2ᵇ − 1)`.
 #[test]
-fn one_bit_is_0_or_255() {
-    let array =
-        Array::read(&picture(ColorType::Grayscale, BitDepth::One, &[0b101 << 5, 0b010 << 5]));
-    let expected = [255.0, 0.0, 255.0, 0.0, 255.0, 0.0];
-    assert_eq!(array.expect("a picture").values(), expected);
+fn numbers_of_fewer_bits_are_spread_over_0_to_255() {
+    for (depth, data, expected) in [
+        (BitDepth::One, &[0b1010_0000, 0b0100_0000][..], [255.0, 0.0, 255.0, 0.0, 255.0, 0.0]),
+        (BitDepth::Two, &[0b0001_1000, 0b1100_0100], [0.0, 85.0, 170.0, 255.0, 0.0, 85.0]),
+        (BitDepth::Four, &[0x01, 0x20, 0x7e, 0xf0], [0.0, 17.0, 34.0, 119.0, 238.0, 255.0]),
+        (BitDepth::Eight, &[0, 1, 2, 127, 254, 255], [0.0, 1.0, 2.0, 127.0, 254.0, 255.0]),
+    ] {
+        let array = Array::read(&picture(ColorType::Grayscale, depth, data)).expect("a picture");
+        assert_eq!((array.shape(), array.values()), (&[2, 3][..], &expected[..]), "{depth:?}");
+    }
+}
+
+/// The same pixels, as grey numbers of one and of eight bits and by a palette of black and white.
+#[test]
+fn a_picture_is_the_same_table_in_every_format_that_can_hold_it() {
+    let bits = [0b1010_0000, 0b0100_0000];
+    let bytes = [255, 0, 255, 0, 255, 0];
+    let one = Array::read(&picture(ColorType::Grayscale, BitDepth::One, &bits)).expect("one bit");
+    let eight = picture(ColorType::Grayscale, BitDepth::Eight, &bytes);
+    assert_eq!(Array::read(&eight), Ok(one.clone()));
+    for depth in [BitDepth::One, BitDepth::Two, BitDepth::Four, BitDepth::Eight] {
+        let places: Vec<u8> = bytes.iter().map(|byte| u8::from(*byte > 0)).collect();
+        let width = depth as usize;
+        // The places of a row, from the high bits of its first byte on.
+        let rows = places.chunks(3).flat_map(|row| {
+            let mut packed = vec![0_u8; (3 * width).div_ceil(8)];
+            for (i, place) in row.iter().enumerate() {
+                packed[i * width / 8] |= place << (8 - width - i * width % 8);
+            }
+            packed
+        });
+        let rows: Vec<u8> = rows.collect();
+        let mut file = Vec::new();
+        let mut encoder = Encoder::new(&mut file, 3, 2);
+        encoder.set_color(ColorType::Indexed);
+        encoder.set_depth(depth);
+        encoder.set_palette(vec![0, 0, 0, 255, 255, 255]);
+        let mut writer = encoder.write_header().expect("a header");
+        writer.write_image_data(&rows).expect("data");
+        writer.finish().expect("an end");
+        let array = Array::read(&file).expect("a picture");
+        assert_eq!(array.shape(), [2, 3, 3]);
+        for channel in 0..3 {
+            assert_eq!(array.component(&[channel]), Ok(one.clone()), "{depth:?}, {channel}");
+        }
+    }
+}
+
+/// A grey number or a colour that counts as transparent is a channel more, whose numbers have as many bits.
+#[test]
+fn transparency_is_a_channel() {
+    let transparent = |color, depth, trns: &[u8], data: &[u8]| {
+        let mut file = Vec::new();
+        let mut encoder = Encoder::new(&mut file, 3, 2);
+        encoder.set_color(color);
+        encoder.set_depth(depth);
+        if color == ColorType::Indexed {
+            encoder.set_palette(vec![1, 2, 3, 9, 8, 7]);
+        }
+        encoder.set_trns(trns.to_vec());
+        let mut writer = encoder.write_header().expect("a header");
+        writer.write_image_data(data).expect("data");
+        writer.finish().expect("an end");
+        Array::read(&file).expect("a picture")
+    };
+    let bits = [0b1010_0000, 0b0100_0000];
+    let opaque = [255.0, 0.0, 255.0, 0.0, 255.0, 0.0];
+    let grey = transparent(ColorType::Grayscale, BitDepth::One, &[0, 0], &bits);
+    assert_eq!(grey.shape(), [2, 3, 2]);
+    assert_eq!(
+        [0, 1].map(|i| grey.component(&[i]).expect("a channel").values().to_vec()),
+        [opaque, opaque]
+    );
+    let colours = transparent(ColorType::Indexed, BitDepth::One, &[0, 51], &bits);
+    assert_eq!(colours.shape(), [2, 3, 4]);
+    let alpha = colours.component(&[3]).expect("alpha");
+    assert_eq!(alpha.values(), [51.0, 0.0, 51.0, 0.0, 51.0, 0.0]);
+    let data = [0, 7, 1, 0, 0xff, 0xff, 0, 7, 0, 0, 0, 1];
+    let wide = transparent(ColorType::Grayscale, BitDepth::Sixteen, &[0, 7], &data);
+    let channels = [0, 1].map(|i| wide.component(&[i]).expect("a channel").values().to_vec());
+    assert_eq!(channels[0], [7.0, 256.0, 65535.0, 7.0, 0.0, 1.0]);
+    assert_eq!(channels[1], [0.0, 65535.0, 65535.0, 0.0, 65535.0, 65535.0]);
 }
 
 #[test]

@@ -19,7 +19,8 @@ pub(crate) struct TableFile {
     /// The numbers: a list, a list of rows, or a list of lists of rows.
     pub(crate) values: Option<Placed<Nested>>,
     /// A NPY file of numbers, or a PNG picture, found from the folder of the problem file. A picture is
-    /// its rows from the top, with the numbers of its pixels as they are, such as 0 to 255.
+    /// its rows from the top. Its pixels have numbers from 0 to 255, also where a number has fewer bits, or
+    /// to 65535 with sixteen bits.
     pub(crate) file: Option<Placed<String>>,
     /// Which entry of the last axes, from 1: a channel of a picture with colours, such as `[1]`, or an
     /// entry of a matrix at each point, such as `[1, 2]`.
