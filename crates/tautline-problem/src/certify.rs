@@ -33,6 +33,8 @@ pub struct CertifiedAnswer {
     pub corridor_cubes: usize,
     /// Their side.
     pub corridor_side: Float,
+    /// That a cost or a speed is negative in places, and what this means; absent if no such place is known.
+    pub note: Option<String>,
     /// The certificate, which `tautline check` reads; empty if the sets touch, up to rounding.
     #[serde(skip)]
     pub certificate: String,
@@ -89,7 +91,13 @@ impl Question {
         let options = self.options::<D>()?;
         let line = self.line(&problem, Trapezoidal, &options, &mut |_: &Answer| ())?;
         self.check_sign(line.sequence())?;
-        CertifiedAnswer::of(&line, wanted, observe).map_err(|error| self.refused(error))
+        let found = CertifiedAnswer::of(&line, wanted, observe);
+        let mut found = found.map_err(|error| self.refused(error))?;
+        // The cubes of the first level hold those of all others.
+        if let Some(first) = found.corridor.first() {
+            found.note = self.negative_in::<D>(first)?;
+        }
+        Ok(found)
     }
 
     fn refused(&self, error: CertificateError) -> Failure {
@@ -139,6 +147,7 @@ impl CertifiedAnswer {
             levels: levels.collect(),
             corridor_cubes: proved.corridor.places().len(),
             corridor_side: Float::from(proved.corridor.side()),
+            note: None,
             certificate: found.certificate.to_string(),
             curve: points(line.sequence()),
             other_minima: others.iter().map(|other| points(other.sequence())).collect(),
@@ -163,6 +172,7 @@ fn without_certificate<R: Rule, const D: usize>(
         levels: Vec::new(),
         corridor_cubes: 0,
         corridor_side: Float::from(0.0),
+        note: None,
         certificate: String::new(),
         curve: points(line.sequence()),
         other_minima: Vec::new(),

@@ -3,7 +3,7 @@
 use std::{ops::Range, sync::Arc};
 
 use tautline::{
-    Formula,
+    Formula, Table,
     formula::{Form, Part, Written, WrittenError},
 };
 
@@ -49,42 +49,71 @@ pub(crate) fn formula_of<const D: usize>(
     obstacles: Option<&Obstacles<'_>>,
 ) -> Result<Formula<D>, Diagnostic> {
     let mut texts = Texts { numbers, places: Vec::new() };
-    let mut definitions: Vec<_> = problem.definitions.iter().collect();
-    definitions.sort_by_key(|(name, _)| name.span().start);
-    let defined: Vec<&str> = definitions.iter().map(|(name, _)| name.get_ref().as_str()).collect();
-    let mut definitions: Vec<[Part<'_>; 2]> = definitions
-        .iter()
-        .map(|(name, text)| {
-            let name = texts.numbered(name.get_ref(), name.span());
-            [name, texts.part(text)]
-        })
-        .collect();
-    let whole = problem.metric.span();
+    let definitions = texts.definitions(problem);
     let coordinates: Vec<usize> = (1..=D).collect();
     let mut metric = texts.written(metric, &coordinates)?;
     if let Some(Obstacles { distances, factor, place }) = obstacles {
-        for (name, distance) in distances {
-            let name = texts.numbered(name, place.clone());
-            let distance = match distance {
-                Distance::Own(text) => texts.numbered(text, place.clone()),
-                Distance::Given(text) => texts.part(text),
-            };
-            definitions.push([name, distance]);
-        }
-        metric = Written::Scaled(texts.numbered(factor, place.clone()), Box::new(metric));
+        let part = |distance| match distance {
+            &Distance::Own(ref text) => texts.numbered(text, place.clone()),
+            &Distance::Given(text) => texts.part(text),
+        };
+        let distances = distances.iter().map(part).collect();
+        let factor = texts.numbered(factor, place.clone());
+        metric = Written::Weighted(distances, factor, Box::new(metric));
     }
-    let tables: Vec<_> =
-        tables.iter().map(|(name, table)| (name.as_str(), Arc::clone(table))).collect();
-    let defined: Vec<&str> =
-        defined.into_iter().chain(tables.iter().map(|(name, _)| *name)).collect();
-    let formula = Formula::compose(&numbers.by_name(), &tables, &definitions, &metric);
-    formula.map_err(|WrittenError { id, error }| {
-        let span = texts.places.get(id).cloned().unwrap_or(whole);
-        numbers.explain(&error, span, &defined)
-    })
+    let formula = Formula::compose(&numbers.by_name(), &by_name(tables), &definitions, &metric);
+    formula.map_err(|error| texts.explain(&error, problem, tables))
+}
+
+/// Returns the function `f` of a text that is `cost(f)` or `speed(f)`, as the metric `f I`, and which of
+/// the two it is; `None` for another metric.
+pub(crate) fn squared_in<const D: usize>(
+    text: &Text,
+    problem: &ProblemFile,
+    numbers: &Numbers<'_>,
+    tables: &Tables,
+) -> Result<Option<(Form, Formula<D>)>, Diagnostic> {
+    let mut texts = Texts { numbers, places: Vec::new() };
+    let definitions = texts.definitions(problem);
+    let text = texts.part(text);
+    let found = Formula::squared_in(&numbers.by_name(), &by_name(tables), &definitions, text);
+    found.map_err(|error| texts.explain(&error, problem, tables))
+}
+
+fn by_name(tables: &Tables) -> Vec<(&str, Arc<dyn Table>)> {
+    tables.iter().map(|(name, table)| (name.as_str(), Arc::clone(table))).collect()
+}
+
+/// Returns the definitions of a file, in their order.
+fn defined(problem: &ProblemFile) -> Vec<(&Placed<String>, &Text)> {
+    let mut definitions: Vec<_> = problem.definitions.iter().collect();
+    definitions.sort_by_key(|(name, _)| name.span().start);
+    definitions
 }
 
 impl<'f> Texts<'f> {
+    fn definitions<'t>(&mut self, problem: &'t ProblemFile) -> Vec<[Part<'t>; 2]> {
+        let parts = |(name, text): (&'t Placed<String>, &'t Text)| {
+            let name = self.numbered(name.get_ref(), name.span());
+            [name, self.part(text)]
+        };
+        defined(problem).into_iter().map(parts).collect()
+    }
+
+    /// Explains an error in one of the texts.
+    fn explain(
+        &self,
+        WrittenError { id, error }: &WrittenError,
+        problem: &ProblemFile,
+        tables: &Tables,
+    ) -> Diagnostic {
+        let span = self.places.get(*id).cloned().unwrap_or(problem.metric.span());
+        let definitions = defined(problem);
+        let definitions = definitions.iter().map(|(name, _)| name.get_ref().as_str());
+        let names = definitions.chain(tables.iter().map(|(name, _)| name.as_str()));
+        self.numbers.explain(error, span, &names.collect::<Vec<_>>())
+    }
+
     fn numbered<'t>(&mut self, text: &'t str, place: Range<usize>) -> Part<'t> {
         self.places.push(place);
         Part { text, id: self.places.len() - 1 }

@@ -21,9 +21,11 @@ pub(crate) enum MetricFile {
     Diag(Placed<Vec<Text>>),
     /// `φ I`.
     Phi(Text),
-    /// `f² I`: a curve has the length `∫ f |γ'| dt`, so `f` is the cost of a unit of length.
+    /// `f² I`: a curve has the length `∫ f |γ'| dt`, so `f` is the cost of a unit of length. It is positive
+    /// on every curve that counts: where it is 0 there is no metric.
     Cost(Text),
-    /// `f⁻² I`: the length of a curve is the time it takes at the speed `f`.
+    /// `f⁻² I`: the length of a curve is the time it takes at the speed `f`, which is positive on every curve
+    /// that counts.
     Speed(Text),
     /// `JᵀJ` with the derivative `J` of a map: lengths are those of image curves.
     Pullback(Placed<Vec<Text>>),

@@ -25,9 +25,8 @@ pub(crate) enum Distance<'f> {
 
 /// The obstacles of a file.
 pub(crate) struct Obstacles<'f> {
-    /// The name of each distance, and the distance.
-    pub(crate) distances: Vec<(String, Distance<'f>)>,
-    /// The factor of the metric, an expression of the distances.
+    pub(crate) distances: Vec<Distance<'f>>,
+    /// The factor of the metric, an expression of the distances, as [`factor`] writes it.
     pub(crate) factor: String,
     /// The place of the regions.
     pub(crate) place: Range<usize>,
@@ -43,12 +42,12 @@ pub(crate) fn obstacles<'f>(
     let ObstaclesFile { regions, margin } = section.get_ref();
     let margin = numbers.between(margin, 0.0, f64::INFINITY)?;
     let mut distances = Vec::new();
-    for (number, region) in regions.get_ref().iter().enumerate() {
+    for region in regions.get_ref() {
         let set = match region {
             RegionFile::Ball(ball) => SetFile::Ball(ball.clone()),
             RegionFile::HalfSpace(side) => SetFile::HalfSpace(side.clone()),
             RegionFile::Negative(text) => {
-                distances.push((name(number), Distance::Given(text)));
+                distances.push(Distance::Given(text));
                 continue;
             }
         };
@@ -58,22 +57,19 @@ pub(crate) fn obstacles<'f>(
                 Diagnostic::new("an obstacle without inside", place)
                     .label("expected a positive radius, or a normal that is not 0")
             })?;
-            distances.push((name(number), Distance::Own(text)));
+            distances.push(Distance::Own(text));
         }
     }
-    let terms = distances.iter().map(|(name, _)| repulsion(name, margin));
-    let factor = ["1".to_owned()].into_iter().chain(terms).collect::<Vec<_>>().join(" + ");
+    let factor = factor(distances.len(), margin);
     Ok(Some(Obstacles { distances, factor, place: regions.span() }))
 }
 
-fn name(number: usize) -> String {
-    format!("obstacle{}", number + 1)
-}
-
-/// Returns the text of `(m/δ)²` for a distance with this name. By the logarithm it is undefined for
-/// `δ ≤ 0`, so that a search refuses a step into the region.
-pub(crate) fn repulsion(name: &str, margin: f64) -> String {
-    format!("exp(-2*ln({name}/{margin:?}))")
+/// Returns the text of `1 + Σₖ (m/δₖ)²` for so many distances, which a
+/// [weight](tautline::formula::Written::Weighted) calls `u1`, `u2`, …. By the logarithm it is undefined
+/// for `δ ≤ 0`, so that a search refuses a step into the region.
+pub(crate) fn factor(count: usize, margin: f64) -> String {
+    let repulsion = |number: usize| format!(" + exp(-2*ln(u{number}/{margin:?}))");
+    "1".to_owned() + &(1..=count).map(repulsion).collect::<String>()
 }
 
 /// Returns the text of the distance of `x` from a ball or a half-space, negative inside. `None` if it has

@@ -1,11 +1,16 @@
 //! The signs of costs and speeds, which the metric, made of their squares, does not show.
 
-use tautline::{Batch, Batches, Kind, PointSequence, Prepared, SVector};
+use std::ops::Range;
+
+use tautline::{
+    Batch, Batches, Formula, Kind, PointSequence, Prepared, SVector, Short, formula::Form,
+};
+use tautline_portrait::Cubes;
 
 use crate::{
     Diagnostic, Question,
-    file::{expression::Text, metric::MetricFile},
-    formula::formula_of,
+    file::metric::MetricFile,
+    formula::{formula_of, squared_in},
 };
 
 impl Question {
@@ -15,24 +20,86 @@ impl Question {
         &self,
         sequence: &PointSequence<D>,
     ) -> Result<(), Diagnostic> {
-        let squared = squared(self.problem.metric.get_ref());
-        squared.into_iter().try_for_each(|(name, text)| self.check_positive(name, text, sequence))
+        for Squared { name, place, phi, .. } in self.squared()? {
+            let least = least_entry(&Prepared::new(&phi), sequence);
+            if let Some((x, value)) = least.filter(|(_, value)| *value < 0.0) {
+                let message = format!("the {name} is {value} at {:?}", x.as_slice());
+                return Err(Diagnostic::new(message, place).label("expected a positive function"));
+            }
+        }
+        Ok(())
     }
 
-    fn check_positive<const D: usize>(
+    /// Says where a cost or a speed is negative in some cubes, at one of their corners or in the middle of
+    /// one, and what this means. There is no metric where a cost is 0 or a speed is infinite, unless it is a
+    /// term of a sum. So a curve on which it is positive does not get there, and bounds are true of these
+    /// curves.
+    pub(crate) fn negative_in<const D: usize>(
         &self,
-        name: &str,
-        text: &Text,
-        sequence: &PointSequence<D>,
-    ) -> Result<(), Diagnostic> {
-        // The entries of φ I are the function itself.
-        let phi = MetricFile::Phi(text.clone());
-        let phi = formula_of::<D>(&phi, &self.problem, &self.numbers(), &self.tables, None)?;
-        let least = least_entry(&Prepared::new(&phi), sequence);
-        let Some((x, value)) = least.filter(|(_, value)| *value < 0.0) else { return Ok(()) };
-        let message = format!("the {name} is {value} at {:?}", x.as_slice());
-        Err(Diagnostic::new(message, text.span()).label("expected a positive function"))
+        cubes: &Cubes,
+    ) -> Result<Option<String>, Diagnostic> {
+        let corner = |place: &[i32]| SVector::<f64, D>::from_fn(|i, _| f64::from(place[i]));
+        let offsets: Vec<SVector<f64, D>> = (0..1_usize << D)
+            .map(|corner| SVector::from_fn(|i, _| f64::from(u8::from(corner >> i & 1 == 1))))
+            .chain([SVector::from_element(0.5)])
+            .collect();
+        let points: Vec<SVector<f64, D>> = cubes
+            .places
+            .chunks_exact(D)
+            .flat_map(|place| offsets.iter().map(move |by| (corner(place) + by) * cubes.side))
+            .collect();
+        for Squared { name, is_term, phi, .. } in self.squared()? {
+            let least = least_at(&Prepared::new(&phi), &points);
+            if let Some((x, value)) = least.filter(|(_, value)| *value < 0.0) {
+                let (value, x) = (Short(value), x.as_slice());
+                let meaning = if is_term {
+                    "the sum has its square there"
+                } else {
+                    "what is proved is about curves on which it is positive"
+                };
+                return Ok(Some(format!("the {name} is {value} at {x:?}; {meaning}")));
+            }
+        }
+        Ok(None)
     }
+
+    /// Returns the costs and the speeds in the metric.
+    fn squared<const D: usize>(&self) -> Result<Vec<Squared<D>>, Diagnostic> {
+        let (problem, numbers, tables) = (&self.problem, self.numbers(), &self.tables);
+        let mut found = Vec::new();
+        for (part, is_term) in parts(problem.metric.get_ref()) {
+            let (name, text, phi) = match part {
+                MetricFile::Cost(text) => ("cost", text, None),
+                MetricFile::Speed(text) => ("speed", text, None),
+                MetricFile::Formula(text) => {
+                    match squared_in::<D>(text, problem, &numbers, tables)? {
+                        Some((Form::Speed, phi)) => ("speed", text, Some(phi)),
+                        Some((_, phi)) => ("cost", text, Some(phi)),
+                        None => continue,
+                    }
+                }
+                _ => continue,
+            };
+            let phi = phi.map_or_else(
+                // The entries of φ I are the function itself.
+                || formula_of(&MetricFile::Phi(text.clone()), problem, &numbers, tables, None),
+                Ok,
+            )?;
+            found.push(Squared { name, place: text.span(), is_term, phi });
+        }
+        Ok(found)
+    }
+}
+
+/// A cost or a speed in a metric.
+struct Squared<const D: usize> {
+    /// Cost or speed.
+    name: &'static str,
+    place: Range<usize>,
+    /// Whether it is in a term of a sum, which is a metric where the cost is 0.
+    is_term: bool,
+    /// The function itself: `φ I`.
+    phi: Formula<D>,
 }
 
 /// Returns the least value of the first entry of `H` at the points of a sequence and in the middles of
@@ -43,6 +110,14 @@ pub(crate) fn least_entry<const D: usize>(
 ) -> Option<(SVector<f64, D>, f64)> {
     let middles = sequence.chords().map(|(x, d)| x + d * 0.5);
     let points: Vec<SVector<f64, D>> = sequence.points().iter().copied().chain(middles).collect();
+    least_at(metric, &points)
+}
+
+/// Returns the least value of the first entry of `H` at some points, and where it is.
+fn least_at<const D: usize>(
+    metric: &dyn Batches<D>,
+    points: &[SVector<f64, D>],
+) -> Option<(SVector<f64, D>, f64)> {
     // The first unit vector e has eᵀ H e = H₁₁.
     let mut unit = SVector::<f64, D>::zeros();
     unit[0] = 1.0;
@@ -60,16 +135,17 @@ pub(crate) fn least_entry<const D: usize>(
     least
 }
 
-/// Returns the costs and speeds in a metric, with their names.
-fn squared(metric: &MetricFile) -> Vec<(&'static str, &Text)> {
+/// Returns the metrics of which a metric is made, and which of them are in a term of a sum.
+fn parts(metric: &MetricFile) -> Vec<(&MetricFile, bool)> {
     match metric {
-        MetricFile::Cost(text) => vec![("cost", text)],
-        MetricFile::Speed(text) => vec![("speed", text)],
-        MetricFile::Sum(metrics) => metrics.get_ref().iter().flat_map(squared).collect(),
-        MetricFile::Scaled(scaled) => squared(&scaled.metric),
-        MetricFile::Product(blocks) => {
-            blocks.get_ref().iter().flat_map(|block| squared(&block.metric)).collect()
+        MetricFile::Sum(metrics) => {
+            let terms = metrics.get_ref().iter().flat_map(parts);
+            terms.map(|(part, _)| (part, true)).collect()
         }
-        _ => Vec::new(),
+        MetricFile::Scaled(scaled) => parts(&scaled.metric),
+        MetricFile::Product(blocks) => {
+            blocks.get_ref().iter().flat_map(|block| parts(&block.metric)).collect()
+        }
+        metric => vec![(metric, false)],
     }
 }

@@ -9,7 +9,7 @@ use tautline_portrait::Shape;
 use super::{Given, GivenError, sets::check_coordinates};
 use crate::{
     known::Known,
-    reading::obstacles::{distance, repulsion},
+    reading::obstacles::{distance, factor},
 };
 
 /// A region that no curve enters.
@@ -39,16 +39,16 @@ pub(super) fn avoiding<const D: usize>(
                 distance(shape).ok_or(GivenError::NoInside { set: shape.name() })?
             }
         };
-        distances.push((format!("obstacle{}", distances.len() + 1), text));
+        distances.push(text);
     }
-    let terms = distances.iter().map(|(name, _)| repulsion(name, margin));
-    let factor = ["1".to_owned()].into_iter().chain(terms).collect::<Vec<_>>().join(" + ");
-    let part = |text| Part { text, id: 0 };
-    let definitions: Vec<[Part<'_>; 2]> =
-        distances.iter().map(|(name, text)| [part(name.as_str()), part(text)]).collect();
-    let metric =
-        Written::Scaled(part(&factor), Box::new(Written::Recorded(AnyFormula::from(formula))));
-    let formula = Formula::<D>::compose(&[], &[], &definitions, &metric);
+    let factor = factor(distances.len(), margin);
+    fn part(text: &str) -> Part<'_> {
+        Part { text, id: 0 }
+    }
+    let distances = distances.iter().map(|text| part(text)).collect();
+    let metric = Box::new(Written::Recorded(AnyFormula::from(formula)));
+    let metric = Written::Weighted(distances, part(&factor), metric);
+    let formula = Formula::<D>::compose(&[], &[], &[], &metric);
     let formula = formula.map_err(|WrittenError { error, .. }| GivenError::Text(error))?;
     Ok(Given::held(Known::Formula(formula)))
 }

@@ -83,6 +83,11 @@ fn what_is_wrong_with_obstacles_is_underlined() {
         ("[0, 0]", "[0, 0, 0]", "[0, 0, 0]", "3 coordinates in dimension 2"),
         ("ball = { centre = [0, 0], radius = 1 }", "negative = \"y\"", "y", "unknown name y"),
         ("ball = {", "box = {", "box", "unknown key box"),
+        // The names of the distances in the factor are those of no other text.
+        ("phi = 1", "phi = \"obstacle1\"", "obstacle1", "unknown name obstacle1"),
+        ("phi = 1", "phi = \"u1\"", "u1", "unknown name u1"),
+        ("regions = [", "regions = [{ negative = \"u2\" }, ", "u2", "unknown name u2"),
+        ("} }]", "} }, { negative = \"u1\" }]", "u1", "unknown name u1"),
     ] {
         let file = FILE.replace(from, to);
         let solved =
@@ -100,4 +105,18 @@ fn another_defect_of_the_metric_is_not_that_of_an_obstacle() {
     let file = FILE.replace("phi = 1", "phi = \"sqrt(x2 + 0.05)\"");
     let failure = Question::read(&file).expect("a file").solve(&mut |_| ()).expect_err("no metric");
     assert!(!failure.to_string().contains("obstacle"), "{failure}");
+}
+
+/// A definition may have any name, also one that the factor of the obstacles uses.
+#[test]
+fn definitions_do_not_meet_the_names_of_obstacles() {
+    let expected = solved(FILE);
+    for name in ["u1", "obstacle1"] {
+        let file = format!("[let]\n{name} = \"1 + 0*x1\"\n{FILE}")
+            .replace("phi = 1", &format!("phi = \"{name}\""));
+        let (length, curve) = solved(&file);
+        assert!((length - expected.0).abs() < 1e-12 && curve.len() == expected.1.len(), "{name}");
+        let file = FILE.replace("phi = 1", &format!("formula = \"{name} = 1; {name} I\""));
+        assert!((solved(&file).0 - expected.0).abs() < 1e-12, "{name}");
+    }
 }

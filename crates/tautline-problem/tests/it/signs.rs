@@ -38,6 +38,14 @@ fn a_negative_cost_on_the_curve_is_refused_and_not_certified() {
         ("speed = \"-1 - x1\"", "speed"),
         ("sum = [{ phi = 1 }, { cost = \"-1 - x1\" }]", "cost"),
         ("cost = \"-2 + 0*x1\"", "cost"),
+        // In one text it is the same metric.
+        ("formula = \"cost(-2 - cos(x1))\"", "cost"),
+        ("formula = \"speed(-2 - cos(x1))\"", "speed"),
+        ("formula = \"f = -2 - x1; cost(f)\"", "cost"),
+        ("formula = \"phi = -2 - x1; cost(phi)\"", "cost"),
+        ("sum = [{ phi = 1 }, { formula = \"cost(-2 - x1)\" }]", "cost"),
+        ("scaled = { by = 2, metric = { formula = \"cost(-2 - x1)\" } }", "cost"),
+        ("product = [{ coordinates = [1], metric = { formula = \"cost(-2 - x1)\" } }]", "cost"),
     ] {
         for message in refused(&FILE.replace("cost = \"x1 + 0.2\"", metric)) {
             assert!(message.contains(&format!("the {name} is -")), "{metric}: {message}");
@@ -70,5 +78,39 @@ fn a_negative_cost_is_found_in_every_part_of_a_metric() {
     let dip = FILE.replace("x1 + 0.2", "8*(x1 - 0.5)^2 - 1");
     for message in refused(&format!("{dip}[solve]\nn = 1\n")) {
         assert!(message.contains("the cost is -1 at [0.5]"), "{message}");
+    }
+}
+
+/// What is no cost is not refused: a square that was typed, and a form whose name is defined.
+#[test]
+fn a_square_that_was_typed_is_a_metric() {
+    for metric in ["(-2 - cos(x1))^2 I", "cost = -2 - x1; cost^2 I", "cost(2 + x1)"] {
+        let file = FILE.replace("cost = \"x1 + 0.2\"", &format!("formula = \"{metric}\""));
+        let answer = Question::read(&file).expect("a file").solve(&mut |_| ());
+        assert!(answer.is_ok(), "{metric}: {answer:?}");
+    }
+}
+
+/// A certificate looks at cubes that the curve does not meet. Where the cost is negative there, it says so.
+/// The lower bound is true of the curves on which it is positive: no other leaves 0 for 1.
+#[test]
+fn a_certificate_tells_that_a_cost_is_negative_beside_the_curve() {
+    let certified = |metric: &str| {
+        let file = FILE.replace("cost = \"x1 + 0.2\"", metric);
+        let question = Question::read(&file).expect("a file");
+        let go_on = &mut |_| std::ops::ControlFlow::Continue(());
+        question.certify(Wanted::gap(0.1), go_on).expect(metric)
+    };
+    for metric in ["cost = \"x1 + 0.2\"", "formula = \"cost(x1 + 0.2)\""] {
+        let found = certified(metric);
+        let note = found.note.expect("a note");
+        assert!(note.starts_with("the cost is -") && note.contains("on which it is positive"));
+        // ∫ (x + 1/5) dx from 0 to 1.
+        assert!(found.lower.value <= 0.7 && found.upper.value >= 0.7);
+    }
+    let sum = certified("sum = [{ phi = 1 }, { cost = \"x1 + 0.01\" }]").note.expect("a note");
+    assert!(sum.ends_with("the sum has its square there"), "{sum}");
+    for positive in ["cost = \"x1 + 9\"", "phi = \"(x1 + 0.2)^2\"", "speed = \"2 + sin(x1)\""] {
+        assert_eq!(certified(positive).note, None, "{positive}");
     }
 }

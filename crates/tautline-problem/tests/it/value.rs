@@ -284,6 +284,12 @@ fn a_metric_with_obstacles_is_multiplied_by_their_factor() {
     for inside in [[1.0, -2.25], [0.0, -4.0], [-5.0, 0.0]] {
         assert!(!avoiding.gram(&inside).expect("two coordinates")[0].is_finite(), "{inside:?}");
     }
+    // No region knows the distance from another one.
+    for name in ["obstacle1", "u1", "u2"] {
+        let hidden = [regions[0].clone(), Region::Negative(format!("{name} + 9"))];
+        let refused = metric.avoiding(&hidden, 0.3).map(|_| ()).expect_err("an unknown name");
+        assert!(refused.to_string().contains(&format!("unknown name {name}")), "{refused}");
+    }
     let none = metric.avoiding(&[], 0.3).expect("no obstacles");
     assert_eq!(none.gram(&[0.5, 1.0]), metric.gram(&[0.5, 1.0]));
 }
