@@ -61,7 +61,7 @@ fn compare<M: Metric<D>, const D: usize>(
     for _ in 0..RUNS {
         let start = Instant::now();
         let mut question = Question::read(file).expect("a problem");
-        question.set_grid(Grid::Chords(n));
+        question.set_grid(Grid::Chords(n)).expect("a grid");
         question.without_bounds();
         let answer = question.solve(&mut |_| ()).expect("solved");
         least[0] = least[0].min(start.elapsed().as_secs_f64());

@@ -20,7 +20,7 @@ use crate::{
         parse::parse,
         pieces::{pieces, region, sampled},
         shape::Piece,
-        solve::Solve,
+        solve::{Solve, check_grid},
         tables::{Open, Tables, no_file, tables},
         view::{View, view},
     },
@@ -236,9 +236,16 @@ impl Question {
     }
 
     /// Replaces the number of chords or the tolerance, also for other values of parameters.
-    pub fn set_grid(&mut self, grid: Grid) {
+    ///
+    /// # Errors
+    ///
+    /// [`Diagnostic`] with the place of the lattice, if the file has one and this is a tolerance: a search
+    /// along a lattice has one grid.
+    pub fn set_grid(&mut self, grid: Grid) -> Result<(), Diagnostic> {
+        check_grid(grid, self.lattice.as_ref().map(Placed::span))?;
         self.grid = grid;
         self.asked_grid = Some(grid);
+        Ok(())
     }
 
     /// Asks for no bounds.

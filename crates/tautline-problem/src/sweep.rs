@@ -122,7 +122,7 @@ ball = { centre = [\"b\", 9], radius = \"long^2\" }
         let mut question = Question::read(&file).expect("a file");
         let other = question.with_parameters(&[("tol", 1e-9)]).expect("a file");
         assert_eq!((question.grid, other.grid), (Grid::Tolerance(0.1), Grid::Tolerance(1e-9)));
-        question.set_grid(Grid::Chords(7));
+        question.set_grid(Grid::Chords(7)).expect("a grid");
         let other = question.with_parameters(&[("tol", 1e-9)]).expect("a file");
         let again = other.with_parameters(&[("tol", 1e-3)]).expect("a file");
         assert_eq!((other.grid, again.grid), (Grid::Chords(7), Grid::Chords(7)));

@@ -1,7 +1,7 @@
 //! The section `[solve]`, with its numbers evaluated.
 
 // The type alone: from `core`, which has no clock.
-use core::time::Duration;
+use core::{ops::Range, time::Duration};
 
 use tautline::LARGEST_N;
 
@@ -56,11 +56,7 @@ impl Solve {
         let limit = |text: &Text| numbers.between(text, 0.0, 1e15).map(Duration::from_secs_f64);
         let time_limit = solve.time_limit.as_ref().map(limit).transpose()?;
         let lattice = solve.lattice.as_ref().map(|lattice| {
-            if let Grid::Tolerance(_) = grid {
-                return Err(Diagnostic::new("a lattice besides a tolerance", lattice.span())
-                    .label("a search along a lattice has one grid")
-                    .help("write n in place of the tolerance"));
-            }
+            check_grid(grid, Some(lattice.span()))?;
             let LatticeFile { lower, upper, spacing, classes } = lattice.get_ref();
             let [lower, upper] =
                 [numbers.vector(lower, dimension)?, numbers.vector(upper, dimension)?];
@@ -78,6 +74,18 @@ impl Solve {
         let lattice = lattice.transpose()?;
         let steps = solve.steps.as_ref().map(|steps| *steps.get_ref());
         Ok(Self { grid, starts, lattice, steps, time_limit })
+    }
+}
+
+/// Refuses a tolerance besides a lattice, given the place of the lattice if there is one.
+pub(crate) fn check_grid(grid: Grid, lattice: Option<Range<usize>>) -> Result<(), Diagnostic> {
+    match (grid, lattice) {
+        (Grid::Tolerance(_), Some(place)) => {
+            Err(Diagnostic::new("a lattice besides a tolerance", place)
+                .label("a search along a lattice has one grid")
+                .help("choose n, the number of chords, in place of the tolerance"))
+        }
+        _ => Ok(()),
     }
 }
 

@@ -1,6 +1,6 @@
 //! A lattice in the section `[solve]`.
 
-use tautline_problem::{Failure, Question};
+use tautline_problem::{Failure, Grid, Question};
 
 /// A wall along `x₁ = 0` with a gap at `x₂ = 3`.
 const WALL: &str = "\
@@ -72,4 +72,20 @@ fn classes_find_every_way_past_the_hills() {
         "lattice = { lower = [-2.2, -2], upper = [2.2, 2.2], spacing = 0.1, classes = 4 }";
     assert!(ways(&file) < 4);
     assert_eq!(ways(&format!("{file}{lattice}\n")), 4);
+}
+
+/// A search along a lattice has one grid, also where a tolerance is asked for later. A refused grid changes
+/// nothing.
+#[test]
+fn a_tolerance_that_is_asked_for_is_refused_too() {
+    let file = format!("{WALL}{LATTICE}");
+    let mut question = Question::read(&file).expect("a file");
+    let refused = question.set_grid(Grid::Tolerance(1e-6)).expect_err("a lattice");
+    assert_eq!(refused.message, "a lattice besides a tolerance");
+    assert!(file[refused.at].starts_with("{ lower"));
+    assert_eq!(question.solve(&mut |_| ()).expect("a curve").n, 512);
+    question.set_grid(Grid::Chords(256)).expect("a number of chords");
+    assert_eq!(question.solve(&mut |_| ()).expect("a curve").n, 256);
+    let mut without = Question::read(WALL).expect("a file");
+    assert!(without.set_grid(Grid::Tolerance(1e-2)).is_ok());
 }

@@ -5,7 +5,7 @@ use tautline_problem::{Answer, Example, Grid, Question};
 fn answer(name: &str, solve: &str, n: usize) -> Answer {
     let text = Example::named(name).expect("an example").text;
     let mut question = Question::read(&format!("{text}{solve}")).expect("a problem");
-    question.set_grid(Grid::Chords(n));
+    question.set_grid(Grid::Chords(n)).expect("a grid");
     question.solve(&mut |_| ()).expect("solved")
 }
 

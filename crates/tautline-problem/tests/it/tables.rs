@@ -99,7 +99,7 @@ fn programs_are_shared_only_with_the_same_tables() {
 fn other_parameters_keep_the_grid_and_the_want_of_bounds() {
     let file = format!("[parameters]\na = 1\n{GOOD}").replace("\"h(x1, x2)\"", "\"a*h(x1, x2)\"");
     let mut question = Question::read(&file).expect("a file");
-    question.set_grid(Grid::Chords(7));
+    question.set_grid(Grid::Chords(7)).expect("a grid");
     question.without_bounds();
     let other = question.with_parameters(&[("a", 3.0)]).expect("a file");
     let answer = other.solve(&mut |_| ()).expect("solved");

@@ -132,7 +132,7 @@ fn a_minimum_of_a_coarse_grid_is_kept_on_finer_ones() {
     let mut question = Question::read(wall).expect("a problem");
     question.without_bounds();
     // The finer grid alone misses the door, or this would show nothing.
-    question.set_grid(Grid::Chords(found.n));
+    question.set_grid(Grid::Chords(found.n)).expect("a grid");
     let alone = question.solve(&mut |_| ()).expect("a line");
     assert!(found.n > 256 && alone.length.value > 12.0, "{} chords", found.n);
 }
