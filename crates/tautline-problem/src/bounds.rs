@@ -25,6 +25,9 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
     if let Some(claimed) = proving.claimed {
+        if proving.is_in_a_region {
+            return Err(IN_A_REGION.to_owned());
+        }
         check_claims(claimed, line.metric(), line.sequence())?;
         let curve = line.admissible_curve().ok();
         let enclosure = line.enclosure_given(claimed, curve.as_ref());
@@ -63,13 +66,16 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Proving {
     pub(crate) claimed: Option<Constants>,
+    /// Whether the claims are about a region only, beyond which curves may run.
+    pub(crate) is_in_a_region: bool,
     pub(crate) accuracy: Accuracy,
 }
 
 impl Question {
     /// Returns what bounds rest on.
     pub(crate) fn proving(&self) -> Proving {
-        Proving { claimed: self.claimed, accuracy: self.accuracy() }
+        let is_in_a_region = self.within.is_some();
+        Proving { claimed: self.claimed, is_in_a_region, accuracy: self.accuracy() }
     }
 
     /// Returns how closely constants are proved, and at what cost.
@@ -123,6 +129,11 @@ impl Bounds {
 
 /// Why there are no bounds by the rule that the paper does not treat.
 pub(crate) const NO_THEOREM: &str = "the paper has no theorem on the true trapezoid";
+
+/// Why there are no bounds by constants that are claimed in a region.
+const IN_A_REGION: &str = "the constants are claimed in the region of `within` in [certify], and curves \
+    may leave it; without `constants` they are proved where shorter curves may run, and without `within` \
+    they are claims on all of space";
 
 /// What gives a lower bound of 0.
 const NOTHING: &str = "nothing: a distance is not negative";

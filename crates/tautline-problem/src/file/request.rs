@@ -69,10 +69,11 @@ pub enum RuleName {
 pub(crate) struct CertifyFile {
     /// Whether the distance is bounded from both sides; `true` unless said otherwise.
     pub(crate) bound: Option<bool>,
-    /// Constants that you claim for the metric. Without them they are proved from the formula.
+    /// Constants that you claim for the metric: on all of space, or in the region `within`, and then no
+    /// bounds rest on them, since curves may leave it. Without them they are proved from the formula.
     pub(crate) constants: Option<ConstantsFile>,
-    /// The region on which `tautline constants` proves constants: a ball or a box. Without it that
-    /// is all of space, or the ball that contains all competitors of the curve.
+    /// The region in which `tautline constants` proves constants, and `tautline audit` tests those that you
+    /// claim: a ball or a box. Without it that is all of space. `tautline solve` finds its own ball.
     pub(crate) within: Option<Placed<SetFile>>,
     /// The largest number of boxes for one constant; unless said otherwise 100,000 in the plane, and a
     /// fifth of that for each further dimension.

@@ -144,6 +144,6 @@ impl Proofs {
     }
 
     pub(super) fn proving(&self, dimension: usize) -> Proving {
-        Proving { claimed: self.claimed, accuracy: self.accuracy(dimension) }
+        Proving { claimed: self.claimed, is_in_a_region: false, accuracy: self.accuracy(dimension) }
     }
 }

@@ -40,3 +40,32 @@ fn the_region_of_constants_is_where_they_are_proved() {
         assert!(upper - lower <= 2e-3 * c2, "{metric}, {certify}: {lower} {upper}");
     }
 }
+
+/// The claims hold around the straight way, of length 6. By a valley beyond them the way is shorter: 2, and
+/// 6 at a cost of a third. Bounds by the claims as if they held there exclude it.
+#[test]
+fn claims_in_a_region_bound_no_curve_that_leaves_it() {
+    let solved = |certify: &str| {
+        let file = format!(
+            "metric = {{ phi = \"1 - 0.9*exp(-((x2 - 1)/0.2)^2)\" }}\nfrom = {{ point = [-3, 0] }}\n\
+             to = {{ point = [3, 0] }}\n[solve]\nonly_these_starts = true\n\
+             starts = [[[-3, 0], [3, 0]]]\n[certify]\n{certify}\n"
+        );
+        Question::read(&file).expect("a file").solve(&mut |_| ()).expect("a curve")
+    };
+    let claims = "constants = { c1 = 0.999, c2 = 1, l_h = 1e-3, m_h = 1 }";
+    for within in [
+        "within = { box = { lower = [-4, -0.1], upper = [4, 0.1] } }",
+        "within = { ball = { centre = [0, 0], radius = 0.5 } }",
+    ] {
+        let answer = solved(&format!("{claims}\n{within}"));
+        assert_eq!(answer.bounds, None);
+        let reason = answer.no_bounds.expect("a reason");
+        assert!(reason.contains("claimed in the region of `within`"), "{reason}");
+    }
+    // As claims on all of space they are used, and are wrong; the region alone changes nothing.
+    let bounds = solved(claims).bounds.expect("claimed");
+    assert!(bounds.lower.value > 5.9, "{bounds:?}");
+    let proved = solved("within = { ball = { centre = [0, 0], radius = 0.5 } }").bounds;
+    assert!(proved.is_some_and(|bounds| bounds.constants.proved && bounds.lower.value < 3.9));
+}
