@@ -49,7 +49,8 @@ pub struct Block<'t> {
 }
 
 impl<'t> Block<'t> {
-    /// Reads a block. Its hash must be that of its lines, and its ids those of its head.
+    /// Reads a block. Its hash must be that of its lines, and its ids those of its head. A text from another
+    /// system is to be made [`plain`](crate::plain) first.
     ///
     /// # Errors
     ///

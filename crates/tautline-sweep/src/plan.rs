@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use tautline_problem::{Axis, Diagnostic, Open, Question, Sweep, Values, no_file};
 
-use crate::{PlanError, draw::unit, hash::Hash, result_row::COLUMNS};
+use crate::{PlanError, draw::unit, hash::Hash, plain, result_row::COLUMNS};
 
 /// The largest number of problems: ids beyond it are not exact as floating-point numbers.
 pub(crate) const MOST: u64 = 1 << 53;
@@ -35,12 +35,14 @@ impl Plan {
     }
 
     /// Reads a sweep file: a problem file with a section `[sweep]`. `open` returns the bytes of a file
-    /// with numbers, or why it cannot be read. They are part of the hash.
+    /// with numbers, or why it cannot be read. They are part of the hash. Line ends are not: those of the
+    /// plan are [`plain`].
     ///
     /// # Errors
     ///
     /// [`PlanError`], with the place in the file if the file is wrong.
     pub fn read_with(file: &str, open: &mut Open<'_>) -> Result<Self, PlanError> {
+        let file = &*plain(file);
         let wrong = |diagnostic: Diagnostic| PlanError::File { diagnostic, file: file.to_owned() };
         let mut hash = Hash::default();
         hash.add(RULE);

@@ -4,7 +4,7 @@ use std::{fmt::Write, ops::Range};
 
 use tautline_problem::{Open, no_file};
 
-use crate::{Plan, PlanError, hash::DIGITS};
+use crate::{Plan, PlanError, hash::DIGITS, line_ends::without_mark};
 
 /// How the table begins.
 const TITLE: &str = "# tautline plan 1";
@@ -119,7 +119,7 @@ impl TableHead {
     /// Returns whether a text begins as the table of a plan does.
     #[must_use]
     pub fn begins(text: &str) -> bool {
-        text.lines().next() == Some(TITLE)
+        without_mark(text).lines().next() == Some(TITLE)
     }
 
     /// Takes the next line, without its line break. Returns the plan once the head is complete; the
@@ -136,7 +136,7 @@ impl TableHead {
             |expected: &str| PlanError::NoPlan { line: number, expected: expected.to_owned() };
         let after = |begin: &str| line.strip_prefix(begin).ok_or_else(|| expected(begin));
         match number {
-            1 if line == TITLE => return Ok(None),
+            1 if without_mark(line) == TITLE => return Ok(None),
             1 => return Err(expected(TITLE)),
             2 => self.hash = after(HASH)?.to_owned(),
             3 => self.count = after(COUNT)?.to_owned(),

@@ -17,13 +17,14 @@ fn read<'l>(lines: impl IntoIterator<Item = &'l str>) -> Result<Plan, PlanError>
     Err(PlanError::NoPlan { line: 0, expected: "more lines".to_owned() })
 }
 
+/// Line ends are `\n`, whatever they were: a table is read line by line.
 #[test]
 fn a_table_has_its_sweep_file_byte_by_byte() {
     let file = file(SWEEP);
+    let hash = plan(SWEEP).hash().to_owned();
     for file in [
         file.clone(),
         file.trim_end().to_owned(),
-        file.replace('\n', "\r\n"),
         file.clone() + "\n  # blanks, and an empty line \n\n",
         file.replace("[metric]", "#| not the mark of a table\n[metric]"),
     ] {
@@ -34,6 +35,31 @@ fn a_table_has_its_sweep_file_byte_by_byte() {
         assert_eq!((again.file(), again.hash()), (file.as_str(), plan.hash()));
         assert_eq!(again.lines(0..8), plan.lines(0..8));
         assert_eq!(Plan::of_text(&file).expect("a plan").hash(), plan.hash());
+    }
+    let windows = file.replace('\n', "\r\n");
+    for other in [&windows, &format!("\u{feff}{file}"), &format!("\u{feff}{windows}")] {
+        let plan = Plan::read(other).expect("a plan");
+        assert_eq!((plan.file(), plan.hash()), (file.as_str(), hash.as_str()));
+        let again = read(plan.head().lines()).expect("the same plan");
+        assert_eq!((again.file(), again.hash()), (file.as_str(), hash.as_str()));
+        // The place of an error is one in the text that comes with it.
+        let wrong = other.replace("[metric]", "[metrics]");
+        let Err(PlanError::File { diagnostic, file }) = Plan::read(&wrong) else {
+            panic!("a plan")
+        };
+        assert_eq!(&file[diagnostic.at], "metrics");
+    }
+}
+
+/// A table that another system has saved is that of its plan.
+#[test]
+fn the_line_ends_of_a_table_do_not_count() {
+    let plan = plan(SWEEP);
+    let table = plan.head() + &plan.lines(0..8).expect("rows");
+    let windows = table.replace('\n', "\r\n");
+    for other in [&windows, &format!("\u{feff}{table}"), &format!("\u{feff}{windows}")] {
+        assert!(TableHead::begins(other));
+        assert_eq!(Plan::of_text(other).expect("a plan").hash(), plan.hash());
     }
 }
 
