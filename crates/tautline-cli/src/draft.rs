@@ -99,7 +99,7 @@ impl Drop for Draft {
 }
 
 /// Returns the path of the file itself, behind all symbolic links, also if it is not there yet.
-fn behind_links(path: &Path) -> PathBuf {
+pub(crate) fn behind_links(path: &Path) -> PathBuf {
     let mut path = path.to_owned();
     // A circle of links is found out when the file is opened.
     for _ in 0..40 {

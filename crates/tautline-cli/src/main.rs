@@ -3,6 +3,7 @@
 mod arguments;
 mod draft;
 mod error;
+mod paths;
 mod plan_file;
 mod problem;
 mod report;

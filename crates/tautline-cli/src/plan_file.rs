@@ -4,7 +4,7 @@ use std::{
     fs::File,
     io::{self, BufRead, BufReader, Lines},
     ops::Range,
-    path::Path,
+    path::{Path, PathBuf},
 };
 
 use tautline_sweep::{Plan, PlanError, TableHead};
@@ -18,6 +18,8 @@ use crate::{
 pub(crate) struct PlanFile {
     name: String,
     pub(crate) plan: Plan,
+    /// The file, and those of its tables.
+    pub(crate) read: Vec<PathBuf>,
     rows: Option<Lines<BufReader<File>>>,
     /// The id of the next row.
     next: u64,
@@ -31,18 +33,19 @@ impl PlanFile {
         let explain = |error| explained(&name, error);
         let mut lines = BufReader::new(File::open(path).map_err(failed)?).lines();
         let folder = path.parent().unwrap_or(Path::new(""));
-        let mut open = |file: &str| open(folder, file);
+        let mut read = vec![path.to_owned()];
+        let mut open = |file: &str| open(folder, file, &mut read);
         let (mut head, mut begin) = (TableHead::default(), String::new());
         loop {
             let line = lines.next().transpose().map_err(failed)?;
             if begin.is_empty() && !line.as_deref().is_some_and(TableHead::begins) {
                 let file = io::read_to_string(File::open(path).map_err(failed)?).map_err(failed)?;
                 let plan = Plan::read_with(&file, &mut open).map_err(explain)?;
-                return Ok(Self { name, plan, rows: None, next: 0 });
+                return Ok(Self { name, plan, read, rows: None, next: 0 });
             }
             let line = line.unwrap_or_default();
             if let Some(plan) = head.line(&line, &mut open).map_err(explain)? {
-                return Ok(Self { name, plan, rows: Some(lines), next: 0 });
+                return Ok(Self { name, plan, read, rows: Some(lines), next: 0 });
             }
             begin = line;
         }

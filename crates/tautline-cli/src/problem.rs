@@ -16,6 +16,8 @@ pub(crate) struct ProblemText {
     name: String,
     text: String,
     pub(crate) question: Question,
+    /// The file, unless it is standard input, and those of its tables.
+    pub(crate) read: Vec<PathBuf>,
 }
 
 impl ProblemText {
@@ -32,8 +34,9 @@ impl ProblemText {
         read.map_err(|error| CommandError::File { path: PathBuf::from(&name), error })?;
         // The files of a problem on standard input are found from the folder in which the command runs.
         let folder = path.parent().filter(|_| !is_input).unwrap_or(Path::new(""));
-        match Question::read_with(&text, &mut |file| open(folder, file)) {
-            Ok(question) => Ok(Self { name, text, question }),
+        let mut read = if is_input { Vec::new() } else { vec![path.to_owned()] };
+        match Question::read_with(&text, &mut |file| open(folder, file, &mut read)) {
+            Ok(question) => Ok(Self { name, text, question, read }),
             Err(error) => Err(bad_file(&name, &text, &error)),
         }
     }
@@ -47,9 +50,13 @@ impl ProblemText {
     }
 }
 
-/// Returns the bytes of a file that a problem file names, or why it cannot be read.
-pub(crate) fn open(folder: &Path, file: &str) -> Result<Vec<u8>, String> {
-    fs::read(folder.join(file)).map_err(|error| error.to_string())
+/// Returns the bytes of a file that a problem file names, or why it cannot be read. Its path is added to
+/// those that are `read`.
+pub(crate) fn open(folder: &Path, file: &str, read: &mut Vec<PathBuf>) -> Result<Vec<u8>, String> {
+    let path = folder.join(file);
+    let bytes = fs::read(&path).map_err(|error| error.to_string())?;
+    read.push(path);
+    Ok(bytes)
 }
 
 /// Returns the error of a file, with its lines.

@@ -90,7 +90,7 @@ pub(crate) fn answer(answer: &Answer) -> String {
         ties => line("tie", format!("{ties} other curves are as short")),
     }
     if !other.is_empty() {
-        let lengths = other.iter().map(|other| format!("{:.6}", other.length.value));
+        let lengths = other.iter().map(|other| nearest(other.length.value));
         line("other minima", lengths.collect::<Vec<_>>().join(", "));
     }
     text
@@ -228,6 +228,9 @@ pub(crate) fn certified(answer: &CertifiedAnswer) -> String {
     if answer.levels.is_empty() {
         return text;
     }
+    if let Some(note) = &answer.note {
+        let _ = writeln!(text, "note        {note}");
+    }
     let _ = writeln!(text, "proof       {} levels, {cubes} cubes", answer.levels.len());
     let _ = writeln!(text, "corridor    {left} cubes of side {side:e} hold every shortest curve");
     text
@@ -299,7 +302,17 @@ mod tests {
         let (count, text) =
             warnings(&|answer| answer.other_minima = [1.0, 1.0, 1.25].map(other).to_vec());
         assert!(count == 0 && text.contains("2 other curves are as short"), "{text}");
-        assert_eq!(said(&text, "other minima").as_deref(), Some("1.250000"));
+        // To as many digits as all lengths: these differ in the eighth, and a tiny one is not 0.
+        let close = [1.0, 1.250_000_3, 1.250_000_4, 1.25e9].map(other);
+        let (_, text) = warnings(&|answer| answer.other_minima = close.to_vec());
+        let printed = "1.250000300, 1.250000400, 1250000000";
+        assert_eq!(said(&text, "other minima").as_deref(), Some(printed));
+        let (_, text) = warnings(&|answer| {
+            answer.length.value = 1e-9;
+            answer.other_minima = vec![other(1.25e-9)];
+        });
+        let tiny = said(&text, "other minima").expect("printed");
+        assert!((tiny.parse::<f64>().expect("a number") - 1.25e-9).abs() < 1e-24, "{tiny}");
         let (_, text) = warnings(&|answer| answer.other_minima = vec![other(1.0)]);
         assert!(text.contains("another curve is as short"), "{text}");
         assert_eq!(said(&text, "other minima"), None);
@@ -384,6 +397,7 @@ mod tests {
             levels: vec![level(30), level(4), level(500)],
             corridor_cubes: 77,
             corridor_side: 0.125.into(),
+            note: Some("a word of care".to_owned()),
             certificate: String::new(),
             curve: Vec::new(),
             other_minima: Vec::new(),
@@ -396,6 +410,7 @@ mod tests {
         let printed: f64 = gap.split(' ').next().unwrap_or_default().parse().expect("a number");
         assert!(printed > 0.5 && printed <= 0.52 && gap.ends_with(": it ended"), "{gap}");
         assert_eq!(said(&text, "proof").as_deref(), Some("3 levels, 534 cubes"));
+        assert_eq!(said(&text, "note").as_deref(), Some("a word of care"));
         let corridor = said(&text, "corridor").expect("a corridor");
         assert!(corridor.starts_with("77 cubes of side 1.25e-1 hold every"), "{corridor}");
         // Sets that nearly touch have a bound and no proof; those that touch have the distance 0.

@@ -8,7 +8,7 @@ use std::{
 
 use tautline_problem::{Scene, pdf, png, svg};
 
-use crate::{draft::Draft, error::CommandError};
+use crate::{draft::Draft, error::CommandError, paths::check_folder};
 
 /// Writes a file as a [`Draft`].
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), CommandError> {
@@ -44,13 +44,7 @@ impl Format {
 pub(crate) fn check_pictures(paths: &[impl AsRef<Path>]) -> Result<(), CommandError> {
     paths.iter().map(AsRef::as_ref).try_for_each(|path| {
         Format::of(path)?;
-        match path.parent() {
-            Some(folder) if folder != Path::new("") && !folder.is_dir() => {
-                let (path, folder) = (path.display(), folder.display());
-                Err(CommandError::BadArgument(format!("{path}: there is no folder {folder}")))
-            }
-            _ => Ok(()),
-        }
+        check_folder(path)
     })
 }
 

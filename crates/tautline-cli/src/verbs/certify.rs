@@ -7,6 +7,7 @@ use tautline_problem::{CertifiedAnswer, Failure, decimal::rounded_up, distance::
 use crate::{
     arguments::Certify,
     error::CommandError,
+    paths::{check_folder, check_paths},
     problem::ProblemText,
     report,
     timed::{seconds, timed},
@@ -29,7 +30,12 @@ pub(crate) fn certify(arguments: &Certify) -> Result<ExitCode, CommandError> {
         return Err(CommandError::BadArgument(message));
     }
     let limit = seconds(arguments.time_limit)?;
+    if let Some(path) = &arguments.output {
+        check_folder(path)?;
+    }
     let problem = ProblemText::read(&arguments.file)?;
+    let written: Vec<_> = arguments.output.iter().chain(&arguments.plot).collect();
+    check_paths(&written, &problem.read)?;
     let limit = limit.or(problem.question.time_limit());
     let question = problem.question.clone();
     let wanted = Wanted { gap, cubes: arguments.cubes };

@@ -1,12 +1,13 @@
 //! `tautline examples`: commented problem files, each for a question.
 
-use std::{fmt::Write, process::ExitCode};
+use std::{fmt::Write, path::PathBuf, process::ExitCode};
 
 use tautline_problem::{EXAMPLES, Example};
 
 use crate::{
     arguments::Examples,
     error::CommandError,
+    paths::check_paths,
     write::{print, write},
 };
 
@@ -32,16 +33,20 @@ pub(crate) fn examples(arguments: &Examples) -> Result<ExitCode, CommandError> {
         }
         print(&list)?;
     }
-    for example in chosen {
-        let Some(folder) = &arguments.to else {
-            print(example.text)?;
-            continue;
-        };
-        let path = folder.join(format!("{}.toml", example.name));
-        if path.exists() {
-            let message = format!("{} exists already; it is left as it is", path.display());
-            return Err(CommandError::BadArgument(message));
-        }
+    let Some(folder) = &arguments.to else {
+        return chosen
+            .iter()
+            .try_for_each(|example| print(example.text))
+            .map(|()| ExitCode::SUCCESS);
+    };
+    let path = |example: &&Example| folder.join(format!("{}.toml", example.name));
+    let paths: Vec<PathBuf> = chosen.iter().map(path).collect();
+    if let Some(path) = paths.iter().find(|path| path.exists()) {
+        let message = format!("{} exists already; it is left as it is", path.display());
+        return Err(CommandError::BadArgument(message));
+    }
+    check_paths(&paths, &[""; 0])?;
+    for (path, example) in paths.into_iter().zip(chosen) {
         write(&path, example.text.as_bytes())?;
         print(&format!("wrote {}\n", path.display()))?;
     }

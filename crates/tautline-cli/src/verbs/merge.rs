@@ -6,9 +6,11 @@ use std::{
     process::ExitCode,
 };
 
-use tautline_sweep::{Block, BlockError, BlockWriter, Head, in_order};
+use tautline_sweep::{Block, BlockError, BlockWriter, Head, in_order, plain};
 
-use crate::{arguments::Merge, draft::Draft, error::CommandError, write::print};
+use crate::{
+    arguments::Merge, draft::Draft, error::CommandError, paths::check_paths, write::print,
+};
 
 /// Joins the results of all shards. One file at a time is in memory.
 pub(crate) fn merge(arguments: &Merge) -> Result<ExitCode, CommandError> {
@@ -16,6 +18,7 @@ pub(crate) fn merge(arguments: &Merge) -> Result<ExitCode, CommandError> {
     for path in &arguments.results {
         files.extend(results(path)?);
     }
+    check_paths(arguments.output.as_slice(), &files)?;
     let (mut heads, mut wrong): (Vec<Head>, Vec<String>) = Default::default();
     for path in &files {
         let text = read(path)?;
@@ -75,7 +78,9 @@ fn results(path: &Path) -> Result<Vec<PathBuf>, CommandError> {
 }
 
 fn read(path: &Path) -> Result<String, CommandError> {
-    fs::read_to_string(path).map_err(|error| CommandError::File { path: path.to_owned(), error })
+    let text = fs::read_to_string(path);
+    let text = text.map_err(|error| CommandError::File { path: path.to_owned(), error })?;
+    Ok(plain(&text).into_owned())
 }
 
 #[cfg(test)]

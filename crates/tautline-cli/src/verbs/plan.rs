@@ -8,13 +8,15 @@ use crate::{
     arguments::Plan,
     draft::Draft,
     error::CommandError,
+    paths::check_paths,
     plan_file::{PlanFile, explained},
     write::print,
 };
 
 /// Writes the table of problems of a sweep, or the problem file of one of them.
 pub(crate) fn plan(arguments: &Plan) -> Result<ExitCode, CommandError> {
-    let plan = PlanFile::open(&arguments.file)?.plan;
+    let PlanFile { plan, read, .. } = PlanFile::open(&arguments.file)?;
+    check_paths(arguments.output.as_slice(), &read)?;
     if let Some(id) = arguments.problem {
         if id >= plan.count() {
             let message = format!("--problem {id}: the ids end before {}", plan.count());

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use crate::{
     arguments::Plot,
     error::CommandError,
+    paths::check_paths,
     problem::ProblemText,
     verbs::solve::solved,
     write::{check_pictures, write_picture},
@@ -14,6 +15,7 @@ use crate::{
 pub(crate) fn plot(arguments: &Plot) -> Result<ExitCode, CommandError> {
     check_pictures(&arguments.pictures)?;
     let mut problem = ProblemText::read(&arguments.file)?;
+    check_paths(&arguments.pictures, &problem.read)?;
     let has_curve = problem.question.has_ends() && !arguments.no_curve;
     problem.question.without_bounds();
     let limit = problem.question.time_limit();

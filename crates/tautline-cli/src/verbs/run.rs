@@ -10,12 +10,13 @@ use std::{
 };
 
 use indicatif::ProgressBar;
-use tautline_sweep::{Block, BlockError, BlockWriter, Plan, Runner};
+use tautline_sweep::{Block, BlockError, BlockWriter, Plan, Runner, plain};
 
 use crate::{
     arguments::Run,
     draft::Draft,
     error::CommandError,
+    paths::{check_folder, check_paths},
     plan_file::{PlanFile, explained},
     write::{print, say, write},
 };
@@ -26,12 +27,17 @@ pub(crate) fn run(arguments: &Run) -> Result<ExitCode, CommandError> {
     let name = arguments.plan.display().to_string();
     let ids = arguments.shard.ids(file.plan.count());
     let path = arguments.to.join(arguments.shard.file_name());
+    let written: Vec<_> = [&path].into_iter().chain(&arguments.times).collect();
+    check_paths(&written, &file.read)?;
     if is_finished(&path, &file.plan, ids.clone())? {
         print(&format!("{} is complete already\n", path.display()))?;
         return Ok(ExitCode::SUCCESS);
     }
     let failed = |error| CommandError::File { path: arguments.to.clone(), error };
     fs::create_dir_all(&arguments.to).map_err(failed)?;
+    if let Some(times) = &arguments.times {
+        check_folder(times)?;
+    }
     let begin = Instant::now();
     let plan = file.plan.clone();
     let explain = |error| explained(&name, error);
@@ -68,7 +74,7 @@ pub(crate) fn run(arguments: &Run) -> Result<ExitCode, CommandError> {
 /// Returns whether a file has these results. Results that are incomplete count as none.
 fn is_finished(path: &Path, plan: &Plan, ids: Range<u64>) -> Result<bool, CommandError> {
     let text = match fs::read_to_string(path) {
-        Ok(text) => text,
+        Ok(text) => plain(&text).into_owned(),
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
         Err(error) => return Err(CommandError::File { path: path.to_owned(), error }),
     };

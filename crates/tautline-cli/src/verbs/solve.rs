@@ -7,6 +7,7 @@ use tautline_problem::{Answer, Failure, Grid, LARGEST_N, LEAST_TOLERANCE};
 use crate::{
     arguments::Solve,
     error::CommandError,
+    paths::check_paths,
     problem::ProblemText,
     report,
     timed::{seconds, timed},
@@ -18,22 +19,27 @@ pub(crate) fn solve(arguments: &Solve) -> Result<ExitCode, CommandError> {
     check_pictures(&arguments.plot)?;
     let limit = seconds(arguments.time_limit)?;
     let mut problem = ProblemText::read(&arguments.file)?;
-    match (arguments.n, arguments.tolerance) {
+    check_paths(&arguments.plot, &problem.read)?;
+    let grid = match (arguments.n, arguments.tolerance) {
         (Some(0), _) => return Err(CommandError::BadArgument("-n 0: no chord".to_owned())),
         (Some(n), _) if n > LARGEST_N => {
             let message = format!("-n {n}: expected at most {LARGEST_N} chords");
             return Err(CommandError::BadArgument(message));
         }
-        (Some(n), _) => problem.question.set_grid(Grid::Chords(n)),
+        (Some(n), _) => Some(Grid::Chords(n)),
         (None, Some(tolerance)) if tolerance > LEAST_TOLERANCE && tolerance < 1.0 => {
-            problem.question.set_grid(Grid::Tolerance(tolerance));
+            Some(Grid::Tolerance(tolerance))
         }
         (None, Some(tolerance)) => {
             let message =
                 format!("a tolerance of {tolerance:e} is not between {LEAST_TOLERANCE:e} and 1");
             return Err(CommandError::BadArgument(message));
         }
-        (None, None) => {}
+        (None, None) => None,
+    };
+    if let Some(grid) = grid {
+        let set = problem.question.set_grid(grid);
+        set.map_err(|refused| problem.explain(Failure::BadInput(refused)))?;
     }
     if arguments.no_bounds {
         problem.question.without_bounds();

@@ -241,3 +241,110 @@ fn a_device_is_no_file() {
     assert!(fs::symlink_metadata(folder.join("link.csv")).expect("there").is_symlink());
     assert!(fs::read_to_string(folder.join("real.csv")).expect("read").starts_with("# tautline"));
 }
+
+/// Writes a problem that reads a table from `h.png`, a sweep of it, and results of that sweep in `good`.
+fn with_tables(name: &str) -> std::path::PathBuf {
+    let folder = folder(name);
+    // What a table is shows in its bytes, not in its name.
+    let header = "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 2), }\n";
+    let length = (header.len() as u16).to_le_bytes();
+    let npy = [b"\x93NUMPY\x01\x00", &length[..], header.as_bytes(), &[1, 2, 3, 4]].concat();
+    fs::write(folder.join("h.png"), npy).expect("written");
+    let file = "[parameters]\na = 1\n[tables]\nh = { file = \"h.png\" }\n[metric]\n\
+                cost = \"1 + a*h(x1, x2)\"\n[from]\npoint = [0, 0]\n[to]\npoint = [1, 1]\n\
+                [solve]\nn = 16\n";
+    fs::write(folder.join("v.toml"), file).expect("written");
+    let sweep = format!("{file}[sweep.vary]\na = [1, 2]\n");
+    fs::write(folder.join("s.toml"), sweep).expect("written");
+    assert!(tautline(&folder, &["plan", "s.toml", "-o", "p.csv"]).status.success());
+    assert!(tautline(&folder, &["run", "s.toml", "--to", "good"]).status.success());
+    for (name, target) in [("v.svg", "v.toml"), ("v.cert", "v.toml"), ("s.csv", "s.toml")] {
+        std::os::unix::fs::symlink(target, folder.join(name)).expect("linked");
+    }
+    fs::hard_link(folder.join("h.png"), folder.join("hard.png")).expect("linked");
+    fs::create_dir(folder.join("in")).expect("made");
+    folder
+}
+
+/// Every verb that writes, with each of its inputs and outputs. Nothing is done: no file is new, and none
+/// has other bytes.
+#[test]
+fn an_output_is_no_input_and_no_other_output() {
+    let folder = with_tables("same-files");
+    let state = || {
+        let bytes = |folder: &Path| -> Vec<(String, Vec<u8>)> {
+            let files = names(folder).into_iter().filter(|name| !folder.join(name).is_dir());
+            files.map(|name| (name.clone(), fs::read(folder.join(name)).expect("read"))).collect()
+        };
+        ([bytes(&folder), bytes(&folder.join("good")), bytes(&folder.join("in"))], names(&folder))
+    };
+    let before = state();
+    let read = "; write to another file";
+    let twice = "are the same file; write to two";
+    let cases: [(&[&str], &str); 23] = [
+        (&["solve", "v.toml", "--plot", "h.png"], read),
+        (&["solve", "v.toml", "--plot", "hard.png"], read),
+        (&["solve", "v.toml", "--plot", "./h.png"], read),
+        (&["solve", "v.toml", "--plot", "v.svg"], read),
+        (&["solve", "v.toml", "--plot", "a.svg", "--plot", "in/../a.svg"], twice),
+        (&["plot", "v.toml", "in/../h.png"], read),
+        (&["plot", "v.toml", "v.svg", "--no-curve"], read),
+        (&["plot", "v.toml", "a.pdf", "a.svg", "./a.pdf"], twice),
+        (&["certify", "v.toml", "--gap", "0.5", "-o", "v.toml"], read),
+        (&["certify", "v.toml", "--gap", "0.5", "-o", "v.cert"], read),
+        (&["certify", "v.toml", "--gap", "0.5", "-o", "hard.png"], read),
+        (&["certify", "v.toml", "--gap", "0.5", "--plot", "h.png"], read),
+        (&["certify", "v.toml", "--gap", "0.5", "-o", "a.svg", "--plot", "./a.svg"], twice),
+        (&["plan", "s.toml", "-o", "s.toml"], read),
+        (&["plan", "s.toml", "-o", "./s.csv"], read),
+        (&["plan", "s.toml", "-o", "h.png"], read),
+        (&["plan", "p.csv", "-o", "p.csv"], read),
+        (&["run", "s.toml", "--to", "new", "--times", "s.toml"], read),
+        (&["run", "p.csv", "--to", "new", "--times", "p.csv"], read),
+        (&["run", "p.csv", "--to", "new", "--times", "hard.png"], read),
+        (&["run", "s.toml", "--to", "new", "--times", "new/1-of-1.csv"], twice),
+        (&["merge", "good", "-o", "good/1-of-1.csv"], read),
+        (&["merge", "good/1-of-1.csv", "-o", "in/../good/1-of-1.csv"], read),
+    ];
+    for (arguments, says) in cases {
+        let output = tautline(&folder, arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
+        assert!(output.stdout.is_empty(), "{arguments:?}: {output:?}");
+        assert!(text(&output.stderr).contains(says), "{arguments:?}: {output:?}");
+        assert!(state() == before, "{arguments:?}");
+    }
+    // Two examples of one name are one file, and one that is there is left before any is written.
+    let twice = tautline(&folder, &["examples", "tie", "tie", "--to", "in"]);
+    assert!(twice.status.code() == Some(2) && state() == before);
+    assert!(tautline(&folder, &["examples", "tie", "--to", "in"]).status.success());
+    let before = state();
+    let there = tautline(&folder, &["examples", "valleys", "tie", "--to", "in"]);
+    assert!(text(&there.stderr).contains("tie.toml exists already"));
+    assert!(there.status.code() == Some(2) && state() == before);
+}
+
+/// Before the work, not after it.
+#[test]
+fn an_output_in_no_folder_is_refused_at_once() {
+    let folder = with_tables("no-folder");
+    let before = names(&folder);
+    for arguments in [
+        &["certify", "v.toml", "--gap", "0.5", "-o", "none/v.cert"][..],
+        &["solve", "v.toml", "--plot", "none/v.svg"],
+        &["plan", "s.toml", "-o", "none/p.csv"],
+        &["merge", "good", "-o", "none/all.csv"],
+        &["run", "p.csv", "--to", "good", "--shard", "1/2", "--times", "none/times.csv"],
+    ] {
+        let output = tautline(&folder, arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
+        assert!(output.stdout.is_empty(), "{arguments:?}: {output:?}");
+        assert_eq!(
+            (names(&folder), names(&folder.join("good"))),
+            (before.clone(), vec!["1-of-1.csv".to_owned()])
+        );
+    }
+    // The folder of the results is made, and may hold the times too.
+    let times = ["run", "p.csv", "--to", "new", "--times", "new/times.txt"];
+    assert!(tautline(&folder, &times).status.success());
+    assert_eq!(names(&folder.join("new")), ["1-of-1.csv", "times.txt"]);
+}

@@ -255,3 +255,31 @@ fn one_problem_of_a_sweep_is_a_file_of_its_own() {
     let length: f64 = row.split(',').nth(3).expect("a length").parse().expect("a number");
     assert_eq!(answer["length"]["value"].as_f64(), Some(length));
 }
+
+/// Sweep files, plans and results as another system saves them: what was read before is the same.
+#[test]
+fn the_line_ends_of_a_sweep_do_not_count() {
+    let folder = folder("line-ends");
+    plan(&folder, 12);
+    assert_eq!(done(&folder, &["run", "plan.csv", "--to", "one"]), "wrote one/1-of-1.csv\n");
+    done(&folder, &["merge", "one", "-o", "one.csv"]);
+    let expected = read(&folder, "one.csv");
+    let saved = |from: &str, to: &str| {
+        let text = read(&folder, from).replace('\n', "\r\n");
+        fs::write(folder.join(to), format!("\u{feff}{text}")).expect("written");
+    };
+    saved("sweep.toml", "windows.toml");
+    saved("plan.csv", "windows.csv");
+    done(&folder, &["plan", "windows.toml", "-o", "of-windows.csv"]);
+    assert_eq!(read(&folder, "of-windows.csv"), read(&folder, "plan.csv"));
+    for (number, plan) in ["windows.toml", "windows.csv", "of-windows.csv"].into_iter().enumerate()
+    {
+        let to = format!("results-{number}");
+        done(&folder, &["run", plan, "--to", &to]);
+        // The same results, saved again, are still complete, and are merged.
+        saved(&format!("{to}/1-of-1.csv"), &format!("{to}/1-of-1.csv"));
+        let again = done(&folder, &["run", plan, "--to", &to]);
+        assert!(again.ends_with("is complete already\n"), "{again}");
+        assert_eq!(done(&folder, &["merge", &to]), expected);
+    }
+}

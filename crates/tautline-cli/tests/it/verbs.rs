@@ -375,3 +375,19 @@ fn a_picture_in_no_folder_is_refused_before_anything_is_computed() {
     assert!(output.stdout.is_empty());
     assert_eq!(text(&output.stderr), "error: nowhere/x.svg: there is no folder nowhere\n");
 }
+
+/// As where both stand in a file: a search along a lattice has one grid.
+#[test]
+fn a_tolerance_besides_a_lattice_is_refused() {
+    let folder = folder("lattice");
+    let file = "[metric]\nphi = \"2 - cos(x1)\"\n[from]\npoint = [0, 0]\n[to]\npoint = [3, 1]\n\
+                [solve]\nn = 64\nlattice = { lower = [-1, -1], upper = [4, 2], spacing = 0.5 }\n";
+    fs::write(folder.join("lattice.toml"), file).expect("written");
+    let refused = tautline(&folder, &["solve", "lattice.toml", "--tolerance", "1e-6"]);
+    assert_eq!(refused.status.code(), Some(2));
+    let said = text(&refused.stderr);
+    assert!(said.contains("error: a lattice besides a tolerance"), "{said}");
+    assert!(said.contains("lattice.toml:9:11") && said.contains("choose n"), "{said}");
+    let solved = tautline(&folder, &["solve", "lattice.toml", "-n", "128"]);
+    assert!(text(&solved.stdout).contains("of a curve of 128 chords"), "{solved:?}");
+}
