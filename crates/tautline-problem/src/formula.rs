@@ -53,11 +53,11 @@ pub(crate) fn formula_of<const D: usize>(
     let coordinates: Vec<usize> = (1..=D).collect();
     let mut metric = texts.written(metric, &coordinates)?;
     if let Some(Obstacles { distances, factor, place }) = obstacles {
-        let part = |distance| match distance {
-            &Distance::Own(ref text) => texts.numbered(text, place.clone()),
-            &Distance::Given(text) => texts.part(text),
-        };
-        let distances = distances.iter().map(part).collect();
+        let parts = distances.iter().map(|distance| match distance {
+            Distance::Own(text) => texts.numbered(text, place.clone()),
+            Distance::Given(text) => texts.part(text),
+        });
+        let distances = parts.collect();
         let factor = texts.numbered(factor, place.clone());
         metric = Written::Weighted(distances, factor, Box::new(metric));
     }
