@@ -1,6 +1,9 @@
 //! `Question`: a metric on the plane, two points, and the number of chords between them.
 
-use tautline::{Ends, Formula, Problem, TautLine, Trapezoidal};
+use tautline::{
+    Ends, Formula, Metric, PointSequence, Problem, TautLine, Trapezoidal,
+    formula::{Form, Part},
+};
 
 use crate::Complaint;
 
@@ -14,6 +17,8 @@ const MOST_CHARACTERS: usize = 2000;
 #[derive(Clone, Debug)]
 pub struct Question {
     problem: Problem<Formula<2>, 2>,
+    /// The function `f` of a metric that is `cost(f)` or `speed(f)`, as `f I`, and which of the two it is.
+    squared: Option<(Form, Formula<2>)>,
     chords: usize,
 }
 
@@ -37,7 +42,9 @@ impl Question {
         }
         let metric = read(formula)?;
         let ends = Ends::points(from, to).map_err(|error| Complaint::about(&error))?;
-        Ok(Self { problem: Problem::new(metric, ends), chords: chords as usize })
+        let squared = Formula::squared_in(&[], &[], &[], Part { text: formula, id: 0 });
+        let squared = squared.map_err(|error| Complaint::about_text(formula, &error.error))?;
+        Ok(Self { problem: Problem::new(metric, ends), squared, chords: chords as usize })
     }
 
     /// Solves the problem, by the trapezoidal rule.
@@ -45,10 +52,25 @@ impl Question {
     /// # Errors
     ///
     /// [`Complaint`] if the solver finds no curve, for instance because the metric is not positive
-    /// definite.
+    /// definite, or if a cost or a speed is negative at a point of the curve or in the middle of a chord.
     pub fn line(&self) -> Result<TautLine<Formula<2>, Trapezoidal, 2>, Complaint> {
         let line = self.problem.solve(Trapezoidal, self.chords);
-        line.map_err(|error| Complaint::about(&error))
+        let line = line.map_err(|error| Complaint::about(&error))?;
+        self.check_sign(line.sequence())?;
+        Ok(line)
+    }
+
+    /// The square does not show the sign.
+    fn check_sign(&self, sequence: &PointSequence<2>) -> Result<(), Complaint> {
+        let Some((form, f)) = &self.squared else { return Ok(()) };
+        let name = if *form == Form::Speed { "speed" } else { "cost" };
+        let middles = sequence.chords().map(|(x, d)| x + d * 0.5);
+        let mut points = sequence.points().iter().copied().chain(middles);
+        let negative = points.find_map(|x| {
+            let value = f.gram(&x)[(0, 0)];
+            (value < 0.0).then(|| format!("the {name} is {value} at {:?}", x.as_slice()))
+        });
+        negative.map_or(Ok(()), |negative| Err(Complaint::about(&negative)))
     }
 }
 
@@ -79,5 +101,9 @@ mod tests {
         let long = format!("({}1) I", "1 + ".repeat(500));
         assert!(refused(&long, 0.0, 8).contains("2005 characters"));
         assert!(refused("ln(x1) I", -1.0, 8).contains("finite"));
+        assert!(refused("cost(-2 - cos(x1))", 0.0, 8).contains("the cost is -3 at [0.0, 0.0]"));
+        assert!(refused("f = -2; speed(f)", 0.0, 8).contains("the speed is -2 at"));
+        let square = Question::new("(-2 - cos(x1))^2 I", [0.0, 0.0], [1.0, 0.0], 8);
+        assert!(square.and_then(|it| it.line()).is_ok());
     }
 }
