@@ -11,7 +11,10 @@ use numpy::{
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use tautline::Table;
-use tautline_problem::value::{self, Found, Given, Grid, Nodes, Proofs, Request, RuleName, Shape};
+use tautline_problem::{
+    IF_IT_SETTLES,
+    value::{self, Found, Given, Grid, Nodes, Proofs, Request, RuleName, Shape},
+};
 
 use crate::{
     accuracy::accuracy,
@@ -84,11 +87,12 @@ impl Program {
             .collect();
         let given = Given::parse(text, dimension, &parameters, &tables);
         let given = given.map_err(|error| ProblemError::new_err(message(&error, text, skipped)))?;
-        let sign = sign.and_then(|(name, text)| {
-            let phi = Given::parse(&text, dimension, &parameters, &tables).ok()?;
-            Sign::of(name, phi)
+        let sign = sign.map(|(name, text)| {
+            let phi = Given::parse(&text, dimension, &parameters, &tables);
+            let phi = phi.map_err(|error| ProblemError::new_err(message(&error, &text, 0)))?;
+            Ok::<_, PyErr>(Sign::of(name, phi))
         });
-        Ok(Self { given, callback: None, sign })
+        Ok(Self { given, callback: None, sign: sign.transpose()?.flatten() })
     }
 
     /// A metric by functions of an array of points of shape (m, D): H of shape (m, D, D), and
@@ -166,6 +170,11 @@ impl Program {
             given.constants(within, &proofs, &unless(stopped))
         })?;
         let found = found.map_err(|error| raised(&error))?;
+        if found.if_it_settles {
+            let why = format!("no constants on all of space: they hold only {IF_IT_SETTLES}, which \
+                               nothing proves; name a ball or a box within which they hold");
+            return Err(NotCertified::new_err(why));
+        }
         Ok((found.constants.into_iter().map(Constant::from).collect(), found.region))
     }
 

@@ -72,7 +72,8 @@ def sign(text: str) -> tuple[str, str] | None:
     if found is None:
         return None
     start, end = found.span(1)
-    return found[1], f"{text[:start]}phi{text[end:]}"
+    # In brackets, since a definition may have any name.
+    return found[1], f"{text[:start]}{text[end:]} I"
 
 
 def _constants(what: Any, name: str) -> np.ndarray:

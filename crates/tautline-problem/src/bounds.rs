@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use tautline::{
     CertifyError, Constants, LocalError, Metric, PointSequence, ProofError, RayleighQuotient,
-    RuleOfThePaper, SVector, Short, TautLine,
+    RuleOfThePaper, SVector, Short, Stop, TautLine,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
     distance::{Ended, Progress},
@@ -37,7 +37,11 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
         if curve.is_none() {
             found.upper_by += ", as quadrature estimates it";
         }
-        let lengths = others.iter().map(|other| other.length().value + other.length().error);
+        found = found.after(line.minimum().stop);
+        let lengths = others.iter().map(|other| match other.admissible_curve() {
+            Ok(curve) => curve.length().hi(),
+            Err(_) => other.length().value + other.length().error,
+        });
         return found.and_no_longer_than(lengths).without_contradiction();
     }
     // The compiler decides.
@@ -58,6 +62,7 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
             ended: ended(found.ended),
         });
     }
+    found = found.after(line.minimum().stop);
     let curves = others.iter().filter_map(|other| other.admissible_curve().ok());
     Ok(found.and_no_longer_than(curves.map(|curve| curve.length().hi())))
 }
@@ -95,6 +100,22 @@ impl Bounds {
         self.upper.value > length.value * (1.0 + WIDTH) + length.error
     }
 
+    /// Takes into account how the search ended. One that ran out of steps came to no minimum, so that its
+    /// energy is not assumed to be the least.
+    fn after(mut self, stop: Stop) -> Self {
+        if stop == Stop::IterationLimit && self.global_minimum == GlobalMinimum::Assumed {
+            self.refute();
+        }
+        self
+    }
+
+    /// Gives up the assumption that the minimum is global, and the lower bound that rests on it.
+    fn refute(&mut self) {
+        self.global_minimum = GlobalMinimum::Refuted;
+        self.lower = 0.0.into();
+        NOTHING.clone_into(&mut self.lower_by);
+    }
+
     /// Takes the lengths of other curves between the sets into account. One that is shorter than the
     /// lower bound refutes what that bound assumes.
     fn and_no_longer_than(mut self, lengths: impl Iterator<Item = f64>) -> Self {
@@ -104,9 +125,7 @@ impl Bounds {
             "the length of another minimum".clone_into(&mut self.upper_by);
         }
         if self.lower.value > self.upper.value && self.global_minimum == GlobalMinimum::Assumed {
-            self.global_minimum = GlobalMinimum::Refuted;
-            self.lower = 0.0.into();
-            NOTHING.clone_into(&mut self.lower_by);
+            self.refute();
         }
         self
     }

@@ -300,8 +300,11 @@ impl Writer<'_> {
             // The places of the block's coordinates among these.
             let places = own.iter().map(|i| coordinates.iter().position(|j| i == j));
             let places: Option<Vec<usize>> = places.collect();
-            let is_new =
-                |places: &Vec<usize>| places.iter().all(|i| product[i * (dimension + 1)].is_none());
+            let is_new = |places: &Vec<usize>| {
+                let mut distinct = (1..places.len()).map(|k| !places[..k].contains(&places[k]));
+                places.iter().all(|i| product[i * (dimension + 1)].is_none())
+                    && distinct.all(|is_distinct| is_distinct)
+            };
             let Some(places) = places.filter(is_new) else {
                 let what = "coordinates of a block that are not those of another";
                 return self.refuse(Problem::Shape { found: own.len(), what, dimension });

@@ -178,8 +178,13 @@ fn an_error_names_the_text_and_the_bytes() {
     let long = Written::Upper(vec![parts(&["1", "0"]), parts(&["0", "1"])]);
     assert_eq!(refused(&[], long).2, "2 entries in a row in dimension 2");
     assert_eq!(refused(&[], Written::Sum(Vec::new())).2, "0 terms in dimension 2");
-    for blocks in [&[vec![0]][..], &[vec![0], vec![0]], &[vec![0], vec![2]], &[vec![0, 1], vec![1]]]
-    {
+    for blocks in [
+        &[vec![0]][..],
+        &[vec![0], vec![0]],
+        &[vec![0], vec![2]],
+        &[vec![0, 1], vec![1]],
+        &[vec![0, 0], vec![1]],
+    ] {
         let product = blocks.iter().map(|block| (block.clone(), phi("1"))).collect();
         assert!(refused(&[], Written::Product(product)).2.contains("of a"), "{blocks:?}");
     }

@@ -7,7 +7,7 @@ use tautline_scalar::Scalar;
 
 use super::{
     GalleryError,
-    error::{nonnegative, positive},
+    error::{nonnegative, squarable},
     radial::{along_ray, gaussian},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
@@ -31,7 +31,7 @@ impl Bump {
     ///
     /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(height: f64, width: f64) -> Result<Self, GalleryError> {
-        let (a, s) = (nonnegative("height", height)?, positive("width", width)?);
+        let (a, s) = (nonnegative("height", height)?, squarable("width", width)?);
         // With ρ = |x|/s: |∇f²| = (2a/s) (ρ e^{−ρ²/2} + a ρ e^{−ρ²}) is at most the sum of the
         // maxima e^{−1/2} (at ρ = 1) and a e^{−1/2}/√2 (at ρ² = 1/2).
         let l_h = 2.0 * a / s * (-0.5_f64).exp() * (1.0 + a * FRAC_1_SQRT_2);

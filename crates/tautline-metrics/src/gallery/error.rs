@@ -39,7 +39,7 @@ pub enum GalleryError {
         /// The number that was given.
         value: f64,
     },
-    /// The patch does not exist for this radius, or it overflows.
+    /// The patch does not exist for this radius, or it overflows; the square of a width does.
     #[error("{name} = {value:?} must lie strictly between {low:?} and {high:?}")]
     OutOfRange {
         /// The name of the parameter in the constructor.
@@ -80,6 +80,15 @@ pub(super) fn positive(name: &'static str, value: f64) -> Result<f64, GalleryErr
     }
 }
 
+/// Returns a width, whose square and reciprocal the formula has. Where they over- or underflow, the formula
+/// would be another one.
+pub(super) fn squarable(name: &'static str, value: f64) -> Result<f64, GalleryError> {
+    between(name, positive(name, value)?, NARROWEST, 1.0 / NARROWEST)
+}
+
+/// `2⁻⁵⁰⁰`, below the widths that may be.
+const NARROWEST: f64 = f64::from_bits((1023 - 500) << 52);
+
 pub(super) fn nonnegative(name: &'static str, value: f64) -> Result<f64, GalleryError> {
     if value >= 0.0 && value.is_finite() {
         Ok(value)
@@ -107,7 +116,19 @@ pub(super) fn between(
 
 #[cfg(test)]
 mod tests {
-    use super::between;
+    use super::{GalleryError, between, squarable};
+
+    #[test]
+    fn the_square_of_a_width_is_a_number() {
+        for good in [1e-150, 1.0, 1e150] {
+            assert_eq!(squarable("width", good), Ok(good));
+        }
+        for bad in [1e-170, 1.4e154, 1e300] {
+            let refused = squarable("width", bad);
+            assert!(matches!(refused, Err(GalleryError::OutOfRange { .. })), "{bad}");
+        }
+        assert!(matches!(squarable("width", 0.0), Err(GalleryError::NotPositive { .. })));
+    }
 
     #[test]
     fn the_ends_of_a_range_are_not_between_them() {

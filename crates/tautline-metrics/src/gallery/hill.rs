@@ -5,7 +5,7 @@ use tautline_scalar::Scalar;
 
 use super::{
     GalleryError,
-    error::{finite, positive},
+    error::{finite, squarable},
     radial::{along_ray, gaussian},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
@@ -29,7 +29,7 @@ impl Hill {
     ///
     /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(height: f64, width: f64) -> Result<Self, GalleryError> {
-        let (h, s) = (finite("height", height)?, positive("width", width)?);
+        let (h, s) = (finite("height", height)?, squarable("width", width)?);
         let steepness = (h / s).powi(2);
         let l_h = 2.0 * steepness / s * lipschitz();
         // With h = s = 1, y = |x|², E = e^y and a = c² for the radial part c of a unit vector w,

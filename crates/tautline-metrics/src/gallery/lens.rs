@@ -5,7 +5,7 @@ use tautline_scalar::Scalar;
 
 use super::{
     GalleryError,
-    error::{nonnegative, positive},
+    error::{nonnegative, squarable},
     radial::{along_ray, gaussian},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
@@ -28,7 +28,7 @@ impl Lens {
     ///
     /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(height: f64, width: f64) -> Result<Self, GalleryError> {
-        let (a, s) = (nonnegative("height", height)?, positive("width", width)?);
+        let (a, s) = (nonnegative("height", height)?, squarable("width", width)?);
         // With ρ = |x|/s: |∇n²| = (a/s) ρ e^{−ρ²/2} is largest at ρ = 1. The second derivative of
         // n² is (a/s²) e^{−ρ²/2} times ρ² − 1 along the ray and times −1 across it. Both are
         // largest in absolute value at ρ = 0.

@@ -5,7 +5,7 @@ use tautline_scalar::Scalar;
 
 use super::{
     GalleryError,
-    error::{finite, nonnegative, positive},
+    error::{finite, nonnegative, squarable},
     radial::gaussian,
 };
 use crate::{Bounded, Constants, Metric};
@@ -44,7 +44,7 @@ impl<const D: usize> SoftObstacles<D> {
                 finite("coordinate of a centre", coordinate)?;
             }
             let (a, s) =
-                (nonnegative("height", obstacle.height)?, positive("width", obstacle.width)?);
+                (nonnegative("height", obstacle.height)?, squarable("width", obstacle.width)?);
             c2 += a;
             l_h += a / s * (-0.5_f64).exp();
             m_h += a / s / s;

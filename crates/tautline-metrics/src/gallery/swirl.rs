@@ -6,7 +6,7 @@ use tautline_scalar::Scalar;
 
 use super::{
     GalleryError,
-    error::{finite, positive},
+    error::{finite, squarable},
     radial::gaussian,
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
@@ -42,7 +42,7 @@ impl Swirl {
     ///
     /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(angle: f64, width: f64) -> Result<Self, GalleryError> {
-        let (a, s) = (finite("angle", angle)?.abs(), positive("width", width)?);
+        let (a, s) = (finite("angle", angle)?.abs(), squarable("width", width)?);
         // H has determinant 1 and trace 2 + τ², hence the eigenvalues (√(1 + τ²/4) ± |τ|/2)².
         // |τ| = |α| y e^{−y/2} with y = (r/s)² is largest at y = 2.
         let most = 2.0 * a * (-1.0_f64).exp();

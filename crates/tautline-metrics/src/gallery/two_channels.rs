@@ -6,7 +6,7 @@ use tautline_scalar::Scalar;
 use super::{
     GalleryError,
     clairaut::across_layers,
-    error::{nonnegative, positive},
+    error::{nonnegative, positive, squarable},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
@@ -38,7 +38,7 @@ impl TwoChannels {
     /// [`GalleryError`] with the parameter that is out of range.
     pub fn new(height: f64, offset: f64, width: f64) -> Result<Self, GalleryError> {
         let a = nonnegative("height", height)?;
-        let (b, s) = (positive("offset", offset)?, positive("width", width)?);
+        let (b, s) = (positive("offset", offset)?, squarable("width", width)?);
         let constants = Constants::new(1.0, 1.0 + a, a / s * steepest(2.0 * b / s))?
             .with_m_h(a / s / s * 8.0 / 7.0)?
             .isotropic();

@@ -1,7 +1,7 @@
 //! Bounds as they are printed, and claims that are refuted.
 
 use tautline::{
-    Constants, Formula, PointSequence,
+    Constants, Formula, PointSequence, Stop,
     bounds::{Enclosure, FromAbove, FromBelow},
 };
 
@@ -60,6 +60,23 @@ fn what_is_known_of_the_minimum_is_said() {
         let refuted = Enclosure { is_not_global: true, ..with };
         assert_eq!(bounds(refuted).global_minimum, GlobalMinimum::Refuted);
     }
+}
+
+/// What no step has led to is no minimum. What stalled may be one, up to rounding.
+#[test]
+fn a_search_that_ran_out_of_steps_assumes_nothing() {
+    let ended = |with: Enclosure, stop| {
+        let found = bounds(with).after(stop);
+        (found.global_minimum, found.lower.value > 0.0, found.lower_by == NOTHING)
+    };
+    let assumed = ENCLOSURE;
+    assert_eq!(ended(assumed, Stop::IterationLimit), (GlobalMinimum::Refuted, false, true));
+    for stop in [Stop::Converged, Stop::Stalled] {
+        assert_eq!(ended(assumed, stop), (GlobalMinimum::Assumed, true, false));
+    }
+    // Nothing is assumed of a sequence by a bound for all curves.
+    let known = Enclosure { assumes_global_minimum: false, ..ENCLOSURE };
+    assert_eq!(ended(known, Stop::IterationLimit), (GlobalMinimum::NotNeeded, true, false));
 }
 
 #[test]
