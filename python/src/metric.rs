@@ -21,7 +21,7 @@ use crate::{
     black_box::Callback,
     bounds::Constant,
     curve::{Curve, unless},
-    error::{ProblemError, SignError, raised},
+    error::{NotCertified, ProblemError, SignError, raised},
     interruptible::interruptible,
     pool::{self, pool},
     set::Set,

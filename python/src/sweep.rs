@@ -4,7 +4,7 @@ use std::{fs, ops::Range, path::PathBuf};
 
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use tautline_sweep::{self as sweep, Block, BlockError, BlockWriter, PlanError, Runner, Shard};
+use tautline_sweep::{self as sweep, Block, BlockError, BlockWriter, PlanError, Runner, Shard, plain};
 
 use crate::error::ProblemError;
 
@@ -172,7 +172,7 @@ pub(crate) fn shard(k: u64, n: u64, count: u64) -> PyResult<(u64, u64, String)> 
 /// ProblemError if it has other ones, or is something else.
 #[pyfunction]
 pub(crate) fn is_finished(plan: &Plan, results: &str, start: u64, end: u64) -> PyResult<bool> {
-    match Block::read(results) {
+    match Block::read(&plain(results)) {
         Ok(block) if plan.plan.has(&block.head, start..end) => Ok(true),
         Ok(_) => Err(raised("the results are of another plan, of other ids or another version")),
         Err(error @ BlockError::NoResults { .. }) => Err(raised(error)),
@@ -184,6 +184,7 @@ pub(crate) fn is_finished(plan: &Plan, results: &str, start: u64, end: u64) -> P
 /// doubled.
 #[pyfunction]
 pub(crate) fn merged(results: Vec<String>) -> PyResult<String> {
+    let results: Vec<_> = results.iter().map(|text| plain(text)).collect();
     let blocks = results.iter().map(|text| Block::read(text)).collect::<Result<Vec<_>, _>>();
     sweep::merged(&blocks.map_err(raised)?).map_err(raised)
 }

@@ -25,16 +25,13 @@ pub(crate) fn shown_by<const D: usize>(metric: &impl Metric<D>, fault: &Fault) -
                 other: lie.other.as_ref().map(|other| other.to_vec()),
                 ..of_a_constant(lie.constant, lie.claimed, lie.found, lie.formula())
             };
-            if lie.constant == Claim::C1 && !(lie.found > 0.0) {
-                // The lower bound is wrong since there is none.
-                if is_rounding(metric, lie.constant, lie.claimed, &lie.point) {
-                    return Vec::new();
-                }
-                let indefinite = indefinite(metric, &lie.point);
-                return indefinite.into_iter().chain([told]).collect();
-            }
             if is_rounding(metric, lie.constant, lie.claimed, &lie.point) {
                 return Vec::new();
+            }
+            if lie.constant == Claim::C1 && !(lie.found > 0.0) {
+                // The lower bound is wrong since there is none.
+                let indefinite = indefinite(metric, &lie.point);
+                return indefinite.into_iter().chain([told]).collect();
             }
             vec![told]
         }
@@ -102,6 +99,10 @@ fn is_rounding<const D: usize>(
     let Some([least, greatest]) = RayleighQuotient::extreme(metric, &point::<D>(at)) else {
         return false;
     };
+    // Intervals that say nothing excuse nothing.
+    if least.value.is_undefined() {
+        return false;
+    }
     match claim {
         Claim::C1 => !(least.value.hi() < claimed),
         Claim::C2 => !(greatest.value.lo() > claimed),

@@ -11,8 +11,10 @@ use crate::Metric;
 pub struct RayleighQuotient<const D: usize> {
     /// The direction `w`; its largest entry is 1.
     pub direction: SVector<f64, D>,
-    /// Rigorous bounds on the quotient.
+    /// Rigorous bounds on the quotient; undefined for a metric that is known by its values in `f64`.
     pub value: Interval,
+    /// The eigenvalue in `f64`.
+    pub eigenvalue: f64,
 }
 
 impl<const D: usize> RayleighQuotient<D> {
@@ -36,7 +38,8 @@ impl<const D: usize> RayleighQuotient<D> {
         if !h.iter().all(|entry| entry.is_finite()) {
             return None;
         }
-        let eigen = DMatrix::from_fn(D, D, |i, j| h[(i.min(j), i.max(j))]).symmetric_eigen();
+        let eigen =
+            DMatrix::from_fn(D, D, |i, j| 0.5 * h[(i, j)] + 0.5 * h[(j, i)]).symmetric_eigen();
         let enclosed = metric.gram(&x.map(Interval::point));
         let quotient = |k: usize| {
             let column = eigen.eigenvectors.column(k);
@@ -48,10 +51,10 @@ impl<const D: usize> RayleighQuotient<D> {
             for (i, &wi) in direction.iter().enumerate() {
                 square += Interval::point(wi).sqr();
                 for (j, &wj) in direction.iter().enumerate() {
-                    form += enclosed[(i.min(j), i.max(j))] * wi * wj;
+                    form += enclosed[(i, j)] * wi * wj;
                 }
             }
-            Self { direction, value: form / square }
+            Self { direction, value: form / square, eigenvalue: eigen.eigenvalues[k] }
         };
         Some([quotient(eigen.eigenvalues.imin()), quotient(eigen.eigenvalues.imax())])
     }
@@ -82,6 +85,23 @@ mod tests {
         assert!(least.value.lo() <= 0.25 && 0.25 <= least.value.hi(), "{least:?}");
         assert_eq!((greatest.value.lo(), greatest.value.hi()), (1.0, 1.0));
         assert_eq!(greatest.direction, SVector::from([0.0, 1.0]));
+    }
+
+    /// Both halves count: the symmetric part of `(2 0; 2 2)` is `(2 1; 1 2)`.
+    #[test]
+    fn both_halves_of_a_matrix_count() {
+        struct Torn;
+        impl Metric<2> for Torn {
+            fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                SMatrix::<f64, 2, 2>::new(2.0, 0.0, 2.0, 2.0).map(S::constant)
+            }
+        }
+        let [least, greatest] =
+            RayleighQuotient::extreme(&Torn, &[0.0, 0.0].into()).expect("finite");
+        for (quotient, eigenvalue) in [(least, 1.0), (greatest, 3.0)] {
+            assert!((quotient.value.midpoint() - eigenvalue).abs() < 4e-15, "{quotient:?}");
+            assert!((quotient.eigenvalue - eigenvalue).abs() < 4e-15, "{quotient:?}");
+        }
     }
 
     /// `(2 1; 1 2)` has the eigenvalues 1 and 3.

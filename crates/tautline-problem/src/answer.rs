@@ -121,7 +121,7 @@ pub enum GlobalMinimum {
     /// It is assumed.
     Assumed,
     /// It is refuted: another curve is shorter, or by convexity some sequence of points has less
-    /// energy, or the search ran out of steps. The lower bound does not need it.
+    /// energy. The lower bound does not need it.
     Refuted,
 }
 

@@ -35,7 +35,9 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
         let constants = UsedConstants::new(claimed, false, None);
         let mut found = in_words(enclosure, constants, line.minimum().is_local_minimum());
         if curve.is_none() {
-            found.upper_by += ", as quadrature estimates it";
+            for by in [&mut found.lower_by, &mut found.upper_by] {
+                *by += ", with the estimated error of quadrature";
+            }
         }
         found = found.after(line.minimum().stop);
         let lengths = others.iter().map(|other| match other.admissible_curve() {
@@ -104,14 +106,14 @@ impl Bounds {
     /// energy is not assumed to be the least.
     fn after(mut self, stop: Stop) -> Self {
         if stop == Stop::IterationLimit && self.global_minimum == GlobalMinimum::Assumed {
-            self.refute();
+            self.give_up(GlobalMinimum::NotNeeded);
         }
         self
     }
 
     /// Gives up the assumption that the minimum is global, and the lower bound that rests on it.
-    fn refute(&mut self) {
-        self.global_minimum = GlobalMinimum::Refuted;
+    fn give_up(&mut self, global_minimum: GlobalMinimum) {
+        self.global_minimum = global_minimum;
         self.lower = 0.0.into();
         NOTHING.clone_into(&mut self.lower_by);
     }
@@ -125,7 +127,7 @@ impl Bounds {
             "the length of another minimum".clone_into(&mut self.upper_by);
         }
         if self.lower.value > self.upper.value && self.global_minimum == GlobalMinimum::Assumed {
-            self.refute();
+            self.give_up(GlobalMinimum::Refuted);
         }
         self
     }
@@ -174,10 +176,17 @@ fn check_claims<const D: usize>(
     for x in sequence.points() {
         let Some([least, greatest]) = RayleighQuotient::extreme(metric, x) else { continue };
         let (c1, c2) = (claimed.c1(), claimed.c2());
-        if least.value.hi() < c1 * (1.0 - ATTAINED) {
+        // Of a black box only the values in `f64` are known.
+        let rounding = ROUNDING * least.eigenvalue.abs().max(greatest.eigenvalue.abs());
+        let [least, greatest] = if least.value.is_undefined() {
+            [least.eigenvalue + rounding, greatest.eigenvalue - rounding]
+        } else {
+            [least.value.hi(), greatest.value.lo()]
+        };
+        if least < c1 * (1.0 - ATTAINED) {
             return refuse("c1", c1, x, "smaller");
         }
-        if greatest.value.lo() > c2 * (1.0 + ATTAINED) {
+        if greatest > c2 * (1.0 + ATTAINED) {
             return refuse("c2", c2, x, "larger");
         }
     }
@@ -187,6 +196,9 @@ fn check_claims<const D: usize>(
 /// How far an eigenvalue may be beyond a claim that is meant to be attained, relative to the claim: it
 /// was typed to so many digits.
 const ATTAINED: f64 = 1e-9;
+
+/// How far rounding may move a computed eigenvalue, relative to the largest one.
+const ROUNDING: f64 = 1e-14;
 
 /// Says why nothing is proved, and what may help.
 fn no_proof(error: &ProofError) -> String {

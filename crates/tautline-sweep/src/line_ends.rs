@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 
 /// Returns a text as it was written: with `\n` at the end of each line where another system has put
-/// `\r\n`, and without the byte order mark that some editors put before it. Plans are read in this way.
+/// `\r\n`, and without the byte order mark that some editors put before it. Sweep files, plans and
+/// results are read in this way.
 ///
 /// ```
 /// use tautline_sweep::plain;

@@ -206,6 +206,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// enclosed, and if the claims hold, so do the bounds to the last digit. Without it they rest on
     /// the estimated errors of quadrature.
     ///
+    /// Needs: the curve is that of this line.
+    ///
     /// # Errors
     ///
     /// As for [`enclosure`](TautLine::enclosure).

@@ -8,7 +8,7 @@ use super::{
     Problem, TextError,
     parser::{Meaning, Parser, STEP},
     token::Token,
-    value::{Rounded, Value},
+    value::Value,
 };
 use crate::{
     operation::{Arithmetic, Function},
@@ -17,10 +17,6 @@ use crate::{
 
 /// The largest depth of nested brackets. Each level takes stack.
 const DEEPEST: usize = 128;
-
-/// The digits that arithmetic between numbers may lose, relative to its result: 64 units of the last place,
-/// as many as `1.05^30` may.
-const LAST_DIGITS: f64 = 64.0 * f64::EPSILON;
 
 /// Returns the orders of a derivative of a table, given a digit for each axis.
 pub(super) fn orders_of(digits: &str, table: &dyn Table) -> Option<[u8; 3]> {
@@ -32,23 +28,6 @@ pub(super) fn orders_of(digits: &str, table: &dyn Table) -> Option<[u8; 3]> {
     }
     orders.iter_mut().zip(digits.bytes()).for_each(|(order, digit)| *order = digit - b'0');
     Some(orders)
-}
-
-/// Returns bounds on a number as it was typed.
-fn within(value: Value) -> Interval {
-    match value {
-        Value::Number(value) => Interval::point(value),
-        Value::Rounded(Rounded { within, .. }) => within,
-        Value::Symbol(_) => Interval::UNDEFINED,
-    }
-}
-
-/// Returns a number as it was typed, as a step.
-fn steps(value: Value) -> Symbol {
-    match value {
-        Value::Rounded(Rounded { steps, .. }) => steps,
-        value => value.symbol(),
-    }
 }
 
 impl Parser<'_> {
@@ -95,12 +74,12 @@ impl Parser<'_> {
         b: Value,
     ) -> Result<Value, TextError> {
         let (Some(x), Some(y)) = (a.number(), b.number()) else { return Ok(how.of(a, b)) };
-        let within = how.of(within(a), within(b));
-        self.number(start, [x, y], how.of(x, y), within, || how.of(steps(a), steps(b)))
+        let within = how.of(Interval::point(x), Interval::point(y));
+        self.number(start, [x, y], how.of(x, y), within, || how.of(Symbol::constant(x), y))
     }
 
     /// Returns the result of arithmetic between numbers that begins at `start`, given its `value` in `f64`,
-    /// bounds on it, and the same as steps: a number if it has all digits but the last ones, and the steps
+    /// bounds on it, and the same as steps: a number if that is exact or if numbers are needed, and the steps
     /// otherwise. `1/0` is a number, with which there is no further arithmetic.
     fn number(
         &self,
@@ -117,17 +96,8 @@ impl Parser<'_> {
         if !value.is_finite() {
             return Ok(Value::Number(value));
         }
-        if self.are_numbers || within.lo() == within.hi() && within.lo() == value {
-            return Ok(Value::Number(value));
-        }
-        let steps = steps();
-        let off = within.hull(Interval::point(value)).width();
-        let is_sharp = value.is_normal() && off <= LAST_DIGITS * value.abs();
-        Ok(if is_sharp {
-            Value::Rounded(Rounded { value, within, steps })
-        } else {
-            Value::Symbol(steps)
-        })
+        let is_exact = within.lo() == within.hi() && within.lo() == value;
+        Ok(if self.are_numbers || is_exact { Value::Number(value) } else { Value::Symbol(steps()) })
     }
 
     fn factor(&mut self) -> Result<Value, TextError> {
@@ -158,7 +128,8 @@ impl Parser<'_> {
         self.advance()?;
         match atom.number() {
             Some(a) => {
-                self.number(start, [a, a], a.powi(n), within(atom).powi(n), || steps(atom).powi(n))
+                let within = Interval::point(a).powi(n);
+                self.number(start, [a, a], a.powi(n), within, || Symbol::constant(a).powi(n))
             }
             None => Ok(Value::Symbol(atom.symbol().powi(n))),
         }
@@ -230,8 +201,9 @@ impl Parser<'_> {
             (None, _) => Ok(Value::Symbol(value.symbol())),
             (Some(function), None) => Ok(Value::Symbol(function.of(value.symbol()))),
             (Some(function), Some(a)) => {
-                let within = function.of(within(value));
-                self.number(start, [a, a], function.of(a), within, || function.of(steps(value)))
+                let within = function.of(Interval::point(a));
+                let steps = || function.of(Symbol::constant(a));
+                self.number(start, [a, a], function.of(a), within, steps)
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Derivatives of functions, appended to their tape.
 
-use tautline_scalar::Scalar;
+use tautline_scalar::{Interval, Scalar};
 
 use super::value::Value;
 use crate::{
@@ -20,13 +20,16 @@ pub(super) fn gradients(functions: &[Value], coordinates: &[usize]) -> Vec<Vec<V
         .iter()
         .filter_map(|function| match function {
             Value::Symbol(Symbol(step)) => Some(*step),
-            Value::Number(_) | Value::Rounded(_) => None,
+            Value::Number(_) => None,
         })
         .filter(|&step| (step as usize) < operations.len())
         .collect();
     let needed = needed(operations, &roots, |_| true);
     // The steps that may be undefined, while no derivative so far would tell.
-    let is_partial = operations.iter().zip(&needed).map(|(step, needed)| *needed && may_fail(step));
+    let known = constants(operations);
+    let is_partial = operations.iter().zip(&needed).zip(&known).map(|((step, needed), known)| {
+        *needed && may_fail(step) && known.is_none_or(Interval::is_undefined)
+    });
     let mut silent: Vec<bool> = is_partial.collect();
     let column = |coordinate: usize, silent: &mut [bool], speak: bool| -> Vec<Value> {
         let mut made = vec![ZERO; operations.len()];
@@ -55,6 +58,26 @@ pub(super) fn gradients(functions: &[Value], coordinates: &[usize]) -> Vec<Vec<V
         columns[0] = column(*first, &mut silent, true);
     }
     (0..functions.len()).map(|k| columns.iter().map(|column| column[k]).collect()).collect()
+}
+
+/// Returns bounds on the steps that read no coordinate.
+fn constants(operations: &[Operation]) -> Vec<Option<Interval>> {
+    let mut known: Vec<Option<Interval>> = Vec::with_capacity(operations.len());
+    for operation in operations {
+        let at = |step: Step| known.get(step as usize).copied().flatten();
+        let value = match *operation {
+            Operation::Constant(c) => Some(Interval::point(c.value())),
+            Operation::Binary(how, a, b) => at(a).zip(at(b)).map(|(a, b)| how.of(a, b)),
+            Operation::WithNumber(how, a, c) => {
+                at(a).map(|a| how.of(a, Interval::point(c.value())))
+            }
+            Operation::Powi(a, n) => at(a).map(|a| a.powi(n)),
+            Operation::Of(function, a) => at(a).map(|a| function.of(a)),
+            _ => None,
+        };
+        known.push(value);
+    }
+    known
 }
 
 /// Returns whether a step may be undefined although those that it reads are defined.

@@ -48,9 +48,9 @@ impl<const D: usize> Formula<D> {
     ///
     /// Definitions may reuse these names.
     ///
-    /// Operands are evaluated from left to right. Arithmetic between numbers, such as `2*pi/3`, is done in
-    /// `f64`, and has to be finite. Where it would lose more than the last digits, it is recorded as
-    /// steps, which intervals enclose; so are numbers in derivatives that `f64` would round.
+    /// Operands are evaluated from left to right. Arithmetic between numbers has to be finite. Unless it is
+    /// exact, as in `2*pi`, it is recorded as steps, which intervals enclose, as in `2*pi/3`; so are numbers
+    /// in derivatives.
     /// A text records the same tape as the same formula in Rust, provided that the definitions are
     /// in the order of the `let`s, and arithmetic between numbers is exact. The operators are taken literally: `x1^2` records a power, as
     /// `x.powi(2)` does, and `sqr(x1)` records a square, as `x.sqr()` does. The two are different

@@ -13,20 +13,7 @@ use crate::{operation::Arithmetic, recording::Symbol};
 #[derive(Clone, Copy)]
 pub(super) enum Value {
     Number(f64),
-    /// A number typed as arithmetic between numbers, such as `2*pi/3`. Beside coordinates it counts as its
-    /// steps.
-    Rounded(Rounded),
     Symbol(Symbol),
-}
-
-/// A number that differs from what was typed in its last digits, where a number is needed.
-#[derive(Clone, Copy)]
-pub(super) struct Rounded {
-    pub(super) value: f64,
-    /// Bounds on what was typed.
-    pub(super) within: Interval,
-    /// The same as steps, for arithmetic that loses more digits.
-    pub(super) steps: Symbol,
 }
 
 impl Value {
@@ -34,21 +21,12 @@ impl Value {
     pub(super) fn symbol(self) -> Symbol {
         match self {
             Value::Number(value) => Symbol::constant(value),
-            Value::Rounded(Rounded { steps, .. }) => steps,
             Value::Symbol(symbol) => symbol,
         }
     }
 
-    /// Returns the value if it is a number, rounded or not.
+    /// Returns the value if it is a number.
     pub(super) fn number(self) -> Option<f64> {
-        match self {
-            Value::Number(value) | Value::Rounded(Rounded { value, .. }) => Some(value),
-            Value::Symbol(_) => None,
-        }
-    }
-
-    /// Returns the value if it is a number that is not rounded.
-    fn exact(self) -> Option<f64> {
         if let Value::Number(value) = self { Some(value) } else { None }
     }
 
@@ -59,7 +37,7 @@ impl Value {
 
     /// Returns the square.
     pub(super) fn squared(self) -> Self {
-        let square = self.exact().and_then(|a| exact(Arithmetic::Mul, a, a));
+        let square = self.number().and_then(|a| exact(Arithmetic::Mul, a, a));
         square.map_or_else(|| Value::Symbol(self.symbol().sqr()), Value::Number)
     }
 }
@@ -69,9 +47,6 @@ impl Neg for Value {
     fn neg(self) -> Self {
         match self {
             Value::Number(value) => Value::Number(-value),
-            Value::Rounded(Rounded { value, within, steps }) => {
-                Value::Rounded(Rounded { value: -value, within: -within, steps: -steps })
-            }
             Value::Symbol(value) => Value::Symbol(-value),
         }
     }
@@ -82,7 +57,7 @@ macro_rules! arithmetic {
         impl $operator for Value {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
-                match (self.exact(), other.exact()) {
+                match (self.number(), other.number()) {
                     (Some(a), Some(b)) => exact(Arithmetic::$operator, a, b)
                         .map_or_else(|| Value::Symbol(Symbol::constant(a).$method(b)), Value::Number),
                     (Some(a), None) => Value::Symbol(a.$method(other.symbol())),

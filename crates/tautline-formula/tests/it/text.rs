@@ -4,7 +4,7 @@ use std::{f64::consts::PI, hint::black_box};
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_chance::seed;
-use tautline_formula::{Form, Formula, Part, Problem, RecordError, Written};
+use tautline_formula::{Form, Formula, Number, Operation, Part, Problem, RecordError, Written};
 use tautline_metrics::{Metric, Scalar, gallery};
 use tautline_scalar::{Interval, Jet1};
 
@@ -231,12 +231,30 @@ fn numbers_that_are_rounded_are_those_of_f64_and_are_enclosed_beside_coordinates
         let is_exact = ["1e-310", "0*1e300", "1e17 - 1e17"].contains(&text);
         assert_eq!(formula.operations().len() == 2, is_exact, "{text}");
     }
+    let squares = ["cost(9007199254740992 + 1)", "cost(9007199254740992)"];
+    let [rounded, other] = squares.map(|text| Formula::<1>::parse(text, &[]).expect("a formula"));
+    assert_ne!(rounded, other, "the square of a rounded number is exact, and another one");
     // Where numbers are needed, they are those of `f64`.
     for (text, number) in [("1e17 + 1 - 1e17", 0.0), ("cos(90*pi/180)", (PI / 2.0).cos())] {
         assert_eq!(tautline_formula::number(text, &[]), Ok(number), "{text}");
     }
     let step = tautline_formula::number("number(2)", &[]).expect_err("a step");
     assert!(matches!(step.problem, Problem::UnknownFunction { .. }), "{step}");
+}
+
+/// Steps of numbers that are defined bring no `0·x` along: entries that vanish are the number 0, so that it is
+/// seen that `H` is a multiple of the identity.
+#[test]
+fn derivatives_beside_rounded_numbers_vanish_where_they_should() {
+    for text in ["pullback(2/3*x1, 2/3*x2)", "pullback(sqrt(2)*x1, sqrt(2)*x2)", "graph(0.1/3)"] {
+        let formula = Formula::<2>::parse(text, &[]).expect("a formula");
+        let off = formula.operations()[formula.entry(0, 1) as usize];
+        assert_eq!(off, Operation::Constant(Number::of(0.0)), "{text}");
+    }
+    let undefined = Formula::<2>::parse("pullback(ln(0.1/3 - 1)*x1, x2)", &[]).expect("a formula");
+    assert!(
+        undefined.gram(&vector![Interval::point(0.5), Interval::point(0.5)])[(0, 0)].is_undefined()
+    );
 }
 
 /// `tanh(1/0)` is not 1, and `exp(-1/a^2)` at `a = 0` is not 0: what is undefined stays so.

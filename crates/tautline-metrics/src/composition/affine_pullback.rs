@@ -72,15 +72,19 @@ fn stretches<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (f64, f64) {
 }
 
 impl<M, const D: usize> AffinePullback<M, D> {
-    /// Returns the upper half of `Aᵀ H A`, given the entries of `H`.
+    /// Returns the upper half of `Aᵀ H A` from a diagonal on, given the entries of `H`.
     #[inline]
-    fn pulled<S: Scalar>(&self, h: impl Fn(usize, usize) -> S) -> SMatrix<S, D, D> {
+    fn pulled<S: Scalar>(
+        &self,
+        diagonal: usize,
+        h: impl Fn(usize, usize) -> S,
+    ) -> SMatrix<S, D, D> {
         let columns = SMatrix::<S, D, D>::from_fn(|i, j| {
             (0..D).fold(S::zero(), |sum, k| sum + h(i, k) * self.matrix[(k, j)])
         });
         let mut pulled = SMatrix::<S, D, D>::zeros();
         for j in 0..D {
-            for i in 0..=j {
+            for i in 0..(j + 1).saturating_sub(diagonal) {
                 for k in 0..D {
                     pulled[(i, j)] += columns[(k, j)] * self.matrix[(k, i)];
                 }
@@ -94,9 +98,9 @@ impl<M: Metric<D>, const D: usize> Metric<D> for AffinePullback<M, D> {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let h = self.metric.gram(&self.image(x));
-        let mut pulled = self.pulled(|i, j| h[(i.min(j), i.max(j))]);
+        let mut pulled = self.pulled(0, |i, j| h[(i.min(j), i.max(j))]);
         // Each half comes from the same half of H. So a matrix that is not symmetric is seen to be so.
-        let mirrored = self.pulled(|i, j| h[(i.max(j), i.min(j))]);
+        let mirrored = self.pulled(1, |i, j| h[(i.max(j), i.min(j))]);
         for j in 0..D {
             for i in 0..j {
                 pulled[(j, i)] = mirrored[(i, j)];

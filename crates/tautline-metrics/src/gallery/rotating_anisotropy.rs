@@ -68,3 +68,21 @@ impl Bounded<2> for RotatingAnisotropy {
         self.constants
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+    use tautline_scalar::Interval;
+
+    use super::RotatingAnisotropy;
+    use crate::Metric;
+
+    /// In `f64` half the sum of `10⁸` and 0.1 minus half their difference is 0.09999999403953552.
+    #[test]
+    fn the_smaller_eigenvalue_is_enclosed() {
+        let metric = RotatingAnisotropy::new([1e8, 0.1], [0.0, 0.0]).expect("positive");
+        let h = metric.gram(&SVector::from([Interval::point(0.5); 2]));
+        assert!(h[(1, 1)].lo() < 0.1 && 0.1 < h[(1, 1)].hi(), "{:?}", h[(1, 1)]);
+        assert!(h[(1, 1)].width() < 1e-7, "{:?}", h[(1, 1)]);
+    }
+}

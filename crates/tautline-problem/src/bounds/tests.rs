@@ -70,7 +70,7 @@ fn a_search_that_ran_out_of_steps_assumes_nothing() {
         (found.global_minimum, found.lower.value > 0.0, found.lower_by == NOTHING)
     };
     let assumed = ENCLOSURE;
-    assert_eq!(ended(assumed, Stop::IterationLimit), (GlobalMinimum::Refuted, false, true));
+    assert_eq!(ended(assumed, Stop::IterationLimit), (GlobalMinimum::NotNeeded, false, true));
     for stop in [Stop::Converged, Stop::Stalled] {
         assert_eq!(ended(assumed, stop), (GlobalMinimum::Assumed, true, false));
     }

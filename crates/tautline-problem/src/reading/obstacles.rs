@@ -84,24 +84,19 @@ pub(crate) fn distance(shape: &Shape) -> Option<String> {
         }
         Shape::HalfSpace { normal, offset } => {
             let largest = normal.iter().fold(0.0_f64, |largest, n| largest.max(n.abs()));
-            // No square overflows, nor is it too small to count. A power of two rounds nothing.
-            let scale = match largest {
-                large if large > 1e100 => 0.5_f64.powi(500),
-                small if small < 1e-100 => 2.0_f64.powi(500),
-                _ => 1.0,
+            // So that no square overflows, nor is too small to count. A power of two rounds nothing, and
+            // where a product underflows, it is a step of the formula.
+            let scaled = |x: f64| match largest {
+                large if large > 1e100 => format!("({x:?})*{:?}", 0.5_f64.powi(600)),
+                small if small < 1e-100 => format!("({x:?})*{:?}", 2.0_f64.powi(600)),
+                _ => format!("({x:?})"),
             };
-            let scaled: Vec<f64> = normal.iter().map(|n| n * scale).collect();
-            let at = offset * scale;
-            let is_exact =
-                scaled.iter().zip(normal).all(|(n, of)| n / scale == *of) && at / scale == *offset;
-            let (product, square) = (
-                |(i, n): (usize, &f64)| format!("({n:?})*x{}", i + 1),
-                |n: &f64| format!("sqr({n:?})"),
-            );
-            let products = sum(scaled.iter().enumerate().map(product).collect());
-            let squares = sum(scaled.iter().map(square).collect());
+            let product = |(i, n): (usize, &f64)| format!("{}*x{}", scaled(*n), i + 1);
+            let products = sum(normal.iter().enumerate().map(product).collect());
+            let squares = sum(normal.iter().map(|n| format!("sqr({})", scaled(*n))).collect());
+            let at = scaled(*offset);
             // The half-space is normal·x ≤ offset.
-            (largest > 0.0 && is_exact).then(|| format!("({products} - ({at:?}))/sqrt({squares})"))
+            (largest > 0.0).then(|| format!("({products} - {at})/sqrt({squares})"))
         }
         _ => None,
     }
@@ -151,9 +146,19 @@ mod tests {
         }
         let none = Shape::HalfSpace { normal: vec![0.0, 0.0], offset: 1.0 };
         assert_eq!(distance(&none), None);
-        // No power of two takes both entries to doubles whose squares are.
-        let uneven = Shape::HalfSpace { normal: vec![1e200, 5e-324], offset: 1.0 };
-        assert_eq!(distance(&uneven), None);
+        // Whatever the size of the entries, δ is n·x/|n|.
+        for (normal, x, expected) in [
+            ([1e200, 5e-324], ["(3)", "(7)"], 3.0),
+            ([1.7e308, 1.7e308], ["(1)", "(0)"], 0.5_f64.sqrt()),
+            ([5e-324, 0.0], ["(3)", "(7)"], 3.0),
+        ] {
+            let wall = Shape::HalfSpace { normal: normal.to_vec(), offset: 0.0 };
+            let text = distance(&wall).expect("a normal");
+            let text = text.replace("x1", x[0]).replace("x2", x[1]);
+            let found = tautline::formula::number(&text, &[]).expect("a number");
+            // Half a dozen roundings.
+            assert!((found / expected - 1.0).abs() < 2e-15, "{text}: {found}");
+        }
     }
 
     /// Positive outside, negative inside.

@@ -31,7 +31,7 @@ impl Question {
     }
 
     /// Says where a cost or a speed is negative in some cubes, at one of their corners or in the middle of
-    /// one, and what this means. There is no metric where a cost is 0 or a speed is infinite, unless it is a
+    /// one, and what this means. There is no metric where a cost or a speed is 0, unless the cost is in a
     /// term of a sum. So a curve on which it is positive does not get there, and bounds are true of these
     /// curves.
     pub(crate) fn negative_in<const D: usize>(

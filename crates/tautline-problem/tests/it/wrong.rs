@@ -28,17 +28,16 @@ fn refused(file: &str) -> Diagnostic {
 /// TOML reads `1e-400` as 0, which is another number. Zeros are zeros however they are written.
 #[test]
 fn a_number_that_doubles_cannot_hold_is_refused_and_not_read_as_zero() {
-    for (from, to) in [
-        ("a = 2", "a = 1e-400"),
-        ("[[\"f\", 0], [0", "[[\"f\", -0.000_1E-330], [0"),
-        ("centre = [0, 0]", "centre = [0, 3.5e-324_0]"),
-        ("radius = 0.5", "radius = 4.9e-325"),
+    for (from, number, to) in [
+        ("a = 2", "1e-400", "a = 1e-400"),
+        ("[[\"f\", 0], [0", "-0.000_1E-330", "[[\"f\", -0.000_1E-330], [0"),
+        ("centre = [0, 0]", "3.5e-324_0", "centre = [0, 3.5e-324_0]"),
+        ("radius = 0.5", "4.9e-325", "radius = 4.9e-325"),
     ] {
         let file = GOOD.replacen(from, to, 1);
         let diagnostic = refused(&file);
         assert_eq!(diagnostic.message, "this number is too small for a double", "{to}");
-        let number = to.rsplit(['=', '[', ' ']).next().unwrap_or_default();
-        assert_eq!(file[diagnostic.at], *number.trim_end_matches(']'), "{to}");
+        assert_eq!(&file[diagnostic.at], number, "{to}");
     }
     for zero in ["0e-400", "0.0", "-0.0e5", "5e-324"] {
         let file = GOOD.replacen("centre = [0, 0]", &format!("centre = [0, {zero}]"), 1);

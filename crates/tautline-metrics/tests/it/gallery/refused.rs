@@ -166,13 +166,30 @@ fn constant_needs_a_symmetric_positive_definite_matrix() {
     assert!(matches!(error, GalleryError::Constants(_)), "{error}");
 }
 
+/// The square of a width of `1.4·10¹⁵⁴` overflows, and a lens of infinite width is no lens.
+#[test]
+fn widths_whose_squares_are_no_numbers_are_refused() {
+    for width in [1e-170, 1.4e154] {
+        for (name, error) in [
+            ("lens", Lens::new(1.0, width).err()),
+            ("bump", Bump::new(1.0, width).err()),
+            ("hill", Hill::new(1.0, width).err()),
+            ("swirl", Swirl::new(1.0, width).err()),
+            ("two channels", TwoChannels::new(1.0, 1.0, width).err()),
+        ] {
+            let is_named = matches!(error, Some(GalleryError::OutOfRange { name: "width", .. }));
+            assert!(is_named, "{name}: {error:?}");
+        }
+    }
+}
+
 /// Each parameter is valid on its own, but together they make a constant overflow; no constant may
 /// be infinite.
 #[test]
 fn constants_that_overflow_are_refused() {
     let one = |x: f64| SVector::<f64, 1>::new(x);
     for (name, error) in [
-        ("lens", Lens::new(1e300, 1e-300).err()),
+        ("lens", Lens::new(1e300, 1e-100).err()),
         ("bump", Bump::new(1e300, 1.0).err()),
         ("hill", Hill::new(1e300, 1.0).err()),
         ("shear", Shear::new(1e200, 1.0).err()),
@@ -181,7 +198,7 @@ fn constants_that_overflow_are_refused() {
         ("egg crate", EggCrate::new(1e200, 1.0).err()),
         ("corrugated", Corrugated::new(1.0, 1e200).err()),
         ("checkerboard", Checkerboard::new(1e300, 1e-300).err()),
-        ("two channels", TwoChannels::new(1e300, 1.0, 1e-300).err()),
+        ("two channels", TwoChannels::new(1e300, 1.0, 1e-100).err()),
         ("separable", Separable::new(one(0.5), one(1e200)).err()),
         ("rotating anisotropy", RotatingAnisotropy::new([1.0, 2.0], [1e200, 0.0]).err()),
     ] {
