@@ -186,6 +186,28 @@ fn a_line_without_an_excess_suggests_nothing() {
     assert_eq!(suggested.proven.map(|(n, _)| n.get()), Some(1));
 }
 
+/// A formula with a branch cannot be recorded, so that no length under it is proved.
+#[test]
+fn without_a_proved_length_no_grid_is_proved() {
+    #[derive(Debug)]
+    struct Branch;
+    impl Metric<1> for Branch {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+            let two = S::constant(2.0);
+            SMatrix::from_diagonal_element(if x[0] == two { two } else { S::constant(1.0) })
+        }
+    }
+    impl Bounded<1> for Branch {
+        fn constants(&self) -> Constants {
+            Constants::new(1.0, 2.0, 1.0).expect("constants")
+        }
+    }
+    let ends = Ends::points([0.0], [1.0]).expect("finite");
+    let line = Problem::new(Branch, ends).solve(Trapezoidal, 8).expect("solved");
+    assert!(line.admissible_curve().is_err());
+    assert_eq!(line.suggest_n(1e-3).expect("constants").proven, None);
+}
+
 #[derive(Debug)]
 struct OnARegion;
 
