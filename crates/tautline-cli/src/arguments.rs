@@ -56,7 +56,7 @@ pub(crate) struct Solve {
     /// The number of chords, in place of that of the file.
     #[arg(short, long = "chords", value_name = "N", conflicts_with = "tolerance")]
     pub(crate) n: Option<usize>,
-    /// The relative error of the length, in place of a number of chords. Not for a file with a lattice.
+    /// The wanted relative error of the length, instead of n. A file with a lattice needs n.
     #[arg(long, value_name = "ERROR", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
     /// Stop after this many seconds, with what is known by then.

@@ -4,10 +4,11 @@ use core::ops::ControlFlow;
 
 use tautline::{
     CertifyError, Constants, LocalError, Metric, PointSequence, ProofError, RayleighQuotient,
-    RuleOfThePaper, SVector, Short, Stop, TautLine,
+    RuleOfThePaper, SMatrix, SVector, Short, Stop, TautLine,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
     distance::{Ended, Progress},
+    is_gram,
 };
 
 use crate::{
@@ -35,8 +36,10 @@ pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
         let constants = UsedConstants::new(claimed, false, None);
         let mut found = in_words(enclosure, constants, line.minimum().is_local_minimum());
         if curve.is_none() {
-            for by in [&mut found.lower_by, &mut found.upper_by] {
-                *by += ", with the estimated error of quadrature";
+            let quadrature = ", with the estimated error of quadrature";
+            found.upper_by += quadrature;
+            if found.lower_by != NOTHING {
+                found.lower_by += quadrature;
             }
         }
         found = found.after(line.minimum().stop);
@@ -174,19 +177,24 @@ fn check_claims<const D: usize>(
         ))
     };
     for x in sequence.points() {
-        let Some([least, greatest]) = RayleighQuotient::extreme(metric, x) else { continue };
+        let mut h = metric.gram(x);
+        // Entries that differ by a rounding are not symmetric relative to what remains of `h`.
+        h.fill_lower_triangle_with_upper_triangle();
         let (c1, c2) = (claimed.c1(), claimed.c2());
-        // Of a black box only the values in `f64` are known.
-        let rounding = ROUNDING * least.eigenvalue.abs().max(greatest.eigenvalue.abs());
-        let [least, greatest] = if least.value.is_undefined() {
-            [least.eigenvalue + rounding, greatest.eigenvalue - rounding]
-        } else {
-            [least.value.hi(), greatest.value.lo()]
-        };
-        if least < c1 * (1.0 - ATTAINED) {
+        let (lowest, highest) = (c1 * (1.0 - ATTAINED), c2 * (1.0 + ATTAINED));
+        let (identity, rounding) = (SMatrix::<f64, D, D>::identity(), ROUNDING * h.amax());
+        let is_low = !is_gram(&(h - identity * (lowest - rounding)));
+        let is_high = !is_gram(&(identity * (highest + rounding) - h));
+        if !is_low && !is_high {
+            continue;
+        }
+        // Intervals have the last word. Of a black box they know nothing.
+        let Some([least, greatest]) = RayleighQuotient::extreme(metric, x) else { continue };
+        let is_unknown = least.value.is_undefined();
+        if is_low && (is_unknown || least.value.hi() < lowest) {
             return refuse("c1", c1, x, "smaller");
         }
-        if greatest > c2 * (1.0 + ATTAINED) {
+        if is_high && (is_unknown || greatest.value.lo() > highest) {
             return refuse("c2", c2, x, "larger");
         }
     }
@@ -197,7 +205,7 @@ fn check_claims<const D: usize>(
 /// was typed to so many digits.
 const ATTAINED: f64 = 1e-9;
 
-/// How far rounding may move a computed eigenvalue, relative to the largest one.
+/// How far rounding may move a computed eigenvalue, relative to the largest entry.
 const ROUNDING: f64 = 1e-14;
 
 /// Says why nothing is proved, and what may help.

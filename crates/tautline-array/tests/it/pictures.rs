@@ -5,12 +5,20 @@ use tautline_array::{Array, ArrayError};
 
 /// Returns a picture of three pixels in a row, in two rows.
 fn picture(color: ColorType, depth: BitDepth, data: &[u8]) -> Vec<u8> {
+    picture_with(color, depth, None, data)
+}
+
+/// Returns such a picture, in which some grey number or colours count as transparent.
+fn picture_with(color: ColorType, depth: BitDepth, trns: Option<&[u8]>, data: &[u8]) -> Vec<u8> {
     let mut file = Vec::new();
     let mut encoder = Encoder::new(&mut file, 3, 2);
     encoder.set_color(color);
     encoder.set_depth(depth);
     if color == ColorType::Indexed {
         encoder.set_palette(vec![1, 2, 3, 9, 8, 7]);
+    }
+    if let Some(trns) = trns {
+        encoder.set_trns(trns.to_vec());
     }
     let mut writer = encoder.write_header().expect("a header");
     writer.write_image_data(data).expect("data");
@@ -89,18 +97,7 @@ fn a_picture_is_the_same_table_in_every_format_that_can_hold_it() {
 #[test]
 fn transparency_is_a_channel() {
     let transparent = |color, depth, trns: &[u8], data: &[u8]| {
-        let mut file = Vec::new();
-        let mut encoder = Encoder::new(&mut file, 3, 2);
-        encoder.set_color(color);
-        encoder.set_depth(depth);
-        if color == ColorType::Indexed {
-            encoder.set_palette(vec![1, 2, 3, 9, 8, 7]);
-        }
-        encoder.set_trns(trns.to_vec());
-        let mut writer = encoder.write_header().expect("a header");
-        writer.write_image_data(data).expect("data");
-        writer.finish().expect("an end");
-        Array::read(&file).expect("a picture")
+        Array::read(&picture_with(color, depth, Some(trns), data)).expect("a picture")
     };
     let bits = [0b1010_0000, 0b0100_0000];
     let opaque = [255.0, 0.0, 255.0, 0.0, 255.0, 0.0];

@@ -1,7 +1,9 @@
 //! Bounds as they are printed, and claims that are refuted.
 
+use std::sync::Arc;
+
 use tautline::{
-    Constants, Formula, PointSequence, Stop,
+    BlackBox, Constants, Formula, PointSequence, Stop, Values,
     bounds::{Enclosure, FromAbove, FromBelow},
 };
 
@@ -115,6 +117,24 @@ fn claims_that_are_attained_hold() {
     assert_eq!(check(stretched, 1.0, 1e12), Ok(()));
     assert!(check(stretched, 1.1, 1e12).is_err());
     assert!(check(stretched, 1.0, 1e12 * (1.0 - 1e-8)).is_err());
+}
+
+/// A black box has values in `f64` only, where intervals know nothing. Its claims are tested all the same.
+#[test]
+fn claims_about_a_black_box_are_tested_by_its_values() {
+    struct Identity;
+    impl Values for Identity {
+        fn gram(&self, x: &[f64]) -> Vec<f64> {
+            x.chunks(2).flat_map(|_| [1.0, 0.0, 0.0, 1.0]).collect()
+        }
+    }
+    let metric = BlackBox::<2>::new(Arc::new(Identity), 1e-3).expect("a step");
+    let sequence = PointSequence::straight([0.0, 0.0], [1.0, 1.0], 4).expect("finite");
+    let check =
+        |c1, c2| check_claims(Constants::new(c1, c2, 0.0).expect("constants"), &metric, &sequence);
+    assert_eq!(check(1.0, 1.0), Ok(()));
+    assert!(check(1.1, 2.0).is_err_and(|why| why.contains("the claim c1 = 1.1")));
+    assert!(check(0.5, 0.9).is_err_and(|why| why.contains("the claim c2 = 0.9")));
 }
 
 /// `H` is 1 up to rounding at both ends of the curve, and 4 or 1/4 between them.
