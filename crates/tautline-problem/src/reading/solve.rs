@@ -83,7 +83,7 @@ pub(crate) fn check_grid(grid: Grid, lattice: Option<Range<usize>>) -> Result<()
         (Grid::Tolerance(_), Some(place)) => {
             Err(Diagnostic::new("a lattice besides a tolerance", place)
                 .label("a search along a lattice has one grid")
-                .help("set n, the number of chords, instead of a tolerance"))
+                .help("choose n, the number of chords, instead of a tolerance"))
         }
         _ => Ok(()),
     }
