@@ -9,7 +9,7 @@ use std::hint::black_box;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::vector;
 use tautline_certify::Polygon;
-use tautline_discretizations::{Interpolation, PointSequence, Rule, Trapezoidal};
+use tautline_discretizations::{Interpolation, PointSequence, Rule};
 use tautline_metrics::{
     Metric,
     gallery::{EggCrate, GaussianFisher, Valleys},
@@ -36,14 +36,14 @@ fn measure(c: &mut Criterion, name: &str, metric: &impl Metric<2>) {
         b.iter(|| fast.energy_and_length(black_box(metric)));
     });
     group.bench_function("enclosure of the discrete energy", |b| {
-        b.iter(|| polygon.discrete_energy(Trapezoidal, black_box(metric)));
+        b.iter(|| polygon.discrete_energy(Rule::TRAPEZOIDAL, black_box(metric)));
     });
     let curve = Interpolation::new(&sequence);
     group.bench_function("quadratures", |b| {
         b.iter(|| (curve.energy(black_box(metric)), curve.length(black_box(metric))));
     });
     group.bench_function("discrete energy", |b| {
-        b.iter(|| Trapezoidal.energy(black_box(metric), &sequence));
+        b.iter(|| Rule::TRAPEZOIDAL.energy(black_box(metric), &sequence));
     });
     group.finish();
 }

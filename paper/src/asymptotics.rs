@@ -9,8 +9,7 @@ use std::{
 };
 
 use tautline::{
-    Ball, Ends, HalfSpace, KnownDistance, LeftEndpoint, Metric, Problem, Rule, SMatrix, SVector,
-    TautLine, Trapezoidal,
+    Ball, Ends, HalfSpace, KnownDistance, Metric, Problem, Rule, SMatrix, SVector, TautLine,
     composition::Product,
     gallery::{
         Constant, Corrugated, CoupledCosines, GaussianFisherPatch, HyperbolicPatch, Lens, Ramp,
@@ -84,8 +83,8 @@ impl Smooth {
             name,
             limits: Box::new(move |()| limits(name, &problem, distance)),
             energies: Box::new(move |n| {
-                let line = shared.solve(Trapezoidal, n)?;
-                let left = shared.solve(LeftEndpoint, n)?.discrete_energy();
+                let line = shared.solve(Rule::TRAPEZOIDAL, n)?;
+                let left = shared.solve(Rule::LEFT_ENDPOINT, n)?.discrete_energy();
                 Ok([line.discrete_energy(), left, line.energy().value])
             }),
         }
@@ -121,9 +120,9 @@ fn limits<M: Metric<D>, const D: usize>(
     problem: &Problem<M, D>,
     distance: Option<f64>,
 ) -> Result<Limits, Failure> {
-    let [coarse, fine] = READ.map(|n| problem.solve(Trapezoidal, n));
+    let [coarse, fine] = READ.map(|n| problem.solve(Rule::TRAPEZOIDAL, n));
     let (coarse, fine) = (coarse?, fine?);
-    let read = |line: &TautLine<M, Trapezoidal, D>| {
+    let read = |line: &TautLine<M, D>| {
         let predicted = leading_constants(problem.metric(), problem.ends(), line.minimum())?;
         Ok::<[f64; 6], Failure>([
             predicted.trapezoidal,
@@ -141,9 +140,9 @@ fn limits<M: Metric<D>, const D: usize>(
         (None, Some(estimate)) => (estimate.value, Reference::Extrapolated),
         (None, None) => return Err(Failure::NoReference(name)),
     };
-    let trapezoidal = scaled_errors(problem, Trapezoidal, N, d_squared)?;
-    let coarse = scaled_errors(problem, LeftEndpoint, N / 2, d_squared)?;
-    let left = scaled_errors(problem, LeftEndpoint, N, d_squared)?;
+    let trapezoidal = scaled_errors(problem, Rule::TRAPEZOIDAL, N, d_squared)?;
+    let coarse = scaled_errors(problem, Rule::LEFT_ENDPOINT, N / 2, d_squared)?;
+    let left = scaled_errors(problem, Rule::LEFT_ENDPOINT, N, d_squared)?;
     // The next term of the left rule has one more power of 1/N, which the two grids eliminate.
     let left: [f64; 3] = std::array::from_fn(|i| 2.0 * left[i] - coarse[i]);
     Ok(Limits {
@@ -156,16 +155,16 @@ fn limits<M: Metric<D>, const D: usize>(
 
 /// Returns `N^q (E_N − d²)` with the order `q` of the rule, `N² (E(γᵖˡ) − d²)` and
 /// `N² (L(γᵖˡ)² − d²)`, in `m²`.
-fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
+fn scaled_errors<M: Metric<D>, const D: usize>(
     problem: &Problem<M, D>,
-    rule: R,
+    rule: Rule,
     n: usize,
     d_squared: f64,
 ) -> Result<[f64; 3], Failure> {
     let line = problem.solve(rule, n)?;
     let count = n as f64;
     Ok([
-        count.powi(R::ERROR_EXPONENT) * (line.discrete_energy() - d_squared),
+        count.powi(rule.error_exponent()) * (line.discrete_energy() - d_squared),
         count.powi(2) * (line.energy().value - d_squared),
         count.powi(2) * (line.length().value.powi(2) - d_squared),
     ])

@@ -7,7 +7,7 @@ use std::{
 };
 
 use tautline::{
-    Bounded, Ends, KnownDistance, Problem, SVector, Trapezoidal,
+    Bounded, Ends, KnownDistance, Problem, Rule, SVector,
     bounds::{
         Computed, DiscreteMinimum, Enclosure, Setting, enclose, theorem_1_1_constant,
         theorem_1_3_constant,
@@ -190,7 +190,7 @@ fn proved_distance<M: Bounded<D> + Clone, const D: usize>(
     if let Some(&(_, bounds)) = proved.iter().find(|(known, _)| *known == name) {
         return Ok(bounds);
     }
-    let line = Problem::new(metric.clone(), ends.clone()).solve(Trapezoidal, 1024)?;
+    let line = Problem::new(metric.clone(), ends.clone()).solve(Rule::TRAPEZOIDAL, 1024)?;
     let no_reference = || Failure::NoReference(name);
     let found = line.certificate(GAP).map_err(|_| no_reference())?;
     let bounds = [found.proved.lower, found.proved.upper.ok_or_else(no_reference)?];

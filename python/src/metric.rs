@@ -10,10 +10,10 @@ use numpy::{
 };
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use tautline::Table;
+use tautline::{Rule, Table};
 use tautline_problem::{
     IF_IT_SETTLES,
-    value::{self, Found, Given, Grid, Nodes, Proofs, Request, RuleName, Shape},
+    value::{self, Found, Given, Grid, Nodes, Proofs, Request, Shape},
 };
 
 use crate::{
@@ -171,8 +171,10 @@ impl Program {
         })?;
         let found = found.map_err(|error| raised(&error))?;
         if found.if_it_settles {
-            let why = format!("no constants on all of space: they hold only {IF_IT_SETTLES}, which \
-                               nothing proves; name a ball or a box within which they hold");
+            let why = format!(
+                "no constants on all of space: they hold only {IF_IT_SETTLES}, which \
+                               nothing proves; name a ball or a box within which they hold"
+            );
             return Err(NotCertified::new_err(why));
         }
         Ok((found.constants.into_iter().map(Constant::from).collect(), found.region))
@@ -305,16 +307,10 @@ impl Program {
         let grid = tolerance.map_or(Grid::Chords(n), Grid::Tolerance);
         let nodes = |(lower, upper, spacing)| Nodes { lower, upper, spacing, classes };
         let lattice = lattice.map(nodes);
-        let rule = match &rule[..] {
-            "trapezoidal" => RuleName::Trapezoidal,
-            "left_endpoint" => RuleName::LeftEndpoint,
-            "true_trapezoid" => RuleName::TrueTrapezoid,
-            _ => {
-                let message = format!(
-                    "{rule:?} is no rule: 'trapezoidal', 'left_endpoint' or 'true_trapezoid'"
-                );
-                return Err(ProblemError::new_err(message));
-            }
+        let Some(rule) = Rule::named(&rule) else {
+            let names = Rule::NAMES.map(|name| format!("'{name}'")).join(", ");
+            let message = format!("{rule:?} is no rule; the rules are {names}");
+            return Err(ProblemError::new_err(message));
         };
         let default = Request::default();
         // Python runs one thread at a time.

@@ -4,9 +4,9 @@
 use std::fmt::{Debug, Display};
 
 use tautline::{
-    AffineSubspace, AxisBox, Ball, Constants, Ends, FiniteSet, HalfSpace, HypothesisError,
-    LeftEndpoint, Metric, MetricError, Options, Point, PointSequence, Problem, SMatrix, SVector,
-    Scalar, Segment, SequenceError, SetError, SolveError, Sphere, Starts, Trapezoidal, Union,
+    AffineSubspace, AxisBox, Ball, Constants, Ends, FiniteSet, HalfSpace, HypothesisError, Metric,
+    MetricError, Options, Point, PointSequence, Problem, Rule, SMatrix, SVector, Scalar, Segment,
+    SequenceError, SetError, SolveError, Sphere, Starts, Union,
     bounds::{BoundError, Setting},
     gallery::{Constant, GalleryError, Hyperbolic, Valleys},
 };
@@ -65,8 +65,8 @@ impl Metric<2> for Defect {
 
 fn refusal(metric: impl Metric<2> + Debug, n: usize) -> MetricError {
     let problem = Problem::new(metric, ends());
-    let trapezoidal = problem.solve(Trapezoidal, n).expect_err("no metric");
-    let left = problem.solve(LeftEndpoint, n).expect_err("no metric");
+    let trapezoidal = problem.solve(Rule::TRAPEZOIDAL, n).expect_err("no metric");
+    let left = problem.solve(Rule::LEFT_ENDPOINT, n).expect_err("no metric");
     assert_eq!(std::mem::discriminant(&trapezoidal), std::mem::discriminant(&left));
     match trapezoidal {
         SolveError::Metric(error) => error,
@@ -115,7 +115,7 @@ impl Metric<2> for Cliff {
 fn a_metric_that_becomes_nan_on_the_way_is_refused() {
     for n in [1, 2, 16, 200] {
         let problem = Problem::new(Cliff, ends());
-        let error = problem.solve(Trapezoidal, n).expect_err("no metric");
+        let error = problem.solve(Rule::TRAPEZOIDAL, n).expect_err("no metric");
         let SolveError::Metric(MetricError::NotFinite { point, entry, .. }) = &error else {
             panic!("{error:?}");
         };
@@ -124,7 +124,7 @@ fn a_metric_that_becomes_nan_on_the_way_is_refused() {
     }
     // The hyperbolic plane ends at the unit circle, where `H` changes sign or is infinite.
     let beyond = Ends::points([0.0, 0.0], [1.5, 0.0]).expect("finite");
-    let error = Problem::new(Hyperbolic, beyond).solve(Trapezoidal, 32);
+    let error = Problem::new(Hyperbolic, beyond).solve(Rule::TRAPEZOIDAL, 32);
     assert!(matches!(error, Err(SolveError::Metric(_))), "{error:?}");
 }
 
@@ -144,7 +144,7 @@ impl Metric<2> for Hole {
 #[test]
 fn a_curve_goes_round_a_hole_in_the_metric() {
     let ends = Ends::points([-2.0, 0.0], [2.0, 0.0]).expect("finite");
-    let line = Problem::new(Hole, ends).solve(Trapezoidal, 128).expect("a way round");
+    let line = Problem::new(Hole, ends).solve(Rule::TRAPEZOIDAL, 128).expect("a way round");
     assert!(line.minimum().is_local_minimum(), "{:?}", line.minimum().stop);
     assert!(line.sequence().points().iter().all(|x| x.norm() > 0.5));
     assert!(line.energy().value > 16.0 && line.energy().value.is_finite());
@@ -152,7 +152,7 @@ fn a_curve_goes_round_a_hole_in_the_metric() {
 
 #[test]
 fn no_subinterval_is_refused() {
-    let error = Problem::new(Valleys, ends()).solve(Trapezoidal, 0).expect_err("N = 0");
+    let error = Problem::new(Valleys, ends()).solve(Rule::TRAPEZOIDAL, 0).expect_err("N = 0");
     assert_eq!(error, SolveError::NoSubinterval);
     assert_names(error, &["N = 0"]);
     let refused = |points| SequenceError::NoSubinterval { points };
@@ -163,7 +163,7 @@ fn no_subinterval_is_refused() {
 #[test]
 fn nothing_to_start_from_is_an_error() {
     let options = Options { starts: Starts::Only(Vec::new()), ..Options::default() };
-    let error = Problem::new(Valleys, ends()).solve_with(Trapezoidal, 8, &options);
+    let error = Problem::new(Valleys, ends()).solve_with(Rule::TRAPEZOIDAL, 8, &options);
     assert_eq!(error.expect_err("no start"), SolveError::NoStart);
 }
 

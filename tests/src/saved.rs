@@ -5,9 +5,8 @@ use std::fmt::Debug;
 use serde::{Serialize, de::DeserializeOwned};
 use tautline::{
     AxisBox, Ball, Competitors, Constants, Convention, Ends, Estimate, HalfSpace, Integral,
-    LeftEndpoint, Minimum, Options, Point, PointSequence, Problem, Shape, Starts, SuggestedN,
-    Trapezoidal, bounds::Enclosure, certify::Accuracy, gallery::Sphere, gallery::Valleys,
-    leading_constants,
+    Minimum, Options, Point, PointSequence, Problem, Rule, Shape, Starts, SuggestedN,
+    bounds::Enclosure, certify::Accuracy, gallery::Sphere, gallery::Valleys, leading_constants,
 };
 
 /// Writes a value, reads it, compares, and returns the text.
@@ -35,7 +34,7 @@ fn valleys() -> Problem<Valleys, 2> {
 #[test]
 fn a_minimum_and_what_is_known_of_it_come_back() {
     let problem = valleys();
-    let line = problem.solve(Trapezoidal, 64).expect("a line");
+    let line = problem.solve(Rule::TRAPEZOIDAL, 64).expect("a line");
     let text = round_trip::<Minimum<2>>(line.minimum());
     assert!(text.contains(r#""stop":"Converged","curvature":"PositiveDefinite""#), "{text}");
     round_trip::<Integral>(&line.length());
@@ -51,7 +50,7 @@ fn a_minimum_and_what_is_known_of_it_come_back() {
 #[test]
 fn a_search_starts_from_what_was_saved() {
     let problem = valleys();
-    let line = problem.solve(LeftEndpoint, 64).expect("a line");
+    let line = problem.solve(Rule::LEFT_ENDPOINT, 64).expect("a line");
     let options = Options {
         starts: Starts::Only(vec![line.sequence().clone()]),
         iterations: 20,
@@ -59,7 +58,7 @@ fn a_search_starts_from_what_was_saved() {
     };
     let text = round_trip(&options);
     let options: Options<2> = serde_json::from_str(&text).expect("options");
-    let again = problem.solve_with(LeftEndpoint, 64, &options).expect("a line");
+    let again = problem.solve_with(Rule::LEFT_ENDPOINT, 64, &options).expect("a line");
     let change = again.minimum().energy - line.minimum().energy;
     assert!(change.abs() <= 1e-12 * line.minimum().energy, "{change}");
 }
@@ -121,7 +120,7 @@ fn sets_come_back_and_false_ones_are_refused() {
 #[test]
 fn competitors_come_back() {
     let ends = Ends::points([-0.1, 0.0], [0.1, 0.05]).expect("finite");
-    let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("a line");
+    let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 64).expect("a line");
     round_trip::<Competitors<2>>(&line.competitors().expect("near ends"));
 }
 

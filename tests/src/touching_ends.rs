@@ -1,14 +1,14 @@
 //! Ends that touch: the solver returns no error, and every number is 0, up to what a contact is known.
 
 use tautline::{
-    AxisBox, Ball, Bounded, ClosedSet, Ends, FiniteSet, HalfSpace, LeftEndpoint, Problem, Rule,
-    Segment, Sphere, Stop, Trapezoidal,
+    AxisBox, Ball, Bounded, ClosedSet, Ends, FiniteSet, HalfSpace, Problem, Rule, Segment, Sphere,
+    Stop,
     bounds::{Setting, theorem_1_1_excess, theorem_1_3_excess},
     gallery::Valleys,
 };
 
 #[track_caller]
-fn everything_is_zero(rule: impl Rule, ends: &Ends<2>, n: usize) {
+fn everything_is_zero(rule: Rule, ends: &Ends<2>, n: usize) {
     let line = Problem::new(Valleys, ends.clone()).solve(rule, n).expect("touching is no error");
     let minimum = line.minimum();
     assert_eq!(minimum.stop, Stop::EndsTouch);
@@ -42,8 +42,8 @@ fn everything_is_zero(rule: impl Rule, ends: &Ends<2>, n: usize) {
 fn touch(first: impl ClosedSet<2> + 'static, second: impl ClosedSet<2> + 'static) {
     let ends = Ends::new(first, second).expect("one is bounded");
     for n in [1, 2, 7, 200] {
-        everything_is_zero(Trapezoidal, &ends, n);
-        everything_is_zero(LeftEndpoint, &ends, n);
+        everything_is_zero(Rule::TRAPEZOIDAL, &ends, n);
+        everything_is_zero(Rule::LEFT_ENDPOINT, &ends, n);
     }
 }
 
@@ -71,7 +71,7 @@ fn sets_that_touch_or_overlap_have_the_distance_0() {
 fn a_point_has_the_distance_0_from_itself() {
     let ends = Ends::points([0.3, -0.7], [0.3, -0.7]).expect("finite");
     for n in [1, 2, 33] {
-        everything_is_zero(Trapezoidal, &ends, n);
+        everything_is_zero(Rule::TRAPEZOIDAL, &ends, n);
     }
 }
 

@@ -1,5 +1,7 @@
 //! `BoundError`: the reasons why there is no bound for the given numbers.
 
+use crate::PaperRule;
+
 /// A hypothesis that the given numbers violate.
 ///
 /// Violated hypotheses on `c₁`, `c₂` and `L_H` are in
@@ -55,6 +57,15 @@ pub enum BoundError {
         reach: f64,
         /// The radius of the ball, in `ℓ`.
         radius: f64,
+    },
+    /// The paper has no theorem for the rule.
+    #[error(
+        "no theorem is about the rule {rule}: the theorems are about {} and {} alone",
+        PaperRule::Trapezoidal.name(), PaperRule::LeftEndpoint.name()
+    )]
+    OtherRule {
+        /// The name of the rule.
+        rule: &'static str,
     },
     /// The dimension is 0.
     #[error("D = 0 must be at least 1: it is the dimension of the space (Theorem 1.1)")]

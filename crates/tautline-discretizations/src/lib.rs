@@ -10,13 +10,13 @@
 //!
 //! | rule | nodes `θᵢ` | weights `wᵢ` |
 //! | --- | --- | --- |
-//! | [`Trapezoidal`], as the paper calls it; the midpoint rule elsewhere | `1/2` | `1` |
-//! | [`LeftEndpoint`] | `0` | `1` |
-//! | [`RightEndpoint`] | `1` | `1` |
-//! | [`TrueTrapezoid`], the mean of both endpoint rules | `0, 1` | `1/2, 1/2` |
-//! | [`Simpson`] | `0, 1/2, 1` | `1/6, 4/6, 1/6` |
-//! | [`GaussTwo`] | `1/2 ± 1/√12` | `1/2, 1/2` |
-//! | [`GaussThree`] | `1/2, 1/2 ± (3/20)^{1/2}` | `8/18, 5/18, 5/18` |
+//! | [`Rule::TRAPEZOIDAL`], as the paper calls it; the midpoint rule elsewhere | `1/2` | `1` |
+//! | [`Rule::LEFT_ENDPOINT`] | `0` | `1` |
+//! | [`Rule::RIGHT_ENDPOINT`] | `1` | `1` |
+//! | [`Rule::TRUE_TRAPEZOID`], the mean of both endpoint rules | `0, 1` | `1/2, 1/2` |
+//! | [`Rule::SIMPSON`] | `0, 1/2, 1` | `1/6, 4/6, 1/6` |
+//! | [`Rule::GAUSS_TWO`] | `1/2 ± 1/√12` | `1/2, 1/2` |
+//! | [`Rule::GAUSS_THREE`] | `1/2, 1/2 ± (3/20)^{1/2}` | `8/18, 5/18, 5/18` |
 //!
 //! [`PeanoConstants`] bound how far the discrete energy of any rule is from that of the reconstructed
 //! curve.
@@ -25,12 +25,12 @@
 //! quadrature computes its continuous energy and length.
 //!
 //! ```
-//! use tautline_discretizations::{Interpolation, PointSequence, Rule, Trapezoidal};
+//! use tautline_discretizations::{Interpolation, PointSequence, Rule};
 //! use tautline_metrics::gallery::Valleys;
 //!
 //! let line = PointSequence::straight([0.0, 0.0], [12.566370614359172, 0.0], 1)?;
 //! // One chord from valley to valley, with its midpoint in a valley: 16 π²; the curve has 72 π².
-//! let discrete = Trapezoidal.energy(&Valleys, &line);
+//! let discrete = Rule::TRAPEZOIDAL.energy(&Valleys, &line);
 //! assert!((discrete / 157.91367041742973 - 1.0).abs() < 1e-14);
 //! let continuous = Interpolation::new(&line).energy(&Valleys);
 //! assert!((continuous.value / 710.6115168784338 - 1.0).abs() < 1e-14);
@@ -72,9 +72,4 @@ pub use peano::PeanoConstants;
 pub use point_sequence::{LARGEST_N, PointSequence, SequenceError};
 pub use quadratic_model::QuadraticModel;
 pub use rule::{Node, Rule};
-pub use rules::{
-    gauss_three::GaussThree, gauss_two::GaussTwo, left_endpoint::LeftEndpoint,
-    right_endpoint::RightEndpoint, simpson::Simpson, trapezoidal::Trapezoidal,
-    true_trapezoid::TrueTrapezoid,
-};
 pub use tautline_metrics::quadrature::Integral;

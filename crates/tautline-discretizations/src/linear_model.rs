@@ -24,8 +24,8 @@ impl<const D: usize> LinearModel<D> {
     /// Expands the discrete energy of `rule` about `sequence`. The result is NaN if the metric is
     /// NaN.
     #[must_use]
-    pub fn new<R: Rule>(_rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
-        Self::by_batches(R::NODES, &Plain::new(metric), sequence)
+    pub fn new(rule: Rule, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
+        Self::by_batches(rule.nodes(), &Plain::new(metric), sequence)
     }
 
     /// Expands like [`new`](Self::new), for a metric that is evaluated in batches.
@@ -58,8 +58,8 @@ impl<const D: usize> LinearModel<D> {
 
 /// Returns the energy and the gradient of a [`LinearModel`].
 #[must_use]
-pub fn energy_gradient<R: Rule, const D: usize>(
-    rule: R,
+pub fn energy_gradient<const D: usize>(
+    rule: Rule,
     metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
 ) -> (f64, Vec<SVector<f64, D>>) {

@@ -18,7 +18,7 @@ use crate::{Node, PointSequence, Rule};
 /// ```
 ///
 /// This is Lemma S.2 for any rule; it has `κ₁ = 1/4` and `κ₂ = 1/24` for
-/// [`Trapezoidal`](crate::Trapezoidal) and `κ₁ = 1/2` for [`LeftEndpoint`](crate::LeftEndpoint).
+/// [`Rule::TRAPEZOIDAL`] and `κ₁ = 1/2` for [`Rule::LEFT_ENDPOINT`].
 /// Both constants are attained by metrics `H = φ I`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeanoConstants {
@@ -36,19 +36,19 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 impl PeanoConstants {
     /// Returns the constants of a rule, up to a few roundings.
     #[must_use]
-    pub fn of<R: Rule>(_rule: R) -> Self {
-        let moment: f64 = R::NODES.iter().map(|node| node.weight * node.fraction).sum();
-        let weight: f64 = R::NODES.iter().map(|node| node.weight).sum();
+    pub fn of(rule: Rule) -> Self {
+        let moment: f64 = rule.nodes().iter().map(|node| node.weight * node.fraction).sum();
+        let weight: f64 = rule.nodes().iter().map(|node| node.weight).sum();
         let is_constant = (weight - 1.0).abs() <= ROUNDING;
         let is_linear = is_constant && (moment - 0.5).abs() <= ROUNDING;
-        let mut ends: Vec<f64> = R::NODES.iter().map(|node| node.fraction).collect();
+        let mut ends: Vec<f64> = rule.nodes().iter().map(|node| node.fraction).collect();
         ends.extend([0.0, 1.0]);
         ends.sort_by(f64::total_cmp);
         let pieces = || ends.windows(2).map(|piece| [piece[0], piece[1]]);
         let first =
-            pieces().map(|piece| integral_of_size(piece, |s| first_kernel(R::NODES, piece, s)));
-        let second =
-            pieces().map(|piece| integral_of_size(piece, |s| second_kernel(R::NODES, piece, s)));
+            pieces().map(|piece| integral_of_size(piece, |s| first_kernel(rule.nodes(), piece, s)));
+        let second = pieces()
+            .map(|piece| integral_of_size(piece, |s| second_kernel(rule.nodes(), piece, s)));
         let second = if is_linear { second.sum() } else { f64::INFINITY };
         let first = if is_constant { first.sum() } else { f64::INFINITY };
         Self { first, second }
@@ -123,20 +123,17 @@ fn mean_power<const D: usize>(sequence: &PointSequence<D>, power: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::PeanoConstants;
-    use crate::{
-        GaussThree, GaussTwo, LeftEndpoint, Node, PointSequence, RightEndpoint, Rule, Simpson,
-        Trapezoidal, TrueTrapezoid,
-    };
+    use crate::{Node, PointSequence, Rule};
 
     #[test]
     fn the_constants_of_known_rules() {
         let infinity = f64::INFINITY;
         for (found, first, second) in [
-            (PeanoConstants::of(Trapezoidal), 1.0 / 4.0, 1.0 / 24.0),
-            (PeanoConstants::of(TrueTrapezoid), 1.0 / 4.0, 1.0 / 12.0),
-            (PeanoConstants::of(LeftEndpoint), 1.0 / 2.0, infinity),
-            (PeanoConstants::of(RightEndpoint), 1.0 / 2.0, infinity),
-            (PeanoConstants::of(Simpson), 5.0 / 36.0, 1.0 / 81.0),
+            (PeanoConstants::of(Rule::TRAPEZOIDAL), 1.0 / 4.0, 1.0 / 24.0),
+            (PeanoConstants::of(Rule::TRUE_TRAPEZOID), 1.0 / 4.0, 1.0 / 12.0),
+            (PeanoConstants::of(Rule::LEFT_ENDPOINT), 1.0 / 2.0, infinity),
+            (PeanoConstants::of(Rule::RIGHT_ENDPOINT), 1.0 / 2.0, infinity),
+            (PeanoConstants::of(Rule::SIMPSON), 5.0 / 36.0, 1.0 / 81.0),
         ] {
             // A few roundings of numbers below 1.
             assert!((found.first - first).abs() <= 1e-15, "{found:?} {first}");
@@ -145,7 +142,7 @@ mod tests {
         }
         // Two nodes at a and 1 − a have κ₁ = a² + (1/2 − a)².
         let a = 0.5 - 1.0 / 12.0_f64.sqrt();
-        let found = PeanoConstants::of(GaussTwo).first;
+        let found = PeanoConstants::of(Rule::GAUSS_TWO).first;
         assert!((found - (a * a + (0.5 - a).powi(2))).abs() <= 1e-15, "{found}");
     }
 
@@ -153,61 +150,51 @@ mod tests {
     /// at most 2, times the spacing.
     #[test]
     fn the_constants_are_the_integrals_of_the_kernels() {
-        fn compare<R: Rule>(rule: R) {
+        fn compare(rule: Rule) {
             const CELLS: usize = 100_000;
             let (mut first, mut second) = (0.0, 0.0);
             for cell in 0..CELLS {
                 let s = (cell as f64 + 0.5) / CELLS as f64;
-                let beyond = || R::NODES.iter().filter(|node: &&Node| node.fraction > s);
+                let beyond = || rule.nodes().iter().filter(|node: &&Node| node.fraction > s);
                 let weight: f64 = beyond().map(|node| node.weight).sum();
                 let moment: f64 = beyond().map(|node| node.weight * (node.fraction - s)).sum();
                 first += (1.0 - s - weight).abs() / CELLS as f64;
                 second += ((1.0 - s).powi(2) / 2.0 - moment).abs() / CELLS as f64;
             }
             let found = PeanoConstants::of(rule);
-            assert!((found.first - first).abs() <= 2e-5, "{rule:?}: {found:?} {first}");
-            if R::ERROR_EXPONENT == 2 {
-                assert!((found.second - second).abs() <= 2e-5, "{rule:?}: {found:?} {second}");
+            assert!((found.first - first).abs() <= 2e-5, "{rule}: {found:?} {first}");
+            if rule.error_exponent() == 2 {
+                assert!((found.second - second).abs() <= 2e-5, "{rule}: {found:?} {second}");
                 // The constants of the second order separate rules, so that this sees a wrong node.
                 assert!(second > 1e-3);
             } else {
                 assert_eq!(found.second, f64::INFINITY);
             }
         }
-        compare(Trapezoidal);
-        compare(TrueTrapezoid);
-        compare(LeftEndpoint);
-        compare(RightEndpoint);
-        compare(Simpson);
-        compare(GaussTwo);
-        compare(GaussThree);
+        compare(Rule::TRAPEZOIDAL);
+        compare(Rule::TRUE_TRAPEZOID);
+        compare(Rule::LEFT_ENDPOINT);
+        compare(Rule::RIGHT_ENDPOINT);
+        compare(Rule::SIMPSON);
+        compare(Rule::GAUSS_TWO);
+        compare(Rule::GAUSS_THREE);
     }
 
     /// A constant that does not exist gives no bound, not even for a metric without slopes.
     #[test]
     fn a_missing_constant_bounds_nothing() {
-        #[derive(Clone, Copy, Debug)]
-        struct TooLight;
-        impl Rule for TooLight {
-            const NODES: &'static [Node] = &[Node { fraction: 0.5, weight: 0.9 }];
-            const ERROR_EXPONENT: i32 = 2;
-        }
+        const TOO_LIGHT: Rule = Rule::new("too_light", &[Node { fraction: 0.5, weight: 0.9 }], 2);
         let line = PointSequence::straight([0.0], [1.0], 2).expect("finite");
-        let found = PeanoConstants::of(TooLight);
+        let found = PeanoConstants::of(TOO_LIGHT);
         assert_eq!(
             (found.gap(&line, 0.0), found.smooth_gap(&line, 0.0)),
             (f64::INFINITY, f64::INFINITY)
         );
         // Exact for `f(s) = s` alone, and for no other linear function.
-        #[derive(Clone, Copy, Debug)]
-        struct Balanced;
-        impl Rule for Balanced {
-            const NODES: &'static [Node] = &[Node { fraction: 0.625, weight: 0.8 }];
-            const ERROR_EXPONENT: i32 = 2;
-        }
-        let found = PeanoConstants::of(Balanced);
+        const BALANCED: Rule = Rule::new("balanced", &[Node { fraction: 0.625, weight: 0.8 }], 2);
+        let found = PeanoConstants::of(BALANCED);
         assert_eq!((found.first, found.second), (f64::INFINITY, f64::INFINITY));
-        assert_eq!(PeanoConstants::of(LeftEndpoint).smooth_gap(&line, 0.0), f64::INFINITY);
-        assert_eq!(PeanoConstants::of(Trapezoidal).smooth_gap(&line, 0.0), 0.0);
+        assert_eq!(PeanoConstants::of(Rule::LEFT_ENDPOINT).smooth_gap(&line, 0.0), f64::INFINITY);
+        assert_eq!(PeanoConstants::of(Rule::TRAPEZOIDAL).smooth_gap(&line, 0.0), 0.0);
     }
 }

@@ -27,9 +27,9 @@ impl<const D: usize> QuadraticModel<D> {
     /// Expands the discrete energy of `rule` about `sequence`. The result is NaN if the metric is
     /// NaN.
     #[must_use]
-    pub fn new<R: Rule>(_rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
+    pub fn new(rule: Rule, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
         let mut model = Self::default();
-        model.expand_by_batches(R::NODES, &Plain::new(metric), sequence);
+        model.expand_by_batches(rule.nodes(), &Plain::new(metric), sequence);
         model
     }
 

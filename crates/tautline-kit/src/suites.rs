@@ -117,10 +117,10 @@ macro_rules! set_suite {
 /// given name.
 ///
 /// ```text
-/// rule_suite!(simpson: Simpson);
+/// rule_suite!(simpson: Rule::SIMPSON);
 /// ```
 ///
-/// The rule must implement [`Rule`](tautline::Rule). The macro expands to one test for each of
+/// The rule is a [`Rule`](tautline::Rule). The macro expands to one test for each of
 /// [`rule::LAWS`](crate::rule::LAWS), and to the test `every_law_is_a_test`.
 #[macro_export]
 macro_rules! rule_suite {

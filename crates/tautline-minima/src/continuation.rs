@@ -11,9 +11,9 @@ const LEAST_STEP: f64 = 0.05;
 
 /// A local minimum that was followed to the last metric of a family.
 #[derive(Clone, Debug)]
-pub struct Branch<M, R, const D: usize> {
+pub struct Branch<M, const D: usize> {
     /// The line under the last metric.
-    pub line: TautLine<M, R, D>,
+    pub line: TautLine<M, D>,
     /// The parameter from which on it was known: where it split off another one, or the first.
     pub since: f64,
 }
@@ -31,18 +31,18 @@ pub struct Branch<M, R, const D: usize> {
 /// Those of [`Problem::solve`] for the first metric, and [`SolveError::NoStart`] without parameters. A
 /// branch along which a later metric cannot be solved ends; if all do, the error of the last is returned.
 /// Without a minimum under the last metric the list is empty.
-pub fn follow<M: Metric<D>, R: Rule, const D: usize>(
+pub fn follow<M: Metric<D>, const D: usize>(
     family: impl Fn(f64) -> M,
     parameters: &[f64],
     ends: &Ends<D>,
-    rule: R,
+    rule: Rule,
     n: usize,
     most: usize,
-) -> Result<Vec<Branch<M, R, D>>, SolveError> {
+) -> Result<Vec<Branch<M, D>>, SolveError> {
     let Some((&first, later)) = parameters.split_first() else { return Err(SolveError::NoStart) };
     let line = Problem::new(family(first), ends.clone()).solve(rule, n)?;
     let others = line.other_minima();
-    let mut branches: Vec<Branch<M, R, D>> = Vec::new();
+    let mut branches: Vec<Branch<M, D>> = Vec::new();
     for line in std::iter::once(line).chain(others) {
         keep(&mut branches, Branch { line, since: first });
     }
@@ -66,7 +66,7 @@ pub fn follow<M: Metric<D>, R: Rule, const D: usize>(
             }
         };
         // A side of one branch may be another branch, which has its age if it is followed first.
-        let step = |branch: &Branch<M, R, D>| {
+        let step = |branch: &Branch<M, D>| {
             let before = branch.line.sequence();
             sides(before, &from(before.clone(), branch.since)?)
         };
@@ -92,13 +92,10 @@ pub(crate) fn is_minimum<const D: usize>(minimum: &Minimum<D>) -> bool {
 }
 
 /// Inserts a branch by its length, unless it runs along one that is there.
-fn keep<M: Metric<D>, R: Rule, const D: usize>(
-    branches: &mut Vec<Branch<M, R, D>>,
-    branch: Branch<M, R, D>,
-) {
+fn keep<M: Metric<D>, const D: usize>(branches: &mut Vec<Branch<M, D>>, branch: Branch<M, D>) {
     let energy = branch.line.discrete_energy();
     if branches.iter().all(|known| are_apart(branch.line.sequence(), known.line.sequence())) {
-        let is_shorter = |known: &Branch<M, R, D>| known.line.discrete_energy() <= energy;
+        let is_shorter = |known: &Branch<M, D>| known.line.discrete_energy() <= energy;
         branches.insert(branches.partition_point(is_shorter), branch);
     }
 }
@@ -126,7 +123,7 @@ fn sides<const D: usize>(
 mod tests {
     use nalgebra::{SVector, vector};
     use tautline::{
-        Curvature, Ends, PointSequence, Problem, Stop, Trapezoidal,
+        Curvature, Ends, PointSequence, Problem, Rule, Stop,
         gallery::{Bump, Valleys},
     };
 
@@ -175,7 +172,7 @@ mod tests {
     #[test]
     fn a_saddle_is_no_minimum() {
         let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
-        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 8).expect("solved");
+        let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 8).expect("solved");
         let of = |stop, curvature| {
             let mut minimum = line.minimum().clone();
             (minimum.stop, minimum.curvature) = (stop, curvature);
@@ -195,7 +192,7 @@ mod tests {
     fn branches_stand_in_the_order_of_their_energies() {
         let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
         let problem = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
-        let near = problem.solve(Trapezoidal, 64).expect("solved");
+        let near = problem.solve(Rule::TRAPEZOIDAL, 64).expect("solved");
         let [far] = &near.other_minima()[..] else { panic!("the other side") };
         let energies = [near.discrete_energy(), far.discrete_energy()];
         assert!(energies[0] < energies[1], "{energies:?}");

@@ -1,7 +1,7 @@
 //! `Flattened`: a metric whose heights are lowered.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Metric, Rule, Scalar, TautLine, check_gram};
+use tautline::{Metric, Scalar, TautLine, check_gram};
 
 /// `H_s(x) = (1 − s) c I + s H(x)`: the Euclidean metric at `s = 0`, and `H` at `s = 1`. Where `H ≥ c I`,
 /// it grows with `s`: bumps rise, and minimal geodesics split into those on either side of them.
@@ -23,9 +23,7 @@ impl<M: Metric<D>, const D: usize> Metric<D> for Flattened<'_, M> {
 }
 
 /// Returns a level `c` with `H ≥ c I` at the points of a line, `1/‖H⁻¹‖`.
-pub(crate) fn level<M: Metric<D>, R: Rule, const D: usize>(
-    line: &TautLine<M, R, D>,
-) -> Option<f64> {
+pub(crate) fn level<M: Metric<D>, const D: usize>(line: &TautLine<M, D>) -> Option<f64> {
     let points = line.sequence().points().iter();
     let inverse = |x| Some(check_gram(line.metric(), x).ok()?.cholesky()?.inverse().norm());
     points.map(inverse).try_fold(0.0, |most, norm| Some(f64::max(most, norm?))).map(f64::recip)
@@ -35,7 +33,7 @@ pub(crate) fn level<M: Metric<D>, R: Rule, const D: usize>(
 mod tests {
     use nalgebra::{SMatrix, matrix, vector};
     use tautline::{
-        Ends, Metric, Problem, Trapezoidal,
+        Ends, Metric, Problem, Rule,
         gallery::{Constant, Valleys},
     };
 
@@ -61,7 +59,7 @@ mod tests {
     fn a_level_is_below_all_eigenvalues() {
         let metric = Constant::new(matrix![9.0, 2.0; 2.0, 6.0]).expect("positive definite");
         let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
-        let line = Problem::new(metric, ends).solve(Trapezoidal, 4).expect("solved");
+        let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 4).expect("solved");
         // The eigenvalues are 5 and 10.
         let level = level(&line).expect("a metric");
         assert!((5.0 / 2.0_f64.sqrt()..=5.0).contains(&level), "{level}");
@@ -74,7 +72,7 @@ mod tests {
         let (ridge, bottom) = ([std::f64::consts::PI, 0.0], [0.0, 0.0]);
         for (a, b) in [(ridge, bottom), (bottom, ridge)] {
             let ends = Ends::points(a, b).expect("finite");
-            let line = Problem::new(Valleys, ends).solve(Trapezoidal, 16).expect("solved");
+            let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 16).expect("solved");
             let level = level(&line).expect("a metric");
             assert!((0.5_f64.sqrt() * (1.0 - 1e-15)..=1.0).contains(&level), "{level}");
         }

@@ -2,16 +2,15 @@
 
 use nalgebra::SVector;
 use tautline::{
-    CertificateError, GraphPathError, Integral, Metric, Punctures, Rule, SolveError, TautLine,
-    Word,
+    CertificateError, GraphPathError, Integral, Metric, Punctures, SolveError, TautLine, Word,
     distance::{Found, Wanted},
 };
 use tautline_baselines::EikonalError;
 
 /// The local minima that a search found, each along another curve.
 #[derive(Clone, Debug)]
-pub struct Minima<M, R, const D: usize> {
-    pub(crate) minima: Vec<LocalMinimum<M, R, D>>,
+pub struct Minima<M, const D: usize> {
+    pub(crate) minima: Vec<LocalMinimum<M, D>>,
     pub(crate) punctures: Punctures,
     pub(crate) starts: usize,
     pub(crate) refused: Vec<Refused>,
@@ -19,10 +18,10 @@ pub struct Minima<M, R, const D: usize> {
 
 /// A local minimum.
 #[derive(Clone, Debug)]
-pub struct LocalMinimum<M, R, const D: usize> {
+pub struct LocalMinimum<M, const D: usize> {
     /// The line. Its [minimum](TautLine::minimum) has the energy and the curvature: positive definite, or
     /// degenerate.
-    pub line: TautLine<M, R, D>,
+    pub line: TautLine<M, D>,
     /// On which sides it passes the punctures.
     pub word: Word,
     /// The first start that led to it.
@@ -101,16 +100,16 @@ pub struct Ranked<const D: usize> {
     pub standings: Vec<Standing>,
 }
 
-impl<M: Metric<D>, R: Rule, const D: usize> Minima<M, R, D> {
+impl<M: Metric<D>, const D: usize> Minima<M, D> {
     /// Returns the minima, lowest energy first. There is at least one.
     #[must_use]
-    pub fn minima(&self) -> &[LocalMinimum<M, R, D>] {
+    pub fn minima(&self) -> &[LocalMinimum<M, D>] {
         &self.minima
     }
 
     /// Returns the lowest of the minima.
     #[must_use]
-    pub fn lowest(&self) -> &TautLine<M, R, D> {
+    pub fn lowest(&self) -> &TautLine<M, D> {
         &self.minima[0].line
     }
 
@@ -144,7 +143,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> Minima<M, R, D> {
         let found = self.lowest().certificate_with(wanted, go_on)?;
         let (lower, upper) = (found.proved.lower, found.proved.upper.unwrap_or(f64::INFINITY));
         let standing =
-            |minimum: &LocalMinimum<M, R, D>| Standing::new(minimum.line.length(), [lower, upper]);
+            |minimum: &LocalMinimum<M, D>| Standing::new(minimum.line.length(), [lower, upper]);
         let standings = self.minima.iter().map(standing).collect();
         Ok(Ranked { found, standings })
     }

@@ -57,7 +57,7 @@ impl<const D: usize> GlobalSearch<D> {
     /// all curves, up to a gap.
     ///
     /// ```
-    /// use tautline::{Ends, Lattice, Problem, Trapezoidal, gallery::{Obstacle, SoftObstacles}};
+    /// use tautline::{Ends, Lattice, Problem, Rule, gallery::{Obstacle, SoftObstacles}};
     /// use tautline_minima::GlobalSearch;
     ///
     /// // Two hills: above, between and below.
@@ -65,7 +65,7 @@ impl<const D: usize> GlobalSearch<D> {
     /// let hills = SoftObstacles::new(vec![hill(0.7), hill(-0.6)])?;
     /// let problem = Problem::new(hills, Ends::points([-2.0, 0.0], [2.0, 0.1])?);
     /// let lattice = Lattice::new([-2.2, -2.0], [2.2, 2.0], 0.1)?;
-    /// let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 64)?;
+    /// let found = GlobalSearch::within(lattice).search(&problem, Rule::TRAPEZOIDAL, 64)?;
     /// assert_eq!(found.minima().len(), 3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -74,12 +74,12 @@ impl<const D: usize> GlobalSearch<D> {
     ///
     /// [`MinimaError::Lattice`] unless `slack` is at least 1, or if a node of the lattice overflows, and
     /// [`MinimaError::NoMinimum`].
-    pub fn search<M: Metric<D>, R: Rule>(
+    pub fn search<M: Metric<D>>(
         &self,
         problem: &Problem<M, D>,
-        rule: R,
+        rule: Rule,
         n: usize,
-    ) -> Result<Minima<M, R, D>, MinimaError> {
+    ) -> Result<Minima<M, D>, MinimaError> {
         if !(self.slack >= 1.0) {
             return Err(GraphPathError::Slack { slack: self.slack }.into());
         }
@@ -134,9 +134,9 @@ impl<const D: usize> GlobalSearch<D> {
         }
     }
 
-    fn by_classes<M: Metric<D>, R: Rule>(
+    fn by_classes<M: Metric<D>>(
         &self,
-        collected: &mut Collected<'_, M, R, D>,
+        collected: &mut Collected<'_, M, D>,
         lattice: &Lattice<D>,
         punctures: &Punctures,
     ) -> Result<(), GraphPathError> {
@@ -150,9 +150,9 @@ impl<const D: usize> GlobalSearch<D> {
         Ok(())
     }
 
-    fn by_passes<M: Metric<D>, R: Rule>(
+    fn by_passes<M: Metric<D>>(
         &self,
-        collected: &mut Collected<'_, M, R, D>,
+        collected: &mut Collected<'_, M, D>,
         lattice: &Lattice<D>,
     ) -> Result<(), EikonalError> {
         let problem = collected.problem;
@@ -162,9 +162,9 @@ impl<const D: usize> GlobalSearch<D> {
         Ok(())
     }
 
-    fn by_continuation<M: Metric<D>, R: Rule>(
+    fn by_continuation<M: Metric<D>>(
         &self,
-        collected: &mut Collected<'_, M, R, D>,
+        collected: &mut Collected<'_, M, D>,
         level: f64,
     ) -> Result<(), SolveError> {
         let Collected { problem, rule, n, .. } = *collected;
@@ -182,15 +182,15 @@ impl<const D: usize> GlobalSearch<D> {
 }
 
 /// The minima so far.
-struct Collected<'p, M, R, const D: usize> {
+struct Collected<'p, M, const D: usize> {
     problem: &'p Problem<M, D>,
-    rule: R,
+    rule: Rule,
     n: usize,
-    minima: Vec<LocalMinimum<M, R, D>>,
+    minima: Vec<LocalMinimum<M, D>>,
     starts: usize,
 }
 
-impl<M: Metric<D>, R: Rule, const D: usize> Collected<'_, M, R, D> {
+impl<M: Metric<D>, const D: usize> Collected<'_, M, D> {
     /// Searches from a start, if there is one.
     fn solve(&mut self, start: Option<PointSequence<D>>, origin: &Origin<D>) {
         self.starts += 1;
@@ -203,12 +203,12 @@ impl<M: Metric<D>, R: Rule, const D: usize> Collected<'_, M, R, D> {
     }
 
     /// Keeps a line that is a minimum and no other one, or a lower one.
-    fn keep(&mut self, line: TautLine<M, R, D>, origin: &Origin<D>) {
+    fn keep(&mut self, line: TautLine<M, D>, origin: &Origin<D>) {
         if !is_minimum(line.minimum()) {
             return;
         }
         let is_same =
-            |known: &&mut LocalMinimum<M, R, D>| !are_apart(line.sequence(), known.line.sequence());
+            |known: &&mut LocalMinimum<M, D>| !are_apart(line.sequence(), known.line.sequence());
         match self.minima.iter_mut().find(is_same) {
             Some(known) => {
                 known.hits += 1;
@@ -229,7 +229,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> Collected<'_, M, R, D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector};
-    use tautline::{Ends, Metric, Options, PointSequence, Problem, Scalar, Starts, Trapezoidal};
+    use tautline::{Ends, Metric, Options, PointSequence, Problem, Rule, Scalar, Starts};
 
     use super::Collected;
     use crate::Origin;
@@ -258,13 +258,13 @@ mod tests {
             });
             let start = PointSequence::new(points.collect()).expect("finite");
             let options = Options { starts: Starts::OnTheGrid(vec![start]), ..Options::default() };
-            problem.solve_with(Trapezoidal, 16, &options).expect("solved")
+            problem.solve_with(Rule::TRAPEZOIDAL, 16, &options).expect("solved")
         };
         let energies = [0.01, -0.01].map(|y| along(y).discrete_energy());
         assert!(energies[1] < energies[0], "{energies:?}");
         for order in [[0.01, -0.01], [-0.01, 0.01]] {
             let problem = &problem;
-            let (rule, n) = (Trapezoidal, 16);
+            let (rule, n) = (Rule::TRAPEZOIDAL, 16);
             let mut collected = Collected { problem, rule, n, minima: Vec::new(), starts: 0 };
             for y in order {
                 collected.keep(along(y), &Origin::Automatic);
@@ -280,9 +280,9 @@ mod tests {
         let ends = Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite");
         let problem = Problem::new(Valleys, ends);
         let options = Options { iterations: 1, ..Options::default() };
-        let line = problem.solve_with(Trapezoidal, 16, &options).expect("solved");
+        let line = problem.solve_with(Rule::TRAPEZOIDAL, 16, &options).expect("solved");
         assert!(!line.minimum().is_local_minimum());
-        let (problem, rule) = (&problem, Trapezoidal);
+        let (problem, rule) = (&problem, Rule::TRAPEZOIDAL);
         let mut collected = Collected { problem, rule, n: 16, minima: Vec::new(), starts: 0 };
         collected.keep(line, &Origin::Automatic);
         assert!(collected.minima.is_empty());

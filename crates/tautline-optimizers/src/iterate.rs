@@ -40,8 +40,8 @@ impl<'i, const D: usize> Iterate<'i, D> {
     /// The mean of `tr H / D`, to which the residual is relative, is that over the nodes of at most
     /// 64 chords, evenly spaced.
     #[must_use]
-    pub fn new<R: Rule>(
-        _rule: R,
+    pub fn new(
+        rule: Rule,
         metric: &dyn Batches<D>,
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &'i PointSequence<D>,
@@ -53,7 +53,7 @@ impl<'i, const D: usize> Iterate<'i, D> {
         let (mut sum, mut count) = (0.0, 0.0);
         for (x, d) in chords {
             count += D as f64;
-            for node in R::NODES {
+            for node in rule.nodes() {
                 sum += node.weight * metric.gram(&(x + d * node.fraction)).trace();
             }
         }
@@ -74,9 +74,7 @@ impl<'i, const D: usize> Iterate<'i, D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::vector;
-    use tautline_discretizations::{
-        LeftEndpoint, LinearModel, PointSequence, QuadraticModel, Rule, Simpson, Trapezoidal,
-    };
+    use tautline_discretizations::{LinearModel, PointSequence, QuadraticModel, Rule};
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Swirl, Valleys};
     use tautline_sets::{Ball, ClosedSet};
@@ -88,12 +86,12 @@ mod tests {
     /// residual is that of the solver up to rounding.
     #[test]
     fn every_method_has_the_residual_of_the_solver() {
-        check(Trapezoidal);
-        check(LeftEndpoint);
-        check(Simpson);
+        check(Rule::TRAPEZOIDAL);
+        check(Rule::LEFT_ENDPOINT);
+        check(Rule::SIMPSON);
     }
 
-    fn check<R: Rule>(rule: R) {
+    fn check(rule: Rule) {
         let swirl = Swirl::new(0.5, 1.0).expect("a width");
         let ball = Ball::new([-1.0, 0.0], 0.25).expect("a radius");
         let far = Ball::new([1.5, 0.5], 0.5).expect("a radius");
@@ -110,7 +108,7 @@ mod tests {
             residual.push_all(&model.gradient);
             let (expected, floor) = residual.value(ends, &sequence, magnitude);
             let metric = Prepared::new(swirl);
-            let linear = LinearModel::by_batches(R::NODES, &metric, &sequence);
+            let linear = LinearModel::by_batches(rule.nodes(), &metric, &sequence);
             let found = Iterate::new(rule, &metric, ends, &sequence, &linear, 3);
             // Sums of n rounded terms of the same size.
             let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b;
@@ -135,14 +133,14 @@ mod tests {
         let ends = [*sequence.first(), *sequence.last()];
         let ends = ends.map(|x| tautline_sets::Point::new(x).expect("finite"));
         let ends: [&dyn ClosedSet<2>; 2] = [&ends[0], &ends[1]];
-        let model = QuadraticModel::new(Trapezoidal, &Valleys, &sequence);
+        let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &Valleys, &sequence);
         let magnitude = Magnitude::of(&model);
         let mut residual = Residual::new(n, magnitude);
         residual.push_all(&model.gradient);
         let (expected, _) = residual.value(ends, &sequence, magnitude);
-        let linear = LinearModel::new(Trapezoidal, &Valleys, &sequence);
+        let linear = LinearModel::new(Rule::TRAPEZOIDAL, &Valleys, &sequence);
         let metric = Prepared::new(Valleys);
-        let found = Iterate::new(Trapezoidal, &metric, ends, &sequence, &linear, 0);
+        let found = Iterate::new(Rule::TRAPEZOIDAL, &metric, ends, &sequence, &linear, 0);
         assert!((found.residual / expected - 1.0).abs() < 0.02, "{found:?} {expected}");
     }
 }

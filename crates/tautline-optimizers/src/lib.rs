@@ -6,14 +6,14 @@
 //! each finer one, and none on the finest.
 //!
 //! ```
-//! use tautline_discretizations::Trapezoidal;
+//! use tautline_discretizations::Rule;
 //! use tautline_metrics::gallery::Valleys;
 //! use tautline_optimizers::{Options, extrapolate, minimise};
 //! use tautline_sets::{Ball, Ends, HalfSpace};
 //!
 //! // From the ball of radius ½ to the half-space x₁ ≥ 3: d = 5 − sin 3 + sin ½.
 //! let ends = Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::new([-1.0, 0.0], -3.0)?)?;
-//! let minimum = minimise(&Valleys, &ends, Trapezoidal, 512, &Options::default())?;
+//! let minimum = minimise(&Valleys, &ends, Rule::TRAPEZOIDAL, 512, &Options::default())?;
 //! assert!(minimum.is_local_minimum());
 //! let d2 = extrapolate(&minimum.levels, 2).expect("several grids");
 //! assert!((d2.value / 28.497505937440242 - 1.0).abs() < 1e-9);

@@ -87,10 +87,10 @@ fn default_threads() -> usize {
 ///   passes is returned; for `n > 512` there is only one.
 /// - [`SolveError::NoStart`] if there is nothing to start from, [`SolveError::Sequence`] if points
 ///   become infinite on the way, and [`SolveError::Energy`] if every energy found overflows.
-pub fn minimise<const D: usize, R: Rule>(
+pub fn minimise<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
-    rule: R,
+    rule: Rule,
     n: usize,
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
@@ -104,11 +104,11 @@ pub fn minimise<const D: usize, R: Rule>(
 /// # Errors
 ///
 /// As for [`minimise`].
-pub fn minimise_in<const D: usize, R: Rule>(
+pub fn minimise_in<const D: usize>(
     workspace: &mut Workspace<D>,
     metric: &impl Metric<D>,
     ends: &Ends<D>,
-    rule: R,
+    rule: Rule,
     n: usize,
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
@@ -120,15 +120,14 @@ pub fn minimise_in<const D: usize, R: Rule>(
 /// # Errors
 ///
 /// As for [`minimise`].
-pub fn minimise_by_batches<const D: usize, R: Rule>(
+pub fn minimise_by_batches<const D: usize>(
     workspace: &mut Workspace<D>,
     metric: &dyn Batches<D>,
     ends: &Ends<D>,
-    rule: R,
+    rule: Rule,
     n: usize,
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
-    const { assert!(!R::NODES.is_empty(), "a rule needs a node") };
     solve(workspace, &DiscreteEnergy::new(rule, metric), ends, n, options, &Unwatched)
 }
 
@@ -142,16 +141,15 @@ pub fn minimise_by_batches<const D: usize, R: Rule>(
 /// # Errors
 ///
 /// As for [`minimise`]; also [`SolveError::Interrupted`].
-pub fn minimise_watched<'w, const D: usize, R: Rule>(
+pub fn minimise_watched<'w, const D: usize>(
     workspace: &mut Workspace<D>,
     metric: &dyn Batches<D>,
     ends: &Ends<D>,
-    rule: R,
+    rule: Rule,
     n: usize,
     options: &Options<D>,
     watcher: &'w mut Watcher<'w, D>,
 ) -> Result<Minimum<D>, SolveError> {
-    const { assert!(!R::NODES.is_empty(), "a rule needs a node") };
     let watch = Watched::by(watcher);
     solve(workspace, &DiscreteEnergy::new(rule, metric), ends, n, options, &watch)
 }
@@ -159,7 +157,7 @@ pub fn minimise_watched<'w, const D: usize, R: Rule>(
 #[cfg(test)]
 mod tests {
     use nalgebra::SMatrix;
-    use tautline_discretizations::Trapezoidal;
+    use tautline_discretizations::Rule;
     use tautline_metrics::gallery::Constant;
     use tautline_sets::Ends;
 
@@ -172,7 +170,7 @@ mod tests {
         let options = Options::default();
         let between = |far: f64, n: usize| {
             let ends = Ends::points([-far, 0.0], [far, far]).expect("finite");
-            minimise(&euclidean, &ends, Trapezoidal, n, &options)
+            minimise(&euclidean, &ends, Rule::TRAPEZOIDAL, n, &options)
         };
         for n in [1, 8, 100] {
             assert!(between(1e150, n).expect("5e300").is_local_minimum());

@@ -13,7 +13,7 @@ use crate::Iterate;
 ///
 /// ```
 /// use std::time::Instant;
-/// use tautline_discretizations::Trapezoidal;
+/// use tautline_discretizations::Rule;
 /// use tautline_formula::Prepared;
 /// use tautline_metrics::gallery::Valleys;
 /// use tautline_optimizers::{Options, SolveError, Trace, Workspace, minimise_watched};
@@ -27,7 +27,7 @@ use crate::Iterate;
 /// let mut trace = Trace::new(&mut clock);
 /// let mut memory = Workspace::default();
 /// let minimum =
-///     minimise_watched(&mut memory, &metric, &ends, Trapezoidal, 64, &options, &mut |iterate| {
+///     minimise_watched(&mut memory, &metric, &ends, Rule::TRAPEZOIDAL, 64, &options, &mut |iterate| {
 ///         trace.record(iterate)
 ///     })?;
 /// let last = trace.entries().last().expect("an iterate");
@@ -37,7 +37,7 @@ use crate::Iterate;
 /// // A limit of no time at all ends the search at the first iterate, which is kept.
 /// let mut trace = Trace::with_limit(&mut clock, 0.0);
 /// let ended =
-///     minimise_watched(&mut memory, &metric, &ends, Trapezoidal, 64, &options, &mut |iterate| {
+///     minimise_watched(&mut memory, &metric, &ends, Rule::TRAPEZOIDAL, 64, &options, &mut |iterate| {
 ///         trace.record(iterate)
 ///     });
 /// assert!(matches!(ended, Err(SolveError::Interrupted { .. })));

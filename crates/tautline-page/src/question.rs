@@ -1,7 +1,7 @@
 //! `Question`: a metric on the plane, two points, and the number of chords between them.
 
 use tautline::{
-    Ends, Formula, Metric, PointSequence, Problem, TautLine, Trapezoidal,
+    Ends, Formula, Metric, PointSequence, Problem, Rule, TautLine,
     formula::{Form, Part},
 };
 
@@ -53,8 +53,8 @@ impl Question {
     ///
     /// [`Complaint`] if the solver finds no curve, for instance because the metric is not positive
     /// definite, or if a cost or a speed is negative at a point of the curve or in the middle of a chord.
-    pub fn line(&self) -> Result<TautLine<Formula<2>, Trapezoidal, 2>, Complaint> {
-        let line = self.problem.solve(Trapezoidal, self.chords);
+    pub fn line(&self) -> Result<TautLine<Formula<2>, 2>, Complaint> {
+        let line = self.problem.solve(Rule::TRAPEZOIDAL, self.chords);
         let line = line.map_err(|error| Complaint::about(&error))?;
         self.check_sign(line.sequence())?;
         Ok(line)

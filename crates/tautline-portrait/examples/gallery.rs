@@ -3,8 +3,8 @@
 use std::{error::Error, f64::consts::PI, fs, path::PathBuf, sync::Arc};
 
 use tautline::{
-    AxisBox, Ball, Ends, FiniteSet, HalfSpace, Metric, Point, Problem, SMatrix, SVector, Scalar,
-    Sphere, Trapezoidal, Union, check,
+    AxisBox, Ball, Ends, FiniteSet, HalfSpace, Metric, Point, Problem, Rule, SMatrix, SVector,
+    Scalar, Sphere, Union, check,
     gallery::{
         Bump, CoupledCosines, Obstacle, RotatingAnisotropy, SineProjections, SoftObstacles,
         SpherePatch, TwoLinkArm, Valleys,
@@ -57,7 +57,7 @@ type Draw = fn(&Write<'_>) -> Outcome;
 type Write<'a> = dyn Fn(&Portrait<'_>) -> Outcome + 'a;
 
 fn solve<M: Metric<D>, const D: usize>(metric: M, ends: Ends<D>) -> Outcome<Vec<Vec<f64>>> {
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 128)?;
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 128)?;
     Ok(line.sequence().points().iter().map(|x| x.as_slice().to_vec()).collect())
 }
 
@@ -112,7 +112,8 @@ fn corridor(write: &Write<'_>) -> Outcome {
     // The way around the other side of the hill is longer by 2 per cent.
     let metric = Bump::new(4.0, 0.5)?;
     let ends = [[-1.5, 0.05], [1.5, -0.1]];
-    let line = Problem::new(metric, Ends::points(ends[0], ends[1])?).solve(Trapezoidal, 256)?;
+    let line =
+        Problem::new(metric, Ends::points(ends[0], ends[1])?).solve(Rule::TRAPEZOIDAL, 256)?;
     let found = line.certificate(1e-4)?;
     let plain = |cubes: &check::Cubes<2>| Cubes {
         side: cubes.side(),

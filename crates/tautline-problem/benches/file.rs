@@ -9,8 +9,7 @@ use std::{
 };
 
 use tautline::{
-    Ball, Ends, HalfSpace, Metric, Problem, SMatrix, SVector, Scalar, TautLine, Trapezoidal,
-    gallery,
+    Ball, Ends, HalfSpace, Metric, Problem, Rule, SMatrix, SVector, Scalar, TautLine, gallery,
 };
 use tautline_problem::{Example, Grid, Question};
 
@@ -66,7 +65,7 @@ fn compare<M: Metric<D>, const D: usize>(
         let answer = question.solve(&mut |_| ()).expect("solved");
         least[0] = least[0].min(start.elapsed().as_secs_f64());
         let start = Instant::now();
-        let line = Problem::new(metric(), ends()).solve(Trapezoidal, n).expect("solved");
+        let line = Problem::new(metric(), ends()).solve(Rule::TRAPEZOIDAL, n).expect("solved");
         // What a file is answered with, but for the lists of points.
         let lengths = (line.length(), line.energy(), line.distance_squared_estimate());
         let others: Vec<_> = line.other_minima().iter().map(TautLine::length).collect();

@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use tautline::{
     CertifyError, Constants, LocalError, Metric, PointSequence, ProofError, RayleighQuotient,
-    RuleOfThePaper, SMatrix, SVector, Short, Stop, TautLine,
+    SMatrix, SVector, Short, Stop, TautLine,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
     distance::{Ended, Progress},
@@ -18,13 +18,14 @@ use crate::{
 };
 
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
-pub(crate) fn bounds<R: RuleOfThePaper, const D: usize>(
+pub(crate) fn bounds<const D: usize>(
     proving: Proving,
-    line: &TautLine<Known<D>, R, D>,
-    others: &[TautLine<Known<D>, R, D>],
+    line: &TautLine<Known<D>, D>,
+    others: &[TautLine<Known<D>, D>],
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
+    line.rule().paper_rule().map_err(|error| error.to_string())?;
     if let Some(claimed) = proving.claimed {
         if proving.is_in_a_region {
             return Err(IN_A_REGION.to_owned());
@@ -150,9 +151,6 @@ impl Bounds {
         ))
     }
 }
-
-/// Why there are no bounds by the rule that the paper does not treat.
-pub(crate) const NO_THEOREM: &str = "the paper has no theorem on the true trapezoid";
 
 /// Why there are no bounds by constants that are claimed in a region.
 const IN_A_REGION: &str = "the constants are claimed in the region of `within` in [certify], and curves \

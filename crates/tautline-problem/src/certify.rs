@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    CertificateError, Problem, Rule, TautLine, Trapezoidal,
+    CertificateError, Problem, Rule, TautLine,
     check::{self, LARGEST_DIMENSION},
     distance::{Ended, Progress, Wanted},
 };
@@ -89,7 +89,7 @@ impl Question {
     ) -> Result<CertifiedAnswer, Failure> {
         let problem = Problem::new(Known::Formula(self.formula::<D>()?), self.pair::<D>()?);
         let options = self.options::<D>()?;
-        let line = self.line(&problem, Trapezoidal, &options, &mut |_: &Answer| ())?;
+        let line = self.line(&problem, Rule::TRAPEZOIDAL, &options, &mut |_: &Answer| ())?;
         self.check_sign(line.sequence())?;
         let found = CertifiedAnswer::of(&line, wanted, observe);
         let mut found = found.map_err(|error| self.refused(error))?;
@@ -114,8 +114,8 @@ impl Question {
 
 impl CertifiedAnswer {
     /// Searches for a certificate of the distance, given a line.
-    pub(crate) fn of<R: Rule, const D: usize>(
-        line: &TautLine<Known<D>, R, D>,
+    pub(crate) fn of<const D: usize>(
+        line: &TautLine<Known<D>, D>,
         wanted: Wanted,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, CertificateError> {
@@ -158,8 +158,8 @@ impl CertifiedAnswer {
 
 /// Returns the answer without a certificate, for sets that touch, up to rounding: the distance is at most
 /// `upper`.
-fn without_certificate<R: Rule, const D: usize>(
-    line: &TautLine<Known<D>, R, D>,
+fn without_certificate<const D: usize>(
+    line: &TautLine<Known<D>, D>,
     upper: f64,
     ended: &'static str,
 ) -> CertifiedAnswer {

@@ -4,16 +4,11 @@
 use core::time::Duration;
 use std::sync::Arc;
 
-use tautline::{Constants, Formula};
+use tautline::{Constants, Formula, Rule};
 
 use crate::{
     Diagnostic, LARGEST_DIMENSION,
-    file::{
-        ProblemFile,
-        placed::Placed,
-        request::{ConstantsFile, RuleName},
-        set::SetFile,
-    },
+    file::{ProblemFile, placed::Placed, request::ConstantsFile, set::SetFile},
     formula::formula,
     reading::{
         numbers::{Numbers, counted},
@@ -47,7 +42,7 @@ pub struct Question {
     pub(crate) tables: Tables,
     /// The pieces of the two sets, if the file has them.
     pub(crate) ends: Option<[Vec<Piece>; 2]>,
-    pub(crate) rule: RuleName,
+    pub(crate) rule: Rule,
     pub(crate) grid: Grid,
     /// The grid that [`set_grid`](Question::set_grid) asked for. It replaces the grid of the file.
     pub(crate) asked_grid: Option<Grid>,

@@ -57,7 +57,6 @@ mod units;
 mod verdict;
 mod verify_error;
 mod with_constants;
-mod with_rule;
 pub mod witnesses;
 
 pub use curvature::curvature_along;

@@ -8,9 +8,7 @@ use tautline::{
     bounds::{PaperRule, Setting},
 };
 
-use crate::{
-    AnyBounded, GramRange, Known, Subject, VerifyError, curvature_along, with_rule::with_rule,
-};
+use crate::{AnyBounded, GramRange, Known, Subject, VerifyError, curvature_along};
 
 /// Returns the discrete energy of a sequence by a rule of the paper, in `m²`.
 pub fn discrete_energy<const D: usize>(
@@ -19,7 +17,7 @@ pub fn discrete_energy<const D: usize>(
     metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
 ) -> f64 {
-    with_rule!(rule, rule => subject.discrete_energy(rule, metric, sequence))
+    subject.discrete_energy(rule.into(), metric, sequence)
 }
 
 /// The result of one solve: the numbers that Theorems 1.1 to 1.4 and Sections 6 to 9 need.
@@ -72,7 +70,7 @@ impl<const D: usize> Reconstruction<D> {
     ) -> Result<Self, VerifyError> {
         let known = &known.behind_a_pointer();
         let (metric, ends) = (&known.metric, &known.ends);
-        let minimum = with_rule!(rule, rule => subject.minimise(rule, metric, ends, n))?;
+        let minimum = subject.minimise(rule.into(), metric, ends, n)?;
         // A degenerate Hessian is allowed: a curve that leaves a ball may be free to move sideways.
         let saddle = matches!(minimum.curvature, Curvature::Indefinite { .. });
         if !matches!(minimum.stop, Stop::Converged | Stop::EndsTouch) || saddle {
@@ -104,7 +102,7 @@ impl<const D: usize> Reconstruction<D> {
     ) -> Result<Self, VerifyError> {
         let (metric, sequence) = (&known.metric, &minimum.sequence);
         let discrete_energy = discrete_energy(subject, rule, metric, sequence);
-        let speeds = with_rule!(rule, rule => subject.discrete_speeds(rule, metric, sequence));
+        let speeds = subject.discrete_speeds(rule.into(), metric, sequence);
         let energy = subject.curve_energy(metric, sequence);
         let length = subject.curve_length(metric, sequence);
         let length_squared =

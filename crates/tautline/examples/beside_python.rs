@@ -11,7 +11,7 @@
 
 use std::{env, hint::black_box, sync::Arc, time::Instant};
 
-use tautline::{Ends, Formula, Options, Prepared, Problem, Trapezoidal, solve_all};
+use tautline::{Ends, Formula, Options, Prepared, Problem, Rule, solve_all};
 
 /// A hill of four times the cost.
 const HILL: &str = "cost(1 + 4*exp(-2*(x1^2 + x2^2)))";
@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let problem = || {
             let ends = Ends::points([-1.5, 0.05], [1.5, -0.1])?;
             Problem::with_prepared(Arc::clone(&metric), ends)
-                .solve(Trapezoidal, n)
+                .solve(Rule::TRAPEZOIDAL, n)
                 .map_err(Box::from)
         };
         let mut seconds = Vec::new();
@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         problems.push(Problem::with_prepared(Arc::clone(&metric), ends));
     }
     let start = Instant::now();
-    let lines = solve_all(&problems, Trapezoidal, 64, &Options::default());
+    let lines = solve_all(&problems, Rule::TRAPEZOIDAL, 64, &Options::default());
     let mut sum = 0.0;
     for line in lines {
         sum += line?.minimum().energy;

@@ -1,6 +1,6 @@
 //! How far is each of many points from each of the others?
 
-use tautline::{Ends, Options, Problem, Trapezoidal, gallery::Bump, solve_all};
+use tautline::{Ends, Options, Problem, Rule, gallery::Bump, solve_all};
 
 const COUNT: usize = 12;
 
@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
 
     let mut distances = [[0.0; COUNT]; COUNT];
-    let lines = solve_all(&problems, Trapezoidal, 128, &Options::default());
+    let lines = solve_all(&problems, Rule::TRAPEZOIDAL, 128, &Options::default());
     for (&(i, j), line) in pairs.iter().zip(lines) {
         distances[i][j] = line?.length().value;
         distances[j][i] = distances[i][j];

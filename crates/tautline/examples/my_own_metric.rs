@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 
 use tautline::{
-    Bounded, Constants, Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal,
+    Bounded, Constants, Ends, Metric, Problem, Rule, SMatrix, SVector, Scalar,
     bounds::{Setting, theorem_1_1_excess},
 };
 
@@ -28,7 +28,7 @@ impl Bounded<2> for Sheet {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let problem = Problem::new(Sheet, Ends::points([0.2, 0.0], [2.5, 1.0])?);
     let n = NonZeroUsize::new(512).ok_or("N is positive")?;
-    let line = problem.solve(Trapezoidal, n.get())?;
+    let line = problem.solve(Rule::TRAPEZOIDAL, n.get())?;
     let energy = line.energy();
     println!("E = {:.9} is an upper bound on d², up to {:.0e}", energy.value, energy.error);
 

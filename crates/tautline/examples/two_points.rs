@@ -1,12 +1,12 @@
 //! How far is it from one point to another, and which way is the shortest?
 
-use tautline::{Ends, Problem, Trapezoidal, gallery::Bump};
+use tautline::{Ends, Problem, Rule, gallery::Bump};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A plane with a bump of high cost around the origin, between the two points.
     let bump = Bump::new(4.0, 0.5)?;
     let problem = Problem::new(bump, Ends::points([-1.5, 0.05], [1.5, -0.1])?);
-    let line = problem.solve(Trapezoidal, 1000)?;
+    let line = problem.solve(Rule::TRAPEZOIDAL, 1000)?;
 
     println!("length of the curve    {:.9}", line.length().value);
     if let Some(d2) = line.distance_squared_estimate() {

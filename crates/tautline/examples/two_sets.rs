@@ -1,6 +1,6 @@
 //! Where does the shortest way between two bodies begin and end?
 
-use tautline::{Ball, Ends, FiniteSet, Problem, Trapezoidal, gallery::Valleys};
+use tautline::{Ball, Ends, FiniteSet, Problem, Rule, gallery::Valleys};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // From a ball to the nearest of three harbours. The one that is nearest in a straight line lies
@@ -8,7 +8,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let ball = Ball::new([0.0, 0.0], 0.5)?;
     let harbours = FiniteSet::new([[3.0, 0.0], [0.0, 3.5], [-3.0, 1.0]])?;
     let problem = Problem::new(Valleys, Ends::new(ball, harbours)?);
-    let line = problem.solve(Trapezoidal, 256)?;
+    let line = problem.solve(Rule::TRAPEZOIDAL, 256)?;
 
     let (first, last) = (line.sequence().first(), line.sequence().last());
     println!("leaves the ball at ({:.4}, {:.4})", first[0], first[1]);

@@ -19,7 +19,7 @@ use crate::{Problem, TautLine};
 /// Problems can share a metric by reference, or each can have its own metric of the same type:
 ///
 /// ```
-/// use tautline::{Ends, Options, Problem, Trapezoidal, gallery::Bump, solve_all};
+/// use tautline::{Ends, Options, Problem, Rule, gallery::Bump, solve_all};
 ///
 /// let bump = Bump::new(4.0, 0.5)?;
 /// let mut problems = Vec::new();
@@ -27,7 +27,7 @@ use crate::{Problem, TautLine};
 ///     problems.push(Problem::new(&bump, Ends::points([-1.5, 0.05], to)?));
 /// }
 /// let mut lengths = Vec::new();
-/// for line in solve_all(&problems, Trapezoidal, 64, &Options::default()) {
+/// for line in solve_all(&problems, Rule::TRAPEZOIDAL, 64, &Options::default()) {
 ///     lengths.push(line?.length().value);
 /// }
 /// assert!(lengths[0] > lengths[1]); // round the bump, not beside it
@@ -51,15 +51,14 @@ use crate::{Problem, TautLine};
 /// # Errors
 ///
 /// Each result has its own error, as for [`Problem::solve`].
-pub fn solve_all<M, R, const D: usize>(
+pub fn solve_all<M, const D: usize>(
     problems: &[Problem<M, D>],
-    rule: R,
+    rule: Rule,
     n: usize,
     options: &Options<D>,
-) -> Vec<Result<TautLine<M, R, D>, SolveError>>
+) -> Vec<Result<TautLine<M, D>, SolveError>>
 where
     M: Metric<D> + Send,
-    R: Rule,
 {
     let options = &Options { threads: 1, ..options.clone() };
     let solved: Vec<OnceLock<_>> = problems.iter().map(|_| OnceLock::new()).collect();
@@ -72,7 +71,7 @@ where
 }
 
 /// Calls `task` with each index below `count`, on all threads. Without a type for the task, the threads are
-/// compiled once for each dimension, not for each metric and rule.
+/// compiled once for each dimension, not for each metric.
 fn for_each<const D: usize>(count: usize, task: &(dyn Fn(&mut Workspace<D>, usize) + Sync)) {
     (0..count).into_par_iter().for_each_init(Workspace::default, task);
 }

@@ -7,25 +7,11 @@ use tautline_bounds::{
     Theorem, convex_excess_outward, enclose_outward, strict_convexity_outward, suggest_n,
 };
 use tautline_certify::{AdmissibleCurve, Polygon};
-use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, energy_gradient};
+use tautline_discretizations::energy_gradient;
 use tautline_metrics::{Bounded, Metric};
 use tautline_scalar::{Interval, Scalar};
 
 use crate::{Competitors, SVector, TautLine};
-
-/// A rule for which the paper has theorems.
-pub trait RuleOfThePaper: Rule {
-    /// The rule, as the paper names it.
-    const OF_THE_PAPER: PaperRule;
-}
-
-impl RuleOfThePaper for Trapezoidal {
-    const OF_THE_PAPER: PaperRule = PaperRule::Trapezoidal;
-}
-
-impl RuleOfThePaper for LeftEndpoint {
-    const OF_THE_PAPER: PaperRule = PaperRule::LeftEndpoint;
-}
 
 /// Numbers of subintervals for which `L(γᵖˡ)² − d²` is within a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +55,7 @@ pub(crate) struct Stationarity {
     residual: f64,
 }
 
-impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Returns the bounds by quadrature, with its estimated errors added, and what is computed of the
     /// points in doubles.
     pub(crate) fn extent(&self) -> Extent {
@@ -139,7 +125,7 @@ fn gap<const D: usize>(first: &SVector<Interval, D>, last: &SVector<Interval, D>
     if gap.is_finite() { gap } else { 0.0 }
 }
 
-impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
+impl<M: Bounded<D>, const D: usize> TautLine<M, D> {
     /// Returns bounds on `d²`, in `m²`, from this line and the constants of the metric.
     ///
     /// - The upper bound is the squared length of the line plus the quadrature error. It needs no
@@ -155,6 +141,7 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// # Errors
     ///
+    /// [`BoundError::OtherRule`] if the rule is not one of the paper;
     /// [`BoundError::LocalConstants`] if the constants only hold on a region; another
     /// [`BoundError`] if an energy is not finite.
     pub fn enclosure(&self) -> Result<Enclosure, BoundError> {
@@ -167,6 +154,7 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// # Errors
     ///
+    /// [`BoundError::OtherRule`] if the rule is not one of the paper;
     /// [`BoundError::LocalConstants`] if the constants only hold on a region; another
     /// [`BoundError`] if the length is not finite.
     pub fn suggest_n(&self, tolerance: f64) -> Result<SuggestedN, BoundError> {
@@ -179,7 +167,7 @@ fn global(constants: Constants) -> Result<Constants, BoundError> {
     if constants.is_local() { Err(BoundError::LocalConstants) } else { Ok(constants) }
 }
 
-impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
+impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), by constants that
     /// hold where all [competitors](TautLine::competitors) of this line are. A global minimum
     /// then means a minimum among the sequences in that ball.
@@ -188,6 +176,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// # Errors
     ///
+    /// [`BoundError::OtherRule`] if the rule is not one of the paper;
     /// [`BoundError::LeavesTheBall`] if a competitor of this line might be outside the ball, which
     /// then belongs to another line; [`BoundError::Contradiction`] if the constants do not hold;
     /// another [`BoundError`] if an energy is not finite.
@@ -229,8 +218,9 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// # Errors
     ///
-    /// [`BoundError::LeavesTheBall`] as for [`enclosure_among`](TautLine::enclosure_among); another
-    /// [`BoundError`] if the length is not finite.
+    /// [`BoundError::OtherRule`] and [`BoundError::LeavesTheBall`] as for
+    /// [`enclosure_among`](TautLine::enclosure_among); another [`BoundError`] if the length is not
+    /// finite.
     pub fn suggest_n_among(
         &self,
         competitors: &Competitors<D>,
@@ -260,13 +250,14 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         extent: Extent,
         otherwise: DiscreteMinimum,
     ) -> Result<Enclosure, BoundError> {
+        let rule = self.rule().paper_rule()?;
         let Extent { energy, energy_at_least, length_squared, .. } = extent;
         let least = extent.discrete_energy_at_least;
-        let between = self.between_points(extent);
+        let between = self.between_points(rule, extent);
         let certified =
             between.and_then(|between| strict_convexity_outward(constants, D, &between, least));
         let computed = Computed {
-            rule: R::OF_THE_PAPER,
+            rule,
             n: self.sequence().n(),
             discrete_energy: least,
             energy,
@@ -286,10 +277,10 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     }
 
     /// Returns what convexity needs of this line between two points.
-    fn between_points(&self, extent: Extent) -> Option<BetweenPoints> {
+    fn between_points(&self, rule: PaperRule, extent: Extent) -> Option<BetweenPoints> {
         let Stationarity { greatest_difference, residual } = extent.stationarity?;
         Some(BetweenPoints {
-            rule: R::OF_THE_PAPER,
+            rule,
             n: self.sequence().n(),
             discrete_energy: extent.discrete_energy,
             length: extent.length,
@@ -299,11 +290,12 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     }
 
     fn suggest_n_by(&self, constants: Constants, tolerance: f64) -> Result<SuggestedN, BoundError> {
+        let rule = self.rule().paper_rule()?;
         let length = self.length();
         let proven = match self.admissible_curve() {
             Ok(curve) => {
                 let setting = Setting::new(constants, curve.length().hi(), D)?;
-                suggest_n(setting, R::OF_THE_PAPER, tolerance)
+                suggest_n(setting, rule, tolerance)
             }
             Err(_) => None,
         };

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use tautline_bounds::{Enclosure, FromBelow};
 use tautline_certify::AdmissibleCurve;
 use tautline_check::{CheckError, length_above};
-use tautline_discretizations::{PointSequence, Rule, Trapezoidal};
+use tautline_discretizations::{PointSequence, Rule};
 use tautline_distance::{DistanceError, Found, Progress, Wanted, search};
 use tautline_formula::{Formula, RecordError};
 use tautline_metrics::Metric;
@@ -73,19 +73,19 @@ const GAP_IN_SPACE: f64 = 1e-2;
 /// The most cubes in a certificate that a proof looks for: two seconds in the plane.
 const MOST_CUBES: usize = 60_000;
 
-impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Searches for a certificate of the distance `d`, in `m`, with a gap of at most `gap` between its
     /// two bounds, relative to the upper one. That is the proved length of this line, or of a shorter
     /// one of its [other minima](TautLine::other_minima), refined if it has too few chords. No curve
     /// between the sets is shorter than the lower one: nothing is assumed about global minima.
     ///
     /// ```
-    /// use tautline::{Ends, Formula, Problem, Trapezoidal};
+    /// use tautline::{Ends, Formula, Problem, Rule};
     ///
     /// // A hill at the origin, with a way around it on either side.
     /// let hill = Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[])?;
     /// let ends = Ends::points([-1.5, 0.05], [1.5, -0.1])?;
-    /// let line = Problem::new(hill, ends).solve(Trapezoidal, 256)?;
+    /// let line = Problem::new(hill, ends).solve(Rule::TRAPEZOIDAL, 256)?;
     /// let found = line.certificate(1e-2)?;
     /// // Anybody can check it, for example from a file.
     /// let proved = found.certificate.check()?;
@@ -255,7 +255,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         let mut workspace = Workspace::default();
         let (metric, ends) = (&**self.prepared(), self.ends());
         let found =
-            minimise_by_batches(&mut workspace, metric, ends, Trapezoidal, finer, &options)?;
+            minimise_by_batches(&mut workspace, metric, ends, Rule::TRAPEZOIDAL, finer, &options)?;
         Ok(found.sequence.points().to_vec())
     }
 }

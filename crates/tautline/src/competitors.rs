@@ -2,14 +2,14 @@
 //! of the metric on that ball.
 
 use tautline_bounds::{
-    BoundError, Constants, LocalityError, Region, Setting, competitors_within, reach_outward,
-    shrink,
+    BoundError, Constants, LocalityError, PaperRule, Region, Setting, competitors_within,
+    reach_outward, shrink,
 };
 use tautline_metrics::{LocalError, LocallyBounded, Metric};
 use tautline_scalar::{Interval, Scalar};
 use tautline_sets::{Ball, Ends};
 
-use crate::{RuleOfThePaper, SVector, TautLine, certificate::Extent};
+use crate::{SVector, TautLine, certificate::Extent};
 
 /// A ball that contains all competitors of a line, and the constants of the metric on that ball.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,15 +29,16 @@ pub struct Competitors<const D: usize> {
 impl<const D: usize> Competitors<D> {
     /// Checks that the ball contains all competitors of `line`, which may be another line than the
     /// one that the ball was computed for.
-    pub(crate) fn hold_those_of<M: Metric<D>, R: RuleOfThePaper>(
+    pub(crate) fn hold_those_of<M: Metric<D>>(
         &self,
-        line: &TautLine<M, R, D>,
+        line: &TautLine<M, D>,
         extent: Extent,
     ) -> Result<(), BoundError> {
+        let rule = line.rule().paper_rule()?;
         let (bounded, upper) = (BoundedEnds::of(line.ends()), upper(extent));
         let length = |constants| {
             let setting = Setting::new(constants, upper, D)?;
-            Ok(reach_outward(setting, R::OF_THE_PAPER, line.sequence().n()))
+            Ok(reach_outward(setting, rule, line.sequence().n()))
         };
         let refused =
             |reach, ball: &Ball<D>| Err(BoundError::LeavesTheBall { reach, radius: ball.r() });
@@ -134,7 +135,7 @@ fn upper(Extent { length, discrete_energy, .. }: Extent) -> f64 {
     if root.is_nan() || root > length { root } else { length }
 }
 
-impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
+impl<M: LocallyBounded<D>, const D: usize> TautLine<M, D> {
     /// Returns a ball that contains all competitors of this line, with the constants on that ball
     /// (Proposition S.8), for use with [`enclosure_among`](TautLine::enclosure_among).
     ///
@@ -142,10 +143,10 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
     /// half the radius of one that is centred at an end. The ball also contains this line.
     ///
     /// ```
-    /// use tautline::{Ends, Problem, Trapezoidal, gallery::Sphere};
+    /// use tautline::{Ends, Problem, Rule, gallery::Sphere};
     ///
     /// let ends = Ends::points([0.3, 0.1], [0.45, 0.2])?;
-    /// let line = Problem::new(Sphere, ends).solve(Trapezoidal, 128)?;
+    /// let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 128)?;
     /// let competitors = line.competitors()?;
     /// assert!(competitors.within.r() < 0.11);
     /// let enclosure = line.enclosure_among(&competitors)?;
@@ -164,7 +165,8 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
     /// # Errors
     ///
     /// [`LocalityError`] if the metric has no constants there; if `√c₁` falls so fast that no ball
-    /// contains the competitors, since the ends are too far apart; or if the length is not finite.
+    /// contains the competitors, since the ends are too far apart; if the length is not finite; or if
+    /// the rule is not one of the paper.
     pub fn competitors(&self) -> Result<Competitors<D>, LocalityError<LocalError>> {
         self.competitors_by(self.extent())
     }
@@ -174,20 +176,21 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
         &self,
         extent: Extent,
     ) -> Result<Competitors<D>, LocalityError<LocalError>> {
+        let rule = self.rule().paper_rule().map_err(LocalityError::Bound)?;
         let bounded = BoundedEnds::of(self.ends());
         let mut least: Option<Competitors<D>> = None;
         // The error if neither end has an enclosing ball: no radius bounds the competitors.
         let mut refused = LocalityError::Escapes { radius: f64::INFINITY, reach: f64::INFINITY };
         if let Some((middle, _)) = bounded.middle() {
             let middle = middle.map(Interval::midpoint);
-            least = self.about(&bounded, &middle, 0.0, extent).ok();
+            least = self.about(rule, &bounded, &middle, 0.0, extent).ok();
         }
         // A ball about an end is smaller if the other end is much larger, and it may exist if there
         // is none about the middle.
         let sizes: Vec<f64> = bounded.0.iter().map(|(_, r)| *r).collect();
         if least.is_none() || sizes[0] != sizes[1] {
             for (centre, r) in &bounded.0 {
-                match self.about(&bounded, centre, *r, extent) {
+                match self.about(rule, &bounded, centre, *r, extent) {
                     Ok(found) if least.as_ref().is_none_or(|x| found.within.r() < x.within.r()) => {
                         least = Some(found);
                     }
@@ -203,12 +206,13 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
     /// the first is at least `r`; radii of errors are beyond it.
     fn about(
         &self,
+        rule: PaperRule,
         bounded: &BoundedEnds<D>,
         centre: &SVector<f64, D>,
         r: f64,
         extent: Extent,
     ) -> Result<Competitors<D>, LocalityError<LocalError>> {
-        let (rule, n, upper) = (R::OF_THE_PAPER, self.sequence().n(), upper(extent));
+        let (n, upper) = (self.sequence().n(), upper(extent));
         let within = |centre: &SVector<f64, D>, radius: f64| {
             LocalError::check_ball(centre, radius)?;
             self.metric().constants_within(centre, radius)

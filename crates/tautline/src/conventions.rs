@@ -110,9 +110,7 @@ impl Convention {
 #[cfg(test)]
 mod tests {
     use super::Convention;
-    use crate::{
-        Ends, LeftEndpoint, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, gallery::Bump,
-    };
+    use crate::{Ends, Metric, Problem, Rule, SMatrix, SVector, Scalar, gallery::Bump};
 
     /// The curve `x(t) = 3t/T` under `H = 4` has `d = 6`; each number is computed from the integral
     /// or the sum that defines it.
@@ -145,7 +143,7 @@ mod tests {
     fn a_computed_line_is_reported_in_every_convention() {
         let bump = Bump::new(4.0, 0.5).expect("a width");
         let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
-        let line = Problem::new(bump, ends).solve(LeftEndpoint, 100).expect("solved");
+        let line = Problem::new(bump, ends).solve(Rule::LEFT_ENDPOINT, 100).expect("solved");
         let points = line.sequence();
         // Σ ½ |N Δₙ|²_H / N at the first point of each chord, as geomstats computes it.
         let mut half = 0.0;
@@ -172,7 +170,7 @@ mod tests {
             }
         }
         let ends = Ends::points([0.0], [1.0]).expect("finite");
-        let line = Problem::new(Flat, ends).solve(Trapezoidal, 4).expect("solved");
+        let line = Problem::new(Flat, ends).solve(Rule::TRAPEZOIDAL, 4).expect("solved");
         let length = line.length().value;
         assert!((Convention::Energy.distance(line.energy().value) - length).abs() < 1e-14);
         // x(t) = t² has the length 1 and the energy 4/3.

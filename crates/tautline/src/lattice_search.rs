@@ -31,13 +31,13 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ///
     /// As for [`solve`](Problem::solve) if both searches fail, or [`SolveError::GraphPath`] if there is no
     /// path along the lattice.
-    pub fn solve_on_lattice<R: Rule>(
+    pub fn solve_on_lattice(
         &self,
-        rule: R,
+        rule: Rule,
         n: usize,
         lattice: &Lattice<D>,
         options: &Options<D>,
-    ) -> Result<TautLine<M, R, D>, SolveError> {
+    ) -> Result<TautLine<M, D>, SolveError> {
         self.solve_from(rule, n, options, || {
             Ok(vec![graph_path(&**self.prepared(), self.ends(), lattice, n)?])
         })
@@ -54,7 +54,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// stores up to four million pairs of a node and a class, of about 100 bytes.
     ///
     /// ```
-    /// use tautline::{Ends, Lattice, Options, Problem, Trapezoidal, gallery::{Obstacle, SoftObstacles}};
+    /// use tautline::{Ends, Lattice, Options, Problem, Rule, gallery::{Obstacle, SoftObstacles}};
     ///
     /// // Three hills in a row across the way: there are four ways past them.
     /// let hill = |y: f64| Obstacle { centre: [0.0, y].into(), height: 20.0, width: 0.2 };
@@ -62,7 +62,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// let problem = Problem::new(hills, Ends::points([-2.0, 0.0], [2.0, 0.1])?);
     /// let lattice = Lattice::new([-2.2, -2.0], [2.2, 2.2], 0.1)?;
     /// let options = Options::default();
-    /// let line = problem.solve_by_classes(Trapezoidal, 64, &lattice, 4, &options)?;
+    /// let line = problem.solve_by_classes(Rule::TRAPEZOIDAL, 64, &lattice, 4, &options)?;
     /// assert_eq!(line.other_minima().len(), 3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -71,14 +71,14 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ///
     /// As for [`solve_on_lattice`](Problem::solve_on_lattice); also if a node of the lattice overflows, and
     /// [`SolveError::OutOfMemory`] if there is no memory for the points of all starts.
-    pub fn solve_by_classes<R: Rule>(
+    pub fn solve_by_classes(
         &self,
-        rule: R,
+        rule: Rule,
         n: usize,
         lattice: &Lattice<D>,
         classes: usize,
         options: &Options<D>,
-    ) -> Result<TautLine<M, R, D>, SolveError> {
+    ) -> Result<TautLine<M, D>, SolveError> {
         let metric = &**self.prepared();
         self.solve_from(rule, n, options, || {
             let peaks = Punctures::prominent(metric, lattice)?;
@@ -90,13 +90,13 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     }
 
     /// Solves, and once more on the grid of `n` chords from other starts.
-    fn solve_from<R: Rule>(
+    fn solve_from(
         &self,
-        rule: R,
+        rule: Rule,
         n: usize,
         options: &Options<D>,
         starts: impl FnOnce() -> Result<Vec<PointSequence<D>>, SolveError>,
-    ) -> Result<TautLine<M, R, D>, SolveError> {
+    ) -> Result<TautLine<M, D>, SolveError> {
         let first = self.solve_with(rule, n, options);
         if first.as_ref().is_err_and(SolveError::is_due_to_n) {
             return first;
@@ -119,24 +119,20 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         }
     }
 
-    fn solve_on_the_grid<R: Rule>(
+    fn solve_on_the_grid(
         &self,
-        rule: R,
+        rule: Rule,
         n: usize,
         starts: Vec<PointSequence<D>>,
         options: &Options<D>,
-    ) -> Result<TautLine<M, R, D>, SolveError> {
+    ) -> Result<TautLine<M, D>, SolveError> {
         let starts = Starts::OnTheGrid(starts);
         self.solve_with(rule, n, &Options { starts, ..options.clone() })
     }
 
     /// Adds the energies on the grids of half and a quarter of the chords, as far as they resolve the
     /// metric and have a minimum next to the line.
-    fn with_coarser_grids<R: Rule>(
-        &self,
-        line: TautLine<M, R, D>,
-        options: &Options<D>,
-    ) -> TautLine<M, R, D> {
+    fn with_coarser_grids(&self, line: TautLine<M, D>, options: &Options<D>) -> TautLine<M, D> {
         let n = line.sequence().n().get();
         let mut minimum = line.minimum().clone();
         for coarser in [n.div_ceil(2), n.div_ceil(4)] {
@@ -157,7 +153,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     }
 }
 
-impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Adds another line to the other minima, and the lowest of what was met on the way to it.
     fn beside(self, line: &Self, local_minima: Vec<f64>) -> Self {
         let (mut minimum, found) = (self.minimum().clone(), line.minimum());

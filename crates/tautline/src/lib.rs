@@ -7,7 +7,7 @@
 //! distance.
 //!
 //! ```
-//! use tautline::{Ball, Ends, HalfSpace, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal};
+//! use tautline::{Ball, Ends, HalfSpace, Metric, Problem, Rule, SMatrix, SVector, Scalar};
 //!
 //! struct Valleys; // f² I with f = 2 − cos x₁
 //! impl Metric<2> for Valleys {
@@ -17,7 +17,7 @@
 //! }
 //!
 //! let ends = Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::new([-1.0, 0.0], -3.0)?)?;
-//! let line = Problem::new(Valleys, ends).solve(Trapezoidal, 256)?;
+//! let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 256)?;
 //! assert!((line.length().value - 5.338305).abs() < 1e-6); // 5 − sin 3 + sin ½
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -94,7 +94,7 @@ mod proof;
 mod taut_line;
 
 pub use batch::solve_all;
-pub use certificate::{RuleOfThePaper, SuggestedN};
+pub use certificate::SuggestedN;
 pub use certified_distance::CertificateError;
 pub use competitors::Competitors;
 pub use conventions::Convention;
@@ -109,9 +109,8 @@ pub use tautline_certify::{
 };
 pub use tautline_check as check;
 pub use tautline_discretizations::{
-    ChordBatch, ChordModel, GaussThree, GaussTwo, Integral, Interpolation, LARGEST_N, LeftEndpoint,
-    LinearModel, Node, PeanoConstants, PointSequence, RightEndpoint, Rule, SequenceError, Simpson,
-    Trapezoidal, TrueTrapezoid, admissible_energy, energy_gradient,
+    ChordBatch, ChordModel, Integral, Interpolation, LARGEST_N, LinearModel, Node, PeanoConstants,
+    PointSequence, Rule, SequenceError, admissible_energy, energy_gradient,
 };
 pub use tautline_distance as distance;
 pub use tautline_formula::{

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::SVector;
-use tautline_discretizations::{PointSequence, Rule};
+use tautline_discretizations::PointSequence;
 use tautline_metrics::Metric;
 use tautline_optimizers::{Minimum, Options, Starts, Workspace, are_apart, minimise_by_batches};
 use tautline_sets::{ClosedSet, Ends};
@@ -14,16 +14,16 @@ use crate::TautLine;
 /// to.
 const FINEST: usize = 512;
 
-impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Returns the [other local minima](tautline_optimizers::Minimum::others) of the search as
     /// lines of their own, shortest first. Each is solved again from where the search left it, with
     /// `N` chords or 512, whichever is less, and with the default number of steps and threads.
     ///
     /// ```
-    /// use tautline::{Ends, Problem, Trapezoidal, gallery::TwoChannels};
+    /// use tautline::{Ends, Problem, Rule, gallery::TwoChannels};
     ///
     /// let ends = Ends::points([-3.0, 0.0], [3.0, 0.0])?;
-    /// let line = Problem::new(TwoChannels::new(2.0, 1.0, 0.5)?, ends).solve(Trapezoidal, 256)?;
+    /// let line = Problem::new(TwoChannels::new(2.0, 1.0, 0.5)?, ends).solve(Rule::TRAPEZOIDAL, 256)?;
     /// let [other] = &line.other_minima()[..] else { panic!("one channel besides") };
     /// // The two channels are mirror images, so that they are equally long.
     /// assert!((other.length().value - line.length().value).abs() < 1e-9);
@@ -81,7 +81,7 @@ mod tests {
     use std::sync::Arc;
 
     use nalgebra::SMatrix;
-    use tautline_discretizations::Trapezoidal;
+    use tautline_discretizations::Rule;
     use tautline_metrics::gallery::{Bump, Constant, Valleys};
     use tautline_optimizers::Other;
     use tautline_sets::{Ball, ClosedSet, Ends, Point, Union};
@@ -95,7 +95,7 @@ mod tests {
         let ends = Ends::points([-2.0, 0.0], [2.0, 0.0]).expect("finite");
         let problem = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
         for (n, chords) in [(64, 64), (256, 256), (1000, 512)] {
-            let line = problem.solve(Trapezoidal, n).expect("solved");
+            let line = problem.solve(Rule::TRAPEZOIDAL, n).expect("solved");
             let others = line.other_minima();
             let [other] = others.as_slice() else { panic!("{} others", others.len()) };
             assert_eq!(other.sequence().n().get(), chords);
@@ -121,7 +121,7 @@ mod tests {
         let target = Union::new(balls.to_vec()).expect("three");
         let ends = Ends::new(Point::new([0.0, 0.0]).expect("finite"), target).expect("bounded");
         let plane = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
-        let line = Problem::new(plane, ends).solve(Trapezoidal, 64).expect("solved");
+        let line = Problem::new(plane, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
         let others = line.other_minima();
         let lengths: Vec<_> =
             [&line].into_iter().chain(&others).map(|l| l.length().value).collect();
@@ -137,21 +137,25 @@ mod tests {
     fn what_leads_to_a_known_line_is_no_other_minimum() {
         let ends = Ends::points([-2.0, 0.0], [2.0, 0.0]).expect("finite");
         let problem = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
-        let line = problem.solve(Trapezoidal, 64).expect("solved");
+        let line = problem.solve(Rule::TRAPEZOIDAL, 64).expect("solved");
         let [other] = &line.minimum().others[..] else { panic!("the mirror image") };
         let coarser = line.resampled(32).expect("points");
         let own = Other { sequence: coarser, energy: line.discrete_energy() };
         let mut minimum = line.minimum().clone();
         minimum.others = vec![own, other.clone(), other.clone()];
-        let again =
-            TautLine::new(Arc::clone(line.prepared()), Trapezoidal, line.ends().clone(), minimum);
+        let again = TautLine::new(
+            Arc::clone(line.prepared()),
+            Rule::TRAPEZOIDAL,
+            line.ends().clone(),
+            minimum,
+        );
         assert_eq!(again.other_minima().len(), 1);
     }
 
     #[test]
     fn a_single_minimum_has_no_others() {
         let ends = Ends::points([0.0, 0.0], [1.0, 1.0]).expect("finite");
-        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+        let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
         assert!(line.other_minima().is_empty());
     }
 }

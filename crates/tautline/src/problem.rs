@@ -63,7 +63,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// the result the Gram matrix is also [checked](crate::Interpolation::check) between the nodes
     /// of the rule. A search that does not converge is not an error: the result reports how it
     /// stopped.
-    pub fn solve<R: Rule>(&self, rule: R, n: usize) -> Result<TautLine<M, R, D>, SolveError> {
+    pub fn solve(&self, rule: Rule, n: usize) -> Result<TautLine<M, D>, SolveError> {
         self.solve_with(rule, n, &Options::default())
     }
 
@@ -72,12 +72,12 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// # Errors
     ///
     /// As for [`solve`](Problem::solve).
-    pub fn solve_with<R: Rule>(
+    pub fn solve_with(
         &self,
-        rule: R,
+        rule: Rule,
         n: usize,
         options: &Options<D>,
-    ) -> Result<TautLine<M, R, D>, SolveError> {
+    ) -> Result<TautLine<M, D>, SolveError> {
         // Separate memory is used while another thread solves, and after a panic.
         let mut own = Workspace::default();
         let mut kept = self.workspace.try_lock();
@@ -86,13 +86,13 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     }
 
     /// Solves like [`solve_with`](Problem::solve_with), in the given memory.
-    pub(crate) fn solve_in<R: Rule>(
+    pub(crate) fn solve_in(
         &self,
         workspace: &mut Workspace<D>,
-        rule: R,
+        rule: Rule,
         n: usize,
         options: &Options<D>,
-    ) -> Result<TautLine<M, R, D>, SolveError> {
+    ) -> Result<TautLine<M, D>, SolveError> {
         let minimum = minimise_by_batches(workspace, &*self.metric, &self.ends, rule, n, options)?;
         Ok(TautLine::new(Arc::clone(&self.metric), rule, self.ends.clone(), minimum))
     }

@@ -14,7 +14,7 @@ use tautline_formula::Prepared;
 use tautline_metrics::{LocalError, LocallyBounded, Metric};
 use tautline_sets::Ball;
 
-use crate::{RuleOfThePaper, SMatrix, SVector, Scalar, TautLine};
+use crate::{SMatrix, SVector, Scalar, TautLine};
 
 /// Bounds on `d²` that are proved from the formula of the metric.
 #[derive(Clone, Debug)]
@@ -54,7 +54,7 @@ pub enum ProofError {
     Bound(#[from] BoundError),
 }
 
-impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
+impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Returns a curve that certainly joins the two sets, with rigorous bounds on its energy and
     /// its length. They bound `d²` from above.
     ///
@@ -83,7 +83,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// [`certificate`](TautLine::certificate).
     ///
     /// ```
-    /// use tautline::{Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, certify};
+    /// use tautline::{Ends, Metric, Problem, Rule, SMatrix, SVector, Scalar, certify};
     ///
     /// struct Dent; // (1 + e^{−|x|²})² I, without constants
     /// impl Metric<2> for Dent {
@@ -94,7 +94,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// }
     ///
     /// let ends = Ends::points([-0.5, 0.2], [0.5, 0.2])?;
-    /// let line = Problem::new(Dent, ends).solve(Trapezoidal, 512)?;
+    /// let line = Problem::new(Dent, ends).solve(Rule::TRAPEZOIDAL, 512)?;
     /// let proof = line.prove(certify::Accuracy::default())?;
     /// let d_squared = proof.enclosure;
     /// assert!(d_squared.width() < 1e-2 * d_squared.upper && proof.within.is_some());
@@ -104,7 +104,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// # Errors
     ///
     /// [`ProofError`], which names the missing part. A formula that cannot be
-    /// [recorded](tautline_formula::Formula::record) has no proof.
+    /// [recorded](tautline_formula::Formula::record) has no proof, nor has a rule that is not one of
+    /// the paper.
     pub fn prove(&self, accuracy: Accuracy) -> Result<Proof<'_, D>, ProofError> {
         let go_on = &mut |_| ControlFlow::Continue(());
         self.prove_watched(accuracy, &|_: Progress| true, go_on)
@@ -124,10 +125,11 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         observe: &mut dyn FnMut(tautline_distance::Progress) -> ControlFlow<()>,
     ) -> Result<Proof<'_, D>, ProofError> {
         let accuracy = accuracy.checked()?;
+        let rule = self.rule().paper_rule()?;
         let curve = self.admissible_curve()?;
         let extent = self.proved_extent(&curve);
         // The left-endpoint rule needs M_H only to prove a minimum between two points global.
-        let m_h = R::OF_THE_PAPER == PaperRule::Trapezoidal || self.ends().are_points();
+        let m_h = rule == PaperRule::Trapezoidal || self.ends().are_points();
         let watch = Needed { m_h, watch };
         let space = Domain::space(self.metric());
         let (constants, within) = if space.is_one_period() {

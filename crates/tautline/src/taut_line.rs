@@ -11,9 +11,9 @@ use tautline_sets::Ends;
 
 /// A computed discrete minimiser and the curve `γᵖˡ` that joins its points.
 #[derive(Clone, Debug)]
-pub struct TautLine<M, R, const D: usize> {
+pub struct TautLine<M, const D: usize> {
     metric: Arc<Prepared<M, D>>,
-    rule: R,
+    rule: Rule,
     ends: Ends<D>,
     minimum: Minimum<D>,
     energy: OnceLock<Integral>,
@@ -31,10 +31,10 @@ const RESOLVED: f64 = 0.1;
 const DOUBTFUL: f64 = 0.01;
 const SPREAD: f64 = 10.0;
 
-impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     pub(crate) fn new(
         metric: Arc<Prepared<M, D>>,
-        rule: R,
+        rule: Rule,
         ends: Ends<D>,
         minimum: Minimum<D>,
     ) -> Self {
@@ -59,7 +59,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     }
 
     /// Returns the rule.
-    pub(crate) fn rule(&self) -> R {
+    #[must_use]
+    pub fn rule(&self) -> Rule {
         self.rule
     }
 
@@ -178,7 +179,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     #[must_use]
     pub fn distance_squared_estimate(&self) -> Option<Estimate> {
         let is_known = self.minimum.stop == Stop::Converged && self.is_resolved();
-        let estimate = extrapolate(&self.minimum.levels, R::ERROR_EXPONENT).filter(|_| is_known)?;
+        let estimate =
+            extrapolate(&self.minimum.levels, self.rule.error_exponent()).filter(|_| is_known)?;
         // The estimate is wrong at least by what it exceeds an upper bound on `d²`.
         let above = estimate.value - (self.length().value + self.length().error).powi(2);
         Some(Estimate { error: estimate.error.max(above), ..estimate })
@@ -187,7 +189,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
 
 #[cfg(test)]
 mod tests {
-    use tautline_discretizations::{LeftEndpoint, Trapezoidal};
+    use tautline_discretizations::Rule;
     use tautline_metrics::gallery::{Bump, Constant};
     use tautline_sets::{Ball, Ends};
 
@@ -201,20 +203,20 @@ mod tests {
     fn a_bump_between_the_nodes_is_not_resolved() {
         let bump = Bump::new(1000.0, 7e-4).expect("a bump");
         let ends = || Ends::points([-2.0031, 0.0], [1.9969, 0.0]).expect("finite");
-        let line = Problem::new(bump, ends()).solve(Trapezoidal, 256).expect("solved");
+        let line = Problem::new(bump, ends()).solve(Rule::TRAPEZOIDAL, 256).expect("solved");
         let [discrete, energy] = [line.discrete_energy(), line.energy().value];
         assert!((discrete - 16.0).abs() < 1e-4 && energy > 20.0, "{discrete} {energy}");
         assert!(!line.is_resolved());
         assert_eq!(line.distance_squared_estimate(), None);
         // A twentieth of the energy is no error of the rule if the grids agree to far less.
         let low = Bump::new(12.0, 7e-4).expect("a bump");
-        let line = Problem::new(low, ends()).solve(Trapezoidal, 256).expect("solved");
+        let line = Problem::new(low, ends()).solve(Rule::TRAPEZOIDAL, 256).expect("solved");
         let difference = line.energy().value / line.discrete_energy() - 1.0;
         assert!((0.01..0.1).contains(&difference), "{difference}");
         assert!(!line.is_resolved());
         let ends = Ends::points([-2.0, 0.1], [2.0, 0.0]).expect("finite");
         let wide = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
-        let line = wide.solve(Trapezoidal, 256).expect("solved");
+        let line = wide.solve(Rule::TRAPEZOIDAL, 256).expect("solved");
         assert!(line.is_resolved() && line.distance_squared_estimate().is_some());
     }
 
@@ -227,7 +229,7 @@ mod tests {
             let [first, second] =
                 [0.0, 2.0 + gap].map(|x| Ball::new([x, 0.0], 1.0).expect("a ball"));
             let ends = Ends::new(first, second).expect("bounded");
-            Problem::new(metric, ends).solve(Trapezoidal, 8).expect("solved")
+            Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 8).expect("solved")
         };
         let nearly = line(0.5_f64.powi(51));
         assert_eq!((nearly.minimum().stop, nearly.common_point()), (Stop::EndsTouch, None));
@@ -249,7 +251,7 @@ mod tests {
         let ends = || Ends::points([-2.0, 0.1], [2.0, 0.0]).expect("finite");
         let wide = || Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends());
         let no_steps = Options { iterations: 0, ..Options::default() };
-        let line = wide().solve_with(Trapezoidal, 63, &no_steps).expect("a line");
+        let line = wide().solve_with(Rule::TRAPEZOIDAL, 63, &no_steps).expect("a line");
         assert!(line.minimum().levels.len() > 1 && line.minimum().stop == Stop::IterationLimit);
         assert_eq!(line.distance_squared_estimate(), None);
     }
@@ -259,7 +261,7 @@ mod tests {
     fn an_estimate_beyond_the_length_is_wrong_by_the_difference() {
         let ends = Ends::points([-2.0031], [1.9969]).expect("finite");
         let wall = Bump::new(5.0, 0.007).expect("a bump");
-        let line = Problem::new(wall, ends).solve(Trapezoidal, 512).expect("solved");
+        let line = Problem::new(wall, ends).solve(Rule::TRAPEZOIDAL, 512).expect("solved");
         let estimate = line.distance_squared_estimate().expect("several grids");
         let above = estimate.value - line.length().value.powi(2);
         assert!(above > 1e-2 && estimate.error >= 0.99 * above, "{estimate:?} {above}");
@@ -271,7 +273,7 @@ mod tests {
     fn a_bump_under_the_only_node_is_not_resolved() {
         let ends = Ends::points([0.0, 0.0], [4.0, 0.0]).expect("finite");
         let bump = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
-        let line = bump.solve(LeftEndpoint, 1).expect("solved");
+        let line = bump.solve(Rule::LEFT_ENDPOINT, 1).expect("solved");
         assert!(line.discrete_energy() > 1.5 * line.energy().value && !line.is_resolved());
     }
 }

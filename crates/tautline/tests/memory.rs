@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 use peak_alloc::PeakAlloc;
 use tautline::{
-    Ends, Metric, Options, PointSequence, Prepared, Problem, Starts, Trapezoidal,
+    Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, Starts,
     gallery::{Bump, Valleys},
 };
 use tautline_formula::Kind;
@@ -25,7 +25,7 @@ fn bytes_per_point<M: Metric<D>, const D: usize>(
     let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
     MEMORY.reset_peak_usage();
     let before = MEMORY.current_usage();
-    let line = problem.solve_with(Trapezoidal, n, &options).expect("a metric");
+    let line = problem.solve_with(Rule::TRAPEZOIDAL, n, &options).expect("a metric");
     let bytes = MEMORY.peak_usage() - before;
     assert!(line.minimum().is_local_minimum());
     bytes as f64 / n as f64

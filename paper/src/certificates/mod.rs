@@ -5,7 +5,7 @@ pub(crate) mod second_checker;
 use std::{ops::ControlFlow, time::Instant};
 
 use tautline::{
-    Ends, KnownDistance, Metric, Options, Point, Problem, SVector, Shape, Trapezoidal,
+    Ends, KnownDistance, Metric, Options, Point, Problem, Rule, SVector, Shape,
     check::{AnyCertificate, Certificate, Level, Verdict},
     distance::{Ended, Wanted},
     gallery::*,
@@ -102,7 +102,7 @@ fn search<const D: usize>(
     // One thread for the line; the search and the check use all.
     let options = Options { threads: 1, ..Options::default() };
     let line = Problem::new(metric, ends)
-        .solve_with(Trapezoidal, CHORDS, &options)
+        .solve_with(Rule::TRAPEZOIDAL, CHORDS, &options)
         .map_err(|error| error.to_string())?;
     let found = line
         .certificate_with(Wanted::gap(gap), &mut |_| ControlFlow::Continue(()))

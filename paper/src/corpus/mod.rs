@@ -6,10 +6,7 @@ mod sets;
 
 use std::{hint::black_box, time::Instant};
 
-use tautline::{
-    Ends, Formula, LeftEndpoint, Options, PointSequence, Problem, SVector, SolveError, Starts,
-    Trapezoidal,
-};
+use tautline::{Ends, Formula, Options, PointSequence, Problem, Rule, SVector, SolveError, Starts};
 use tautline_adversary::SplitMix;
 
 use crate::Failure;
@@ -173,8 +170,8 @@ fn search<const D: usize>(
     options: &Options<D>,
 ) -> Result<Search, SolveError> {
     Ok(if trapezoidal {
-        Search::new(problem.solve_with(Trapezoidal, n, options)?.minimum())
+        Search::new(problem.solve_with(Rule::TRAPEZOIDAL, n, options)?.minimum())
     } else {
-        Search::new(problem.solve_with(LeftEndpoint, n, options)?.minimum())
+        Search::new(problem.solve_with(Rule::LEFT_ENDPOINT, n, options)?.minimum())
     })
 }

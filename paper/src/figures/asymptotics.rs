@@ -1,6 +1,6 @@
 //! The errors times their power of `N`, which converge to the predicted constants.
 
-use tautline::{Level, Rule, Trapezoidal, extrapolate};
+use tautline::{Level, Rule, extrapolate};
 
 use crate::{
     Failure,
@@ -115,7 +115,7 @@ fn rows(problem: &Smooth, numbers: &[usize]) -> Result<Vec<Vec<String>>, Failure
         // An extrapolated d² cannot serve as a reference.
         row.extend([2, 3].map(|grids| match levels.len().checked_sub(grids) {
             Some(from) if limits.reference == Reference::Exact => {
-                let estimate = extrapolate(&levels[from..], Trapezoidal::ERROR_EXPONENT);
+                let estimate = extrapolate(&levels[from..], Rule::TRAPEZOIDAL.error_exponent());
                 estimate.map_or(String::new(), |d2| format!("{:.6e}", d2.value / d_squared - 1.0))
             }
             _ => String::new(),

@@ -3,7 +3,7 @@
 use std::thread;
 
 use tautline::{
-    Bounded, Ends, KnownDistance, Options, PointSequence, Problem, SVector, Starts, Trapezoidal,
+    Bounded, Ends, KnownDistance, Options, PointSequence, Problem, Rule, SVector, Starts,
     bounds::Setting, gallery::Separable,
 };
 use tautline_statements::slope;
@@ -77,13 +77,13 @@ fn observe<const D: usize>() -> Result<Observed, Failure> {
         let straight = PointSequence::straight(origin, end, N)?;
         let starts = Starts::Only(vec![straight]);
         let options = Options { starts, ..Options::default() };
-        let solved = problem.solve_with(Trapezoidal, N, &options)?;
+        let solved = problem.solve_with(Rule::TRAPEZOIDAL, N, &options)?;
         if !solved.minimum().is_local_minimum() {
             return Err(Failure::Violated(format!("D = {D}: no minimum was found")));
         }
         if D <= ALL_STARTS {
             let energy = solved.discrete_energy();
-            let found = problem.solve(Trapezoidal, N)?;
+            let found = problem.solve(Rule::TRAPEZOIDAL, N)?;
             let same = |other: &f64| (other - energy).abs() <= SAME * energy;
             // Minima whose energies differ by less than 10⁻⁹ are listed once.
             let minima = &found.minimum().local_minima;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use tautline::{LeftEndpoint, Rule, Trapezoidal, gallery::Valleys};
+use tautline::{Rule, gallery::Valleys};
 
 use crate::{
     Failure,
@@ -32,14 +32,14 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     ]);
     let problem = problem()?;
     for n in sweep.powers_of_two(1024) {
-        let trapezoidal = problem.solve(Trapezoidal, n)?;
-        let left = problem.solve(LeftEndpoint, n)?;
+        let trapezoidal = problem.solve(Rule::TRAPEZOIDAL, n)?;
+        let left = problem.solve(Rule::LEFT_ENDPOINT, n)?;
         let none = || Failure::Data("N = 0".to_owned());
         let first_left = along_the_axis(&left_minimisers(n).next().ok_or_else(none)?)?;
         let first = along_the_axis(&trapezoidal_minimisers(n).next().ok_or_else(none)?)?;
         let row = [
-            LeftEndpoint.length(&Valleys, &first_left),
-            Trapezoidal.length(&Valleys, &first),
+            Rule::LEFT_ENDPOINT.length(&Valleys, &first_left),
+            Rule::TRAPEZOIDAL.length(&Valleys, &first),
             left.discrete_energy().sqrt(),
             trapezoidal.discrete_energy().sqrt(),
             trapezoidal.length().value,

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use tautline::{
-    Ends, KnownDistance, Metric, Options, Problem, SVector, Trapezoidal,
+    Ends, KnownDistance, Metric, Options, Problem, Rule, SVector,
     distance::Ended,
     gallery::{Bump, Shear, Sphere, Valleys},
 };
@@ -121,8 +121,11 @@ fn search<M: Metric<D>, const D: usize>(
     gap: f64,
 ) -> Result<Levels, Failure> {
     let options = Options { threads: 1, ..Options::default() };
-    let line =
-        Problem::new(metric, Ends::points(from, to)?).solve_with(Trapezoidal, CHORDS, &options)?;
+    let line = Problem::new(metric, Ends::points(from, to)?).solve_with(
+        Rule::TRAPEZOIDAL,
+        CHORDS,
+        &options,
+    )?;
     let found = line.certificate(gap)?;
     let upper = found.proved.upper.filter(|_| found.ended == Ended::Reached);
     let upper = upper.ok_or_else(|| {

@@ -4,7 +4,7 @@
 use std::{f64::consts::PI, ops::ControlFlow};
 
 use tautline::{
-    Bounded, Iterate, PointSequence, Prepared, Rule, Trapezoidal,
+    Bounded, Iterate, PointSequence, Prepared, Rule,
     bounds::{Setting, Spread, greatest_speed},
     gallery::Valleys,
 };
@@ -47,7 +47,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let setting = Setting::new(constants, DISTANCE, 2)?;
     for number in NUMBERS {
         let n = subintervals(number)?;
-        let line = problem.solve(Trapezoidal, number)?;
+        let line = problem.solve(Rule::TRAPEZOIDAL, number)?;
         let mut energy = line.speeds();
         // The mirror image of a minimiser is also a minimiser. The one that is ahead is taken.
         let ahead: f64 = line.sequence().points().iter().map(|x| x[0] - 2.0 * PI).sum();
@@ -55,7 +55,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
             energy.reverse();
         }
         let equal = equal_speed(line.sequence())?;
-        let length = Trapezoidal.speeds(&Valleys, &along_the_axis(&middle_jump(number))?);
+        let length = Rule::TRAPEZOIDAL.speeds(&Valleys, &along_the_axis(&middle_jump(number))?);
         let mean = energy.iter().sum::<f64>() / number as f64;
         let fastest = energy.iter().copied().fold(0.0, f64::max);
         let discrete = line.discrete_energy();
@@ -86,9 +86,9 @@ fn equal_speed(free: &PointSequence<2>) -> Result<f64, Failure> {
     // The speeds are printed with ten digits, of which a tolerance of 10⁻⁸ leaves seven and more.
     let limits = Limits { tolerance: 1e-8, ..Limits::default() };
     let unseen = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
-    let found = equal_speeds(&metric, Trapezoidal, free.clone(), &limits, unseen)?;
+    let found = equal_speeds(&metric, Rule::TRAPEZOIDAL, free.clone(), &limits, unseen)?;
     let (ended, n) = (found.descended.ended, free.n());
-    let speeds = Trapezoidal.speeds(&Valleys, &found.descended.sequence);
+    let speeds = Rule::TRAPEZOIDAL.speeds(&Valleys, &found.descended.sequence);
     let speed = found.descended.energy.sqrt();
     // The residual of the speeds, and their rounding.
     let are_equal = |q: &f64| (q / speed - 1.0).abs() <= limits.tolerance + 1e-12;

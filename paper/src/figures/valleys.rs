@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use tautline::Trapezoidal;
+use tautline::Rule;
 
 use crate::{
     Failure,
@@ -45,7 +45,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     push("length_trapezoidal", flat(&middle_jump(n)));
     let problem = problem()?;
     for n in [4, 8, 16, 64] {
-        let line = problem.solve(Trapezoidal, n)?;
+        let line = problem.solve(Rule::TRAPEZOIDAL, n)?;
         let mut points: Vec<_> = line.sequence().points().iter().map(|x| (x[0], x[1])).collect();
         // The mirror image x₁ → 4π − x₁, t → 1 − t of a minimiser is also a minimiser, and rounding
         // decides which one is found. The one that is ahead is taken.

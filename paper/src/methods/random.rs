@@ -1,7 +1,7 @@
 //! Random fields of obstacles, and how often each method finds the shortest way through.
 
 use tautline::{
-    SVector, Starts, Trapezoidal,
+    Rule, SVector, Starts,
     gallery::{Obstacle, SoftObstacles},
 };
 use tautline_adversary::SplitMix;
@@ -163,7 +163,7 @@ fn shortest<const D: usize>(
     let found = || answers.iter().flatten();
     let starts = found().filter_map(|answer| answer.sequence.clone()).collect();
     // Coarser grids lose narrow ways.
-    let fine = task.solve(Trapezoidal, FINE, Starts::OnTheGrid(starts))?;
+    let fine = task.solve(Rule::TRAPEZOIDAL, FINE, Starts::OnTheGrid(starts))?;
     if !fine.minimum().is_local_minimum() {
         return Err(Failure::Unfinished(format!("the reference: {:?}", fine.minimum().stop)));
     }

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use tautline::{
-    Bounded, Ends, Iterate, Lattice, LeftEndpoint, Minimum, Options, PointSequence, Prepared,
-    Problem, Rule, SVector, Starts, TautLine, Trapezoidal, distance::Order, norm_squared,
+    Bounded, Ends, Iterate, Lattice, Minimum, Options, PointSequence, Prepared, Problem, Rule,
+    SVector, Starts, TautLine, distance::Order, norm_squared,
 };
 use tautline_baselines::{
     Eikonal,
@@ -69,27 +69,28 @@ impl<M: Bounded<D> + Clone, const D: usize> Task<M, D> {
         let straight = |n| PointSequence::straight(x, y, n);
         match (method, setting) {
             (Method::Trapezoidal, Setting::Chords(n)) => {
-                Answer::of_minimum(self.solve(Trapezoidal, n, Starts::Automatic)?.minimum())
+                Answer::of_minimum(self.solve(Rule::TRAPEZOIDAL, n, Starts::Automatic)?.minimum())
             }
             (Method::Extrapolated, Setting::Chords(n)) => {
-                let line = self.solve(Trapezoidal, n, Starts::Automatic)?;
+                let line = self.solve(Rule::TRAPEZOIDAL, n, Starts::Automatic)?;
                 let none = || Failure::Unfinished("there is one grid only".to_owned());
                 let estimate = line.distance_squared_estimate().ok_or_else(none)?;
                 let answer = Answer::of_minimum(line.minimum())?;
                 Ok(Answer { distance: estimate.value.sqrt(), ..answer })
             }
             (Method::LeftEndpoint, Setting::Chords(n)) => {
-                Answer::of_minimum(self.solve(LeftEndpoint, n, Starts::Automatic)?.minimum())
+                Answer::of_minimum(self.solve(Rule::LEFT_ENDPOINT, n, Starts::Automatic)?.minimum())
             }
             (Method::FromTheLine, Setting::Chords(n)) => {
                 let starts = Starts::Only(vec![straight(n)?]);
-                Answer::of_minimum(self.solve(Trapezoidal, n, starts)?.minimum())
+                Answer::of_minimum(self.solve(Rule::TRAPEZOIDAL, n, starts)?.minimum())
             }
             (Method::Classes, Setting::Chords(n)) => {
                 let lattice = self.lattice(if D <= 2 { PLANE } else { SPACE })?;
                 let problem = Problem::new(self.metric.clone(), ends);
                 let options = Options { threads: 1, ..Options::default() };
-                let line = problem.solve_by_classes(Trapezoidal, n, &lattice, CLASSES, &options)?;
+                let line =
+                    problem.solve_by_classes(Rule::TRAPEZOIDAL, n, &lattice, CLASSES, &options)?;
                 Answer::of_minimum(line.minimum())
             }
             (Method::DiscreteLogarithm, Setting::Chords(n)) => {
@@ -100,7 +101,7 @@ impl<M: Bounded<D> + Clone, const D: usize> Task<M, D> {
             (Method::EqualSpeeds, Setting::Chords(n)) => {
                 // From the minimiser without constraints. From the straight line the search takes thousands
                 // of steps on some problems, or does not arrive.
-                let free = self.solve(LeftEndpoint, n, Starts::Only(vec![straight(n)?]))?;
+                let free = self.solve(Rule::LEFT_ENDPOINT, n, Starts::Only(vec![straight(n)?]))?;
                 let first = free.minimum().iterations;
                 let start = free.sequence().clone();
                 let found = self.descend(method, start)?;
@@ -138,12 +139,12 @@ impl<M: Bounded<D> + Clone, const D: usize> Task<M, D> {
     }
 
     /// Solves on one thread, like all other methods here.
-    pub(crate) fn solve<R: Rule>(
+    pub(crate) fn solve(
         &self,
-        rule: R,
+        rule: Rule,
         n: usize,
         starts: Starts<D>,
-    ) -> Result<TautLine<M, R, D>, Failure> {
+    ) -> Result<TautLine<M, D>, Failure> {
         let [x, y] = self.ends;
         let problem = Problem::new(self.metric.clone(), Ends::points(x, y)?);
         let options = Options { starts, threads: 1, ..Options::default() };
@@ -155,7 +156,7 @@ impl<M: Bounded<D> + Clone, const D: usize> Task<M, D> {
         let metric = Prepared::new(self.metric.clone());
         let limits = Limits::default();
         let unseen = &mut |_: &Iterate<'_, D>| ControlFlow::Continue(());
-        let rule = Trapezoidal;
+        let rule = Rule::TRAPEZOIDAL;
         let descended = match method {
             Method::LbfgsPoints => {
                 lbfgs(&metric, rule, start, Coordinates::Points, &limits, unseen)?
@@ -172,7 +173,7 @@ impl<M: Bounded<D> + Clone, const D: usize> Task<M, D> {
                 dynamic_programming(&metric, rule, start, form, &limits, unseen)?
             }
             Method::EqualSpeeds => {
-                equal_speeds(&metric, LeftEndpoint, start, &limits, unseen)?.descended
+                equal_speeds(&metric, Rule::LEFT_ENDPOINT, start, &limits, unseen)?.descended
             }
             _ => return Err(Failure::Unfinished(format!("{} is no descent", method.name()))),
         };

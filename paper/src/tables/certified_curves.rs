@@ -6,7 +6,7 @@ use std::{
 };
 
 use tautline::{
-    Interpolation, Interval, Metric, PointSequence, Polygon, Rule, SVector, Trapezoidal,
+    Interpolation, Interval, Metric, PointSequence, Polygon, Rule, SVector,
     gallery::{EggCrate, GaussianFisher, Valleys},
 };
 
@@ -63,9 +63,9 @@ fn rows(data: &mut Data, name: &str, metric: &impl Metric<2>, n: usize) -> Resul
     let mut least = [Duration::MAX; 4];
     let mut widths = [0.0; 4];
     for _ in 0..ROUNDS {
-        let (value, energy) = timed(|| Trapezoidal.energy(black_box(metric), &sequence));
+        let (value, energy) = timed(|| Rule::TRAPEZOIDAL.energy(black_box(metric), &sequence));
         let (enclosing, discrete) =
-            timed(|| polygon.discrete_energy(Trapezoidal, black_box(metric)));
+            timed(|| polygon.discrete_energy(Rule::TRAPEZOIDAL, black_box(metric)));
         let (quadratures, (integral, length)) =
             timed(|| (curve.energy(black_box(metric)), curve.length(black_box(metric))));
         let (proving, bounds) = timed(|| polygon.energy_and_length(black_box(metric)));

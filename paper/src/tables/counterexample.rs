@@ -1,6 +1,6 @@
 //! The counterexample of Section 5 in numbers, for every `N`.
 
-use tautline::{LeftEndpoint, PointSequence, Rule, Trapezoidal, gallery::Valleys};
+use tautline::{PointSequence, Rule, gallery::Valleys};
 
 use crate::{
     Failure,
@@ -44,8 +44,8 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         // For the largest N, a thousand of the half million sequences, evenly spread. They differ
         // in where they rest, not in their chords.
         let stride = (n * (n + 1) / 2).div_ceil(1000);
-        let lengths_left = lengths(left_minimisers(n).step_by(stride), LeftEndpoint)?;
-        let lengths_trapezoidal = lengths(trapezoidal_minimisers(n), Trapezoidal)?;
+        let lengths_left = lengths(left_minimisers(n).step_by(stride), Rule::LEFT_ENDPOINT)?;
+        let lengths_trapezoidal = lengths(trapezoidal_minimisers(n), Rule::TRAPEZOIDAL)?;
         let (left, trapezoidal) = (checked(&lengths_left, n)?, checked(&lengths_trapezoidal, n)?);
         let counted = |count: usize| if n <= COUNTED { count.to_string() } else { String::new() };
         let (grid_left, grid_trapezoidal) = if n <= COUNTED { count(n)? } else { (0, 0) };
@@ -58,8 +58,8 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
             n.to_string(),
             counted(grid_left),
             counted(grid_trapezoidal),
-            length(problem.solve(LeftEndpoint, n)?.discrete_energy().sqrt()),
-            length(problem.solve(Trapezoidal, n)?.discrete_energy().sqrt()),
+            length(problem.solve(Rule::LEFT_ENDPOINT, n)?.discrete_energy().sqrt()),
+            length(problem.solve(Rule::TRAPEZOIDAL, n)?.discrete_energy().sqrt()),
             length(DISTANCE),
         ]);
     }
@@ -67,10 +67,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
 }
 
 /// Returns the lengths of the sequences along the axis.
-fn lengths(
-    sequences: impl Iterator<Item = Vec<f64>>,
-    rule: impl Rule,
-) -> Result<Vec<f64>, Failure> {
+fn lengths(sequences: impl Iterator<Item = Vec<f64>>, rule: Rule) -> Result<Vec<f64>, Failure> {
     sequences.map(|x1| Ok(rule.length(&Valleys, &along_the_axis(&x1)?))).collect()
 }
 
@@ -93,8 +90,8 @@ fn count(n: usize) -> Result<(usize, usize), Failure> {
     for points in grid_sequences(n) {
         let sequence = PointSequence::new(points)?;
         let attained = |length: f64| usize::from((length - DISCRETE_LENGTH).abs() <= ROUNDING);
-        left += attained(LeftEndpoint.length(&Valleys, &sequence));
-        trapezoidal += attained(Trapezoidal.length(&Valleys, &sequence));
+        left += attained(Rule::LEFT_ENDPOINT.length(&Valleys, &sequence));
+        trapezoidal += attained(Rule::TRAPEZOIDAL.length(&Valleys, &sequence));
     }
     if (left, trapezoidal) == (n * (n + 1) / 2, n) {
         Ok((left, trapezoidal))

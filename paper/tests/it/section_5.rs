@@ -1,6 +1,6 @@
 //! The constructed minimisers of Section 5, by brute force.
 
-use tautline::{LeftEndpoint, PointSequence, Rule, Trapezoidal, gallery::Valleys};
+use tautline::{PointSequence, Rule, gallery::Valleys};
 
 use paper::section_5::{
     DISCRETE_LENGTH, along_the_axis, grid_sequences, left_minimisers, trapezoidal_minimisers,
@@ -15,11 +15,11 @@ fn section_5_minimisers_have_length_4_pi() {
         // At most twenty chords of length 4π: rounding below 1e-13.
         for x1 in left_minimisers(n) {
             let line = along_the_axis(&x1).expect("finite");
-            assert!((LeftEndpoint.length(&Valleys, &line) - DISCRETE_LENGTH).abs() < 1e-13);
+            assert!((Rule::LEFT_ENDPOINT.length(&Valleys, &line) - DISCRETE_LENGTH).abs() < 1e-13);
         }
         for x1 in trapezoidal_minimisers(n) {
             let line = along_the_axis(&x1).expect("finite");
-            assert!((Trapezoidal.length(&Valleys, &line) - DISCRETE_LENGTH).abs() < 1e-13);
+            assert!((Rule::TRAPEZOIDAL.length(&Valleys, &line) - DISCRETE_LENGTH).abs() < 1e-13);
         }
     }
 }
@@ -33,8 +33,8 @@ fn section_5_by_brute_force() {
         for points in grid_sequences(n) {
             let sequence = PointSequence::new(points).expect("finite");
             for (length, count) in [
-                (LeftEndpoint.length(&Valleys, &sequence), &mut left),
-                (Trapezoidal.length(&Valleys, &sequence), &mut trapezoidal),
+                (Rule::LEFT_ENDPOINT.length(&Valleys, &sequence), &mut left),
+                (Rule::TRAPEZOIDAL.length(&Valleys, &sequence), &mut trapezoidal),
             ] {
                 // The next longer sequence is longer by far more than rounding.
                 assert!(length >= DISCRETE_LENGTH - 1e-12);

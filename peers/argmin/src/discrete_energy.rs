@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use argmin::core::{CostFunction, Error, Gradient, Hessian};
 use argmin_math::ArgminDot;
-use tautline::{Jet2, Metric, PointSequence, Rule, SMatrix, SVector, Trapezoidal, energy_gradient};
+use tautline::{Jet2, Metric, PointSequence, Rule, SMatrix, SVector, energy_gradient};
 
 /// The discrete energy as a function of the inner points. Both ends are fixed.
 pub(crate) struct DiscreteEnergy<M, const D: usize> {
@@ -26,7 +26,7 @@ impl<M: Metric<D>, const D: usize> CostFunction for DiscreteEnergy<M, D> {
     type Output = f64;
 
     fn cost(&self, inner: &Vec<f64>) -> Result<f64, Error> {
-        Ok(Trapezoidal.energy(&self.metric, &self.sequence(inner)?))
+        Ok(Rule::TRAPEZOIDAL.energy(&self.metric, &self.sequence(inner)?))
     }
 }
 
@@ -35,7 +35,7 @@ impl<M: Metric<D>, const D: usize> Gradient for DiscreteEnergy<M, D> {
     type Gradient = Vec<f64>;
 
     fn gradient(&self, inner: &Vec<f64>) -> Result<Vec<f64>, Error> {
-        let (_, all) = energy_gradient(Trapezoidal, &self.metric, &self.sequence(inner)?);
+        let (_, all) = energy_gradient(Rule::TRAPEZOIDAL, &self.metric, &self.sequence(inner)?);
         Ok(all[1..all.len() - 1].iter().flatten().copied().collect())
     }
 }

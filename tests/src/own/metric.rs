@@ -1,8 +1,7 @@
 //! A user's metric, given by a formula and its constants.
 
 use tautline::{
-    Bounded, Constants, Ends, LeftEndpoint, Metric, Problem, Rule, SMatrix, SVector, Scalar,
-    Trapezoidal, christoffel,
+    Bounded, Constants, Ends, Metric, Problem, Rule, SMatrix, SVector, Scalar, christoffel,
 };
 
 /// `H(x) = diag(1 + ½ sin² x₁, 2)`.
@@ -28,7 +27,7 @@ impl Bounded<2> for Sheet {
 /// parameter `m = −½`.
 const D2: f64 = 8.97778203566217551435;
 
-fn estimate(rule: impl Rule, n: usize) -> tautline::Estimate {
+fn estimate(rule: Rule, n: usize) -> tautline::Estimate {
     let problem = Problem::new(Sheet, Ends::points([0.2, 0.0], [2.5, 1.0]).expect("finite"));
     let line = problem.solve(rule, n).expect("a metric");
     assert!(line.minimum().is_local_minimum());
@@ -39,10 +38,10 @@ fn estimate(rule: impl Rule, n: usize) -> tautline::Estimate {
 /// terms up to `N⁻⁸` are removed, for the left rule those up to `N⁻⁴`.
 #[test]
 fn a_users_metric_extrapolates_to_its_distance() {
-    let trapezoidal = estimate(Trapezoidal, 1000);
+    let trapezoidal = estimate(Rule::TRAPEZOIDAL, 1000);
     // The remaining error of order 16⁻² 63⁻² 250⁻² 1000⁻² is below rounding, which is 20 ulps of 9.
     assert!((trapezoidal.value - D2).abs() <= 4e-14, "{:e}", trapezoidal.value - D2);
-    let left = estimate(LeftEndpoint, 1000);
+    let left = estimate(Rule::LEFT_ENDPOINT, 1000);
     // The error is 1/(16 · 63 · 250 · 1000) = 4e-9 times a constant of size 1.
     assert!((left.value - D2).abs() <= 1e-8, "{:e}", left.value - D2);
     for estimate in [trapezoidal, left] {

@@ -1,7 +1,7 @@
 //! A user's closed set: an ellipse, with distances known in closed form.
 
 use tautline::{
-    ClosedSet, Ends, HalfSpace, LeftEndpoint, Metric, Problem, Rule, SMatrix, SVector, Trapezoidal,
+    ClosedSet, Ends, HalfSpace, Metric, Problem, Rule, SMatrix, SVector,
     gallery::{Constant, Shear, Valleys},
 };
 
@@ -38,7 +38,7 @@ fn the_ellipse_of_these_tests_obeys_the_laws_of_a_closed_set() {
 /// Solves the problem from the ellipse to the half-plane `{a·x ≥ b}`. The first point must lie on
 /// the boundary of the ellipse. Returns the estimate of `d²` and the length.
 #[track_caller]
-fn arrives<M: Metric<2> + Copy>(metric: M, a: [f64; 2], b: f64, rule: impl Rule) -> [f64; 2] {
+fn arrives<M: Metric<2> + Copy>(metric: M, a: [f64; 2], b: f64, rule: Rule) -> [f64; 2] {
     let set = ellipse();
     let ends = Ends::new(set, HalfSpace::at_least(a, b).expect("a normal")).expect("bounded");
     let line = Problem::new(metric, ends).solve(rule, 256).expect("a metric");
@@ -60,8 +60,8 @@ fn from_an_ellipse_to_a_half_plane_under_a_constant_metric() {
     let d = (4.0 - ellipse().support(&a)) / a.dot(&(inverse * a)).sqrt();
     let metric = Constant::new(matrix).expect("positive definite");
     for [d2, length] in [
-        arrives(metric, [1.0, 0.7], 4.0, Trapezoidal),
-        arrives(metric, [1.0, 0.7], 4.0, LeftEndpoint),
+        arrives(metric, [1.0, 0.7], 4.0, Rule::TRAPEZOIDAL),
+        arrives(metric, [1.0, 0.7], 4.0, Rule::LEFT_ENDPOINT),
     ] {
         // d is a difference, of size 3, of numbers of size 4; extrapolation doubles the roundings.
         approx::assert_relative_eq!(d2, d * d, max_relative = 1e-13);
@@ -76,9 +76,9 @@ fn from_an_ellipse_to_a_half_plane_over_the_valleys() {
     let climb = |x: f64| 2.0 * x - x.sin();
     let d = climb(4.0) - climb(ellipse().support(&SVector::from([1.0, 0.0])));
     for [d2, length] in [
-        arrives(Valleys, [1.0, 0.0], 4.0, Trapezoidal),
+        arrives(Valleys, [1.0, 0.0], 4.0, Rule::TRAPEZOIDAL),
         // The curve runs along a line to the right, on which f has no symmetry.
-        arrives(Valleys, [1.0, 0.0], 4.0, LeftEndpoint),
+        arrives(Valleys, [1.0, 0.0], 4.0, Rule::LEFT_ENDPOINT),
     ] {
         // The estimate extrapolates from 16, 64 and 256. Its error for the left rule is (16 · 64 ·
         // 256)⁻¹ times a constant of size 100, and far smaller for the trapezoidal rule. A line
@@ -94,7 +94,7 @@ fn from_an_ellipse_to_a_half_plane_over_the_valleys() {
 fn from_an_ellipse_to_a_half_plane_under_a_shear() {
     let metric = Shear::new(0.5, 1.0).expect("valid");
     let d = 3.0 - ellipse().support(&SVector::from([0.0, 1.0]));
-    let [d2, length] = arrives(metric, [0.0, 1.0], 3.0, Trapezoidal);
+    let [d2, length] = arrives(metric, [0.0, 1.0], 3.0, Rule::TRAPEZOIDAL);
     // The discrete energies attain d², since x₁ is free to follow the wave. The excess of the
     // interpolation is N⁻² times a constant of size 1.
     approx::assert_relative_eq!(d2, d * d, max_relative = 1e-13);

@@ -14,7 +14,7 @@ const BELOW: [(&str, &str); 28] = [
     ("formula", "chance metrics scalar spline"),
     ("sets", "chance scalar"),
     ("bounds", "chance metrics scalar"),
-    ("discretizations", "chance formula metrics scalar"),
+    ("discretizations", "bounds chance formula metrics scalar"),
     ("certify", "chance discretizations formula metrics scalar sets spline"),
     ("check", "chance formula metrics scalar sets spline"),
     ("distance", "chance check formula metrics scalar sets"),

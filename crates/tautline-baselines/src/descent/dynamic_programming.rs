@@ -51,9 +51,9 @@ pub(crate) const SHORTEST: f64 = 1e-6;
 /// D. H. Jacobson, D. Q. Mayne, Differential Dynamic Programming, 1970; Y. Tassa, T. Erez,
 /// E. Todorov, Synthesis and stabilization of complex behaviors through online trajectory
 /// optimization, IROS 2012.
-pub fn dynamic_programming<'a, const D: usize, R: Rule>(
+pub fn dynamic_programming<'a, const D: usize>(
     metric: &'a dyn Batches<D>,
-    rule: R,
+    rule: Rule,
     start: PointSequence<D>,
     form: SecondOrder,
     limits: &Limits,
@@ -67,7 +67,7 @@ pub fn dynamic_programming<'a, const D: usize, R: Rule>(
             return Ok(search.descended(here, ended, iteration));
         }
         search.evaluations += 1;
-        let chords = chords(search.metric, R::NODES, &here.sequence, form);
+        let chords = chords(search.metric, rule.nodes(), &here.sequence, form);
         // On the edge of positive definite, two programs may round to either side.
         let Some(chords) = chords else {
             return Ok(search.descended(here, Ended::Stalled, iteration));
@@ -90,8 +90,8 @@ pub fn dynamic_programming<'a, const D: usize, R: Rule>(
 }
 
 /// Follows a policy, all the way or less, until the energy falls enough.
-fn follow<R: Rule, const D: usize>(
-    search: &mut Search<'_, R, D>,
+fn follow<const D: usize>(
+    search: &mut Search<'_, D>,
     here: &Here<D>,
     policy: &Policy<D>,
 ) -> Option<Here<D>> {
@@ -233,7 +233,7 @@ fn gauss_newton<const D: usize>(model: ChordModel<D>, theta: f64) -> ChordModel<
 mod tests {
     use nalgebra::{SMatrix, vector};
     use tautline::gallery::Valleys;
-    use tautline::{LeftEndpoint, PointSequence, Prepared, Rule, Trapezoidal, TrueTrapezoid};
+    use tautline::{PointSequence, Prepared, Rule};
 
     use super::{SecondOrder, chords};
 
@@ -241,17 +241,17 @@ mod tests {
     /// `m`. In the metric of the valleys, `φ = 2 − cos x₁`.
     #[test]
     fn gauss_newton_blocks_are_products_of_first_derivatives() {
-        fn compare<R: Rule>(_: R) {
+        fn compare(rule: Rule) {
             let points = vec![vector![0.2, 0.1], vector![1.1, -0.4], vector![1.5, 0.9]];
             let sequence = PointSequence::new(points).expect("finite");
             let metric = Prepared::new(Valleys);
-            let full = chords::<2>(&metric, R::NODES, &sequence, SecondOrder::Full);
+            let full = chords::<2>(&metric, rule.nodes(), &sequence, SecondOrder::Full);
             let full = full.expect("a metric");
-            let found = chords::<2>(&metric, R::NODES, &sequence, SecondOrder::GaussNewton);
+            let found = chords::<2>(&metric, rule.nodes(), &sequence, SecondOrder::GaussNewton);
             let found = found.expect("a metric");
             for (k, (x, d)) in sequence.chords().enumerate() {
                 let mut blocks = [SMatrix::<f64, 2, 2>::zeros(); 3];
-                for node in R::NODES {
+                for node in rule.nodes() {
                     let m = x + d * node.fraction;
                     let phi = SMatrix::<f64, 2, 2>::identity() * (2.0 - m[0].cos());
                     let turn = d * vector![m[0].sin(), 0.0].transpose();
@@ -273,8 +273,8 @@ mod tests {
                 assert!((near - full[k].hessian[0]).amax() > 0.01);
             }
         }
-        compare(Trapezoidal);
-        compare(LeftEndpoint);
-        compare(TrueTrapezoid);
+        compare(Rule::TRAPEZOIDAL);
+        compare(Rule::LEFT_ENDPOINT);
+        compare(Rule::TRUE_TRAPEZOID);
     }
 }

@@ -48,9 +48,9 @@ pub enum Coordinates {
 ///
 /// J. Nocedal, S. J. Wright, Numerical Optimization, 2nd edition, Algorithm 7.5; W. W. Hager,
 /// H. Zhang, ACM Trans. Math. Softw. 32 (2006); the library `basin`.
-pub fn lbfgs<'a, const D: usize, R: Rule>(
+pub fn lbfgs<'a, const D: usize>(
     metric: &'a dyn Batches<D>,
-    rule: R,
+    rule: Rule,
     start: PointSequence<D>,
     coordinates: Coordinates,
     limits: &Limits,
@@ -65,7 +65,7 @@ pub fn lbfgs<'a, const D: usize, R: Rule>(
     let points = here.sequence.points().to_vec();
     let (laplacian, points) = (laplacian.as_ref(), &points[..]);
     let (unit, scale) = (here.energy(), (here.stiffness() / here.energy()).sqrt());
-    let energy = EnergyOf { metric, nodes: R::NODES, points, laplacian, unit, scale };
+    let energy = EnergyOf { metric, nodes: rule.nodes(), points, laplacian, unit, scale };
     let begin = FirstOrderState::new(vec![0.0; (n - 1) * D]);
     let mut line_search = HagerZhang::new();
     line_search.epsilon = ROUNDING;

@@ -11,7 +11,7 @@
 //!
 //! ```
 //! use std::{ops::ControlFlow, time::Instant};
-//! use tautline::{PointSequence, Prepared, Trace, Trapezoidal, gallery::Valleys};
+//! use tautline::{PointSequence, Prepared, Rule, Trace, gallery::Valleys};
 //! use tautline_baselines::descent::{Coordinates, Ended, Limits, lbfgs, sobolev_descent};
 //!
 //! let metric = Prepared::new(Valleys);
@@ -20,13 +20,13 @@
 //! let mut clock = || begun.elapsed().as_secs_f64();
 //! let mut trace = Trace::with_limit(&mut clock, 10.0);
 //! let limits = Limits::default();
-//! let one = sobolev_descent(&metric, Trapezoidal, start.clone(), &limits, &mut |iterate| {
+//! let one = sobolev_descent(&metric, Rule::TRAPEZOIDAL, start.clone(), &limits, &mut |iterate| {
 //!     trace.record(iterate)
 //! })?;
 //! assert_eq!(one.ended, Ended::Stationary);
 //! assert_eq!(trace.entries().len(), one.iterations + 1);
 //!
-//! let other = lbfgs(&metric, Trapezoidal, start, Coordinates::Points, &limits, &mut |_| {
+//! let other = lbfgs(&metric, Rule::TRAPEZOIDAL, start, Coordinates::Points, &limits, &mut |_| {
 //!     ControlFlow::Continue(())
 //! })?;
 //! assert!((one.energy / other.energy - 1.0).abs() < 1e-10);

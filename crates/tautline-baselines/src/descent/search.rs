@@ -11,9 +11,9 @@ use tautline::{
 use crate::descent::{Descended, DescentError, Ended, Limits};
 
 /// A descent by one rule under one metric, and what it has cost so far.
-pub(crate) struct Search<'a, R, const D: usize> {
+pub(crate) struct Search<'a, const D: usize> {
     pub(crate) metric: &'a dyn Batches<D>,
-    pub(crate) rule: R,
+    pub(crate) rule: Rule,
     limits: Limits,
     watcher: &'a mut Watcher<'a, D>,
     ends: [Point<D>; 2],
@@ -35,11 +35,11 @@ pub(crate) const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// The fraction of the predicted decrease that a step has to achieve (Armijo).
 pub(crate) const SUFFICIENT: f64 = 1e-4;
 
-impl<'a, R: Rule, const D: usize> Search<'a, R, D> {
+impl<'a, const D: usize> Search<'a, D> {
     /// Begins a descent at `start`, whose metric is checked at the nodes and ends.
     pub(crate) fn begin(
         metric: &'a dyn Batches<D>,
-        rule: R,
+        rule: Rule,
         start: PointSequence<D>,
         limits: &Limits,
         watcher: &'a mut Watcher<'a, D>,
@@ -50,7 +50,7 @@ impl<'a, R: Rule, const D: usize> Search<'a, R, D> {
         }
         let nodes = start.chords().flat_map(|(x, d)| {
             let x = *x;
-            R::NODES.iter().map(move |node| x + d * node.fraction)
+            rule.nodes().iter().map(move |node| x + d * node.fraction)
         });
         for x in nodes.chain([*start.first(), *start.last()]) {
             check_matrix(metric.gram(&x), &x)?;
@@ -78,7 +78,7 @@ impl<'a, R: Rule, const D: usize> Search<'a, R, D> {
     /// Returns the iterate at a sequence.
     pub(crate) fn at(&mut self, sequence: PointSequence<D>) -> Here<D> {
         self.evaluations += 1;
-        let model = LinearModel::by_batches(R::NODES, self.metric, &sequence);
+        let model = LinearModel::by_batches(self.rule.nodes(), self.metric, &sequence);
         Here { sequence, model }
     }
 
@@ -118,7 +118,7 @@ impl<'a, R: Rule, const D: usize> Search<'a, R, D> {
     /// Returns the energy at other inner points, or `None` if the metric is not positive there.
     pub(crate) fn energy(&mut self, points: &[SVector<f64, D>]) -> Option<f64> {
         self.evaluations += 1;
-        admissible_energy(R::NODES, self.metric, points)
+        admissible_energy(self.rule.nodes(), self.metric, points)
     }
 
     /// Returns the result of a descent that ends here, at the iterate that was shown last.

@@ -32,9 +32,9 @@ const LONGEST: f64 = 1e3;
 /// R. J. Renka, J. W. Neuberger, Minimal surfaces and Sobolev gradients, SIAM J. Sci. Comput. 16
 /// (1995); J. Barzilai, J. M. Borwein, Two-point step size gradient methods, IMA J. Numer. Anal. 8
 /// (1988).
-pub fn sobolev_descent<'a, const D: usize, R: Rule>(
+pub fn sobolev_descent<'a, const D: usize>(
     metric: &'a dyn Batches<D>,
-    rule: R,
+    rule: Rule,
     start: PointSequence<D>,
     limits: &Limits,
     watcher: &'a mut Watcher<'a, D>,

@@ -182,7 +182,7 @@ fn substitute_back<const D: usize>(
 #[cfg(test)]
 mod tests {
     use nalgebra::{DMatrix, DVector, SVector, vector};
-    use tautline::{PointSequence, Prepared, Rule, Trapezoidal, gallery::Valleys};
+    use tautline::{PointSequence, Prepared, Rule, gallery::Valleys};
 
     use super::KktStep;
     use crate::descent::chord_models::chord_models;
@@ -196,7 +196,7 @@ mod tests {
             };
             let sequence = PointSequence::new((0..=n).map(at).collect()).expect("finite");
             let metric = Prepared::new(Valleys);
-            let chords = chord_models::<2>(&metric, Trapezoidal::NODES, &sequence);
+            let chords = chord_models::<2>(&metric, Rule::TRAPEZOIDAL.nodes(), &sequence);
             let chords = chords.expect("a metric");
             let multipliers: Vec<_> = (0..n).map(|k| (1.0 + 0.1 * k as f64) / n as f64).collect();
             let found = KktStep::new(&chords, &multipliers, 0.3).expect("definite");

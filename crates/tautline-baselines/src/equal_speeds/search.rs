@@ -54,9 +54,9 @@ const SUFFICIENT: f64 = 1e-4;
 /// Equation (2.1) (`eq:liu2017`) of the paper, after Liu et al. (2017); N. I. M. Gould, On practical
 /// conditions for the existence and uniqueness of solutions to the general equality quadratic
 /// programming problem, Math. Program. 32 (1985).
-pub fn equal_speeds<'a, const D: usize, R: Rule>(
+pub fn equal_speeds<'a, const D: usize>(
     metric: &'a dyn Batches<D>,
-    rule: R,
+    rule: Rule,
     start: PointSequence<D>,
     limits: &Limits,
     watcher: &'a mut Watcher<'a, D>,
@@ -67,7 +67,7 @@ pub fn equal_speeds<'a, const D: usize, R: Rule>(
     let (mut shift, mut penalty) = (0.0, 0.0_f64);
     let multipliers = vec![1.0 / n as f64; n];
     // On the edge of positive definite, two programs may round to either side.
-    let Some(mut at) = At::new(metric, R::NODES, here.sequence.clone(), multipliers) else {
+    let Some(mut at) = At::new(metric, rule.nodes(), here.sequence.clone(), multipliers) else {
         let descended = search.descended(here, Ended::Stalled, 0);
         return Ok(EqualSpeeds { descended, speed_residual: f64::INFINITY });
     };
@@ -142,12 +142,7 @@ impl<const D: usize> At<D> {
     }
 
     /// Takes a step, all of it or less; `None` if nothing is gained.
-    fn follow<R: Rule>(
-        &self,
-        search: &mut Search<'_, R, D>,
-        step: &KktStep<D>,
-        penalty: f64,
-    ) -> Option<Self> {
+    fn follow(&self, search: &mut Search<'_, D>, step: &KktStep<D>, penalty: f64) -> Option<Self> {
         let merit = |at: &Self| at.mean() + penalty * at.infeasibility();
         let promised = self.mean() - step.level + penalty * self.infeasibility();
         let mut scale = 1.0;
@@ -159,7 +154,7 @@ impl<const D: usize> At<D> {
                 search.evaluations += 1;
                 let mix = |(new, old): (&f64, &f64)| old + (new - old) * scale;
                 let multipliers = step.multipliers.iter().zip(&self.multipliers).map(mix).collect();
-                let next = Self::new(search.metric, R::NODES, sequence, multipliers);
+                let next = Self::new(search.metric, search.rule.nodes(), sequence, multipliers);
                 if let Some(next) = next
                     && (merit(&next) <= merit(self) - SUFFICIENT * scale * promised
                         || self.halves(search, &next))
@@ -173,7 +168,7 @@ impl<const D: usize> At<D> {
     }
 
     /// Returns whether the larger of both residuals becomes half as large.
-    fn halves<R: Rule>(&self, search: &Search<'_, R, D>, next: &Self) -> bool {
+    fn halves(&self, search: &Search<'_, D>, next: &Self) -> bool {
         let larger = |at: &Self| search.residual(&at.here).max(at.speed_residual());
         larger(next) <= 0.5 * larger(self)
     }
@@ -184,7 +179,7 @@ mod tests {
     use std::ops::ControlFlow;
 
     use nalgebra::vector;
-    use tautline::{Iterate, PointSequence, Prepared, Rule, Trapezoidal, gallery::Valleys};
+    use tautline::{Iterate, PointSequence, Prepared, Rule, gallery::Valleys};
 
     use super::{At, KktStep, Search};
     use crate::descent::Limits;
@@ -199,10 +194,10 @@ mod tests {
         let start = PointSequence::new(points).expect("finite");
         let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
         let limits = Limits::default();
-        let begun = Search::begin(&metric, Trapezoidal, start, &limits, watch);
+        let begun = Search::begin(&metric, Rule::TRAPEZOIDAL, start, &limits, watch);
         let (mut search, here) = begun.expect("a metric");
         let multipliers = vec![1.0 / 3.0; 3];
-        let at = At::new(&metric, Trapezoidal::NODES, here.sequence, multipliers);
+        let at = At::new(&metric, Rule::TRAPEZOIDAL.nodes(), here.sequence, multipliers);
         let at = at.expect("a metric");
         let size = at.here.stiffness();
         let mut step = KktStep::new(&at.chords, &at.multipliers, size).expect("definite");

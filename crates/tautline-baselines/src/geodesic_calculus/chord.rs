@@ -58,7 +58,7 @@ impl<const D: usize> Chord<D> {
 mod tests {
     use nalgebra::{SVector, vector};
     use tautline::gallery::Swirl;
-    use tautline::{PointSequence, Trapezoidal, energy_gradient};
+    use tautline::{PointSequence, Rule, energy_gradient};
 
     use super::Chord;
 
@@ -68,7 +68,7 @@ mod tests {
         let swirl = Swirl::new(1.5, 0.8).expect("a width");
         let (x, y) = (vector![0.7, -0.3], vector![0.2, 0.4]);
         let line = PointSequence::new(vec![x, y]).expect("finite");
-        let (_, expected) = energy_gradient(Trapezoidal, &swirl, &line);
+        let (_, expected) = energy_gradient(Rule::TRAPEZOIDAL, &swirl, &line);
         let found = Chord::new(&swirl, &x, &y).expect("smooth").gradients;
         for end in 0..2 {
             assert!((found[end] - expected[end]).norm() < 1e-13, "{}", found[end]);

@@ -1,7 +1,7 @@
 //! The discrete geodesic, the discrete logarithm and the discrete exponential.
 
 use nalgebra::SVector;
-use tautline::{Ends, Metric, Options, PointSequence, Trapezoidal, minimise};
+use tautline::{Ends, Metric, Options, PointSequence, Rule, minimise};
 
 use super::{CalculusError, chord::Chord, step::extend_at};
 use crate::not_finite::finite;
@@ -22,7 +22,7 @@ pub fn discrete_geodesic<const D: usize>(
     finite("first point", x)?;
     finite("second point", y)?;
     let ends = Ends::points(*x, *y)?;
-    Ok(minimise(metric, &ends, Trapezoidal, n, &Options::default())?.sequence)
+    Ok(minimise(metric, &ends, Rule::TRAPEZOIDAL, n, &Options::default())?.sequence)
 }
 
 /// Returns the discrete logarithm of `y` at `x`, in `ℓ`: `N (x₁ − x₀)`, the first difference of a

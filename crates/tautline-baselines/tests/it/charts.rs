@@ -1,8 +1,8 @@
 //! Minimisers on a surface are those in coordinates on it.
 
 use tautline::{
-    Ends, LeftEndpoint, Metric, Options, PointSequence, Rule, SMatrix, SVector, Scalar, Starts,
-    Trapezoidal, gallery::CoupledCosines, minimise,
+    Ends, Metric, Options, PointSequence, Rule, SMatrix, SVector, Scalar, Starts,
+    gallery::CoupledCosines, minimise,
 };
 use tautline_baselines::descent::{Ended, Equality};
 
@@ -41,7 +41,7 @@ impl Metric<2> for OnThePlane {
 /// same energy.
 #[test]
 fn on_a_plane_it_is_the_minimum_in_coordinates() {
-    fn compare(rule: impl Rule) {
+    fn compare(rule: Rule) {
         let (a, b, n) = ([-1.0, 0.3], [2.0, 1.5], 32);
         let start = PointSequence::straight(a, b, n).expect("finite");
         let ends = Ends::points(a, b).expect("finite");
@@ -55,19 +55,19 @@ fn on_a_plane_it_is_the_minimum_in_coordinates() {
         let free = minimise(&CoupledCosines, &ends, rule, n, &only).expect("a metric").energy;
         let found = solve(CoupledCosines, rule, start, &Plane).expect("a metric");
         let what = format!(
-            "{rule:?}: residual {:e} of {:e}, violation {:e}",
+            "{rule}: residual {:e} of {:e}, violation {:e}",
             found.descended.residual, found.descended.residual_floor, found.violation
         );
         assert_eq!(found.descended.ended, Ended::Stationary, "{what}");
         let (error, tolerance) =
             (found.descended.energy / expected - 1.0, energy_tolerance(&found));
-        assert!(error.abs() <= tolerance, "{rule:?}: {error:e} {tolerance:e}");
-        assert!(free < expected * (1.0 - 1e-6), "{rule:?}: {free} {expected}");
+        assert!(error.abs() <= tolerance, "{rule}: {error:e} {tolerance:e}");
+        assert!(free < expected * (1.0 - 1e-6), "{rule}: {free} {expected}");
         // The multipliers are the forces that hold the curve in its plane.
         assert!(found.multipliers.iter().any(|multiplier| multiplier.abs() > 1e-4));
     }
-    compare(Trapezoidal);
-    compare(LeftEndpoint);
+    compare(Rule::TRAPEZOIDAL);
+    compare(Rule::LEFT_ENDPOINT);
 }
 
 /// The unit sphere under the coupled cosines, in stereographic coordinates
@@ -119,9 +119,10 @@ fn on_a_sphere_in_another_metric_the_limit_is_that_in_a_chart() {
         let lifted = chart.points().iter().map(OnTheSphere::lift).collect();
         let ends = Ends::points(a, b).expect("finite");
         let only = Options { starts: Starts::Only(vec![chart]), ..Options::default() };
-        let found = minimise(&OnTheSphere, &ends, Trapezoidal, n, &only).expect("a metric");
+        let found = minimise(&OnTheSphere, &ends, Rule::TRAPEZOIDAL, n, &only).expect("a metric");
         let lifted = PointSequence::new(lifted).expect("finite");
-        let on_sphere = solve(CoupledCosines, Trapezoidal, lifted, &UnitSphere).expect("a metric");
+        let on_sphere =
+            solve(CoupledCosines, Rule::TRAPEZOIDAL, lifted, &UnitSphere).expect("a metric");
         assert_eq!(on_sphere.descended.ended, Ended::Stationary);
         tolerance = tolerance.max(2.0 * (energy_tolerance(&on_sphere) + found.decrement));
         [found.energy, on_sphere.descended.energy]

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, vector};
 use tautline::gallery::{Bump, Separable, SpherePatch, Valleys};
 use tautline::{
     AffineSubspace, Ball, ClosedSet, Ends, HalfSpace, KnownDistance, Metric, Point, PointSequence,
-    Problem, SetError, Sphere, Trapezoidal,
+    Problem, Rule, SetError, Sphere,
 };
 use tautline_baselines::collocation::{Collocated, Collocation, CollocationError, collocate};
 use tautline_baselines::shooting::{Shooting, shoot};
@@ -262,7 +262,7 @@ fn three_methods_agree_on_the_distance_between_balls() {
         let shot = shoot(&metric, &ends, &Shooting::default()).expect("a shot").geodesic;
         let path = collocate(&metric, &ends, &Collocation::default()).expect("a path");
         assert!((path.length / shot.length() - 1.0).abs() < 2e-9);
-        let line = Problem::new(metric, ends).solve(Trapezoidal, 1024).expect("a line");
+        let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 1024).expect("a line");
         let estimate = line.distance_squared_estimate().expect("several grids");
         let apart = (shot.energy() - estimate.value).abs();
         let allowed = 2.0 * estimate.error + 2e-9 * estimate.value;

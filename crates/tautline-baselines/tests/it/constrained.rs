@@ -3,8 +3,7 @@
 use std::ops::ControlFlow;
 
 use tautline::{
-    Iterate, LeftEndpoint, Metric, PointSequence, Prepared, Rule, SMatrix, SVector, Scalar,
-    Trapezoidal,
+    Iterate, Metric, PointSequence, Prepared, Rule, SMatrix, SVector, Scalar,
     gallery::{Constant, CoupledCosines},
 };
 use tautline_baselines::descent::{
@@ -25,7 +24,7 @@ impl Equality<3> for UnitSphere {
 
 pub(crate) fn solve(
     metric: impl Metric<3>,
-    rule: impl Rule,
+    rule: Rule,
     start: PointSequence<3>,
     constraint: &impl Equality<3>,
 ) -> Result<Constrained<3>, ConstrainedError> {
@@ -34,7 +33,7 @@ pub(crate) fn solve(
 
 pub(crate) fn descend<const D: usize>(
     metric: impl Metric<D>,
-    rule: impl Rule,
+    rule: Rule,
     start: PointSequence<D>,
     constraint: &impl Equality<D>,
     feasibility: f64,
@@ -76,8 +75,8 @@ fn on_a_sphere_it_is_the_great_circle() {
     for (alpha, n) in [(1.0_f64, 2), (1.0, 40), (2.5, 3), (2.5, 40), (2.5, 200)] {
         let start = bent(alpha, n);
         for found in [
-            solve(flat(), Trapezoidal, start.clone(), &UnitSphere),
-            solve(flat(), LeftEndpoint, start, &UnitSphere),
+            solve(flat(), Rule::TRAPEZOIDAL, start.clone(), &UnitSphere),
+            solve(flat(), Rule::LEFT_ENDPOINT, start, &UnitSphere),
         ] {
             let found = found.expect("a metric");
             let what = format!(
@@ -131,7 +130,7 @@ fn units_change_nothing() {
             let metric = Prepared::new(metric);
             let watch = &mut |_: &Iterate<'_, 3>| ControlFlow::Continue(());
             let (surface, feasibility) = (&Scaled(surface, constraint), FEASIBILITY * constraint);
-            let (rule, start) = (Trapezoidal, start.clone());
+            let (rule, start) = (Rule::TRAPEZOIDAL, start.clone());
             let found = constrained_dynamic_programming(
                 &metric,
                 rule,
@@ -169,7 +168,7 @@ fn tolerances_of_zero_end_at_rounding() {
         let metric = Prepared::new(CoupledCosines);
         let watch = &mut |_: &Iterate<'_, 3>| ControlFlow::Continue(());
         let limits = Limits { tolerance: 0.0, ..LIMITS };
-        let (rule, start, sphere) = (Trapezoidal, bent(2.5, n), &UnitSphere);
+        let (rule, start, sphere) = (Rule::TRAPEZOIDAL, bent(2.5, n), &UnitSphere);
         let found =
             constrained_dynamic_programming(&metric, rule, start, sphere, 0.0, &limits, watch);
         let found = found.expect("a metric");
@@ -199,8 +198,15 @@ fn a_sphere_far_from_the_origin_has_the_same_great_circles() {
         let watch = &mut |_: &Iterate<'_, 3>| ControlFlow::Continue(());
         let far = &Far(shift);
         let limits = Limits { tolerance: 0.0, ..LIMITS };
-        let found =
-            constrained_dynamic_programming(&metric, Trapezoidal, start, far, 0.0, &limits, watch);
+        let found = constrained_dynamic_programming(
+            &metric,
+            Rule::TRAPEZOIDAL,
+            start,
+            far,
+            0.0,
+            &limits,
+            watch,
+        );
         let found = found.expect("a metric");
         let what = format!("{shift}: {:?} {}", found.descended.ended, found.descended.iterations);
         assert_eq!(found.descended.ended, Ended::Stationary, "{what}");
@@ -230,7 +236,8 @@ fn long_sequences_take_as_few_steps() {
     };
     for n in [50, 400, 3000] {
         for start in [bent(2.5, n), other(n)] {
-            let found = solve(CoupledCosines, Trapezoidal, start, &UnitSphere).expect("a metric");
+            let found =
+                solve(CoupledCosines, Rule::TRAPEZOIDAL, start, &UnitSphere).expect("a metric");
             let what = format!("{n}: {:?} {}", found.descended.ended, found.descended.iterations);
             assert_eq!(found.descended.ended, Ended::Stationary, "{what}");
             assert!(found.descended.iterations <= 40, "{what}");
@@ -250,7 +257,7 @@ fn a_loop_shrinks_to_a_point() {
     let mut points: Vec<_> = (0..30).map(at).collect();
     points.push(a);
     let start = PointSequence::new(points).expect("finite");
-    let found = solve(CoupledCosines, Trapezoidal, start, &UnitSphere).expect("a metric");
+    let found = solve(CoupledCosines, Rule::TRAPEZOIDAL, start, &UnitSphere).expect("a metric");
     assert_eq!(found.descended.ended, Ended::Stationary, "{found:?}");
     // The residual of a loop is at least 1, however small the loop is, until rounding causes as much: where
     // √E is N²ε times the root of 3/2 and of tr H/3, which is below 2.
@@ -271,7 +278,7 @@ fn where_rounding_hides_the_residual_a_descent_stalls() {
     let metric = Prepared::new(Waves);
     let watch = &mut |_: &Iterate<'_, 3>| ControlFlow::Continue(());
     let limits = Limits { tolerance: 0.0, ..LIMITS };
-    let (rule, start, sphere) = (Trapezoidal, bent(2.0, 3), &UnitSphere);
+    let (rule, start, sphere) = (Rule::TRAPEZOIDAL, bent(2.0, 3), &UnitSphere);
     let found = constrained_dynamic_programming(&metric, rule, start, sphere, 0.0, &limits, watch);
     let found = found.expect("a metric").descended;
     assert_eq!(found.ended, Ended::Stalled, "{found:?}");
@@ -281,7 +288,7 @@ fn where_rounding_hides_the_residual_a_descent_stalls() {
 #[test]
 fn an_end_off_the_surface_is_an_error_and_an_end_of_time_is_not() {
     let off = PointSequence::straight([1.0, 0.0, 0.0], [0.0, 1.1, 0.0], 8).expect("finite");
-    let refused = solve(flat(), Trapezoidal, off.clone(), &UnitSphere);
+    let refused = solve(flat(), Rule::TRAPEZOIDAL, off.clone(), &UnitSphere);
     let Err(ConstrainedError::End { end: "last", value: violation, .. }) = refused else {
         panic!("{refused:?}")
     };
@@ -298,7 +305,7 @@ fn an_end_off_the_surface_is_an_error_and_an_end_of_time_is_not() {
                 ControlFlow::Continue(())
             }
         };
-        let (rule, sphere) = (Trapezoidal, &UnitSphere);
+        let (rule, sphere) = (Rule::TRAPEZOIDAL, &UnitSphere);
         constrained_dynamic_programming(&metric, rule, start.clone(), sphere, 1e-9, limits, watch)
     };
     let found = run(&LIMITS, 3).expect("a metric");

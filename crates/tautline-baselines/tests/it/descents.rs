@@ -3,9 +3,8 @@
 use std::ops::ControlFlow;
 
 use tautline::{
-    Batches, Curvature, Ends, Iterate, LeftEndpoint, Metric, Options, PointSequence, Prepared,
-    Rule, SMatrix, SVector, Scalar, Starts, Trace, Trapezoidal, TrueTrapezoid, Watcher, Workspace,
-    gallery::*, minimise, newton_step,
+    Batches, Curvature, Ends, Iterate, Metric, Options, PointSequence, Prepared, Rule, SMatrix,
+    SVector, Scalar, Starts, Trace, Watcher, Workspace, gallery::*, minimise, newton_step,
 };
 use tautline_baselines::descent::{
     Coordinates, Descended, DescentError, Ended, Limits, SecondOrder, dynamic_programming, lbfgs,
@@ -31,7 +30,7 @@ impl Method {
     fn run<const D: usize>(
         self,
         metric: &dyn Batches<D>,
-        rule: impl Rule,
+        rule: Rule,
         start: &PointSequence<D>,
         limits: &Limits,
         watcher: &mut Watcher<'_, D>,
@@ -79,13 +78,13 @@ fn reach_the_minimum<M: Metric<D>, const D: usize>(
     a: SVector<f64, D>,
     b: SVector<f64, D>,
 ) {
-    reach_the_minimum_of(Trapezoidal, metric, a, b);
-    reach_the_minimum_of(LeftEndpoint, metric, a, b);
-    reach_the_minimum_of(TrueTrapezoid, metric, a, b);
+    reach_the_minimum_of(Rule::TRAPEZOIDAL, metric, a, b);
+    reach_the_minimum_of(Rule::LEFT_ENDPOINT, metric, a, b);
+    reach_the_minimum_of(Rule::TRUE_TRAPEZOID, metric, a, b);
 }
 
 fn reach_the_minimum_of<M: Metric<D>, const D: usize>(
-    rule: impl Rule,
+    rule: Rule,
     metric: &M,
     a: SVector<f64, D>,
     b: SVector<f64, D>,
@@ -101,22 +100,22 @@ fn reach_the_minimum_of<M: Metric<D>, const D: usize>(
         let found = found.expect("a metric");
         let error = found.energy / newton.energy - 1.0;
         // The excess of the energy is about the square of the residual, 1e-12.
-        assert!(error.abs() <= 1e-10, "{rule:?}, {method:?}: {error:e}, {:?}", found.ended);
+        assert!(error.abs() <= 1e-10, "{rule}, {method:?}: {error:e}, {:?}", found.ended);
         let residual = found.residual;
-        assert_eq!(found.ended, Ended::Stationary, "{rule:?}, {method:?}: {residual:e}");
+        assert_eq!(found.ended, Ended::Stationary, "{rule}, {method:?}: {residual:e}");
         assert!(residual <= found.residual_floor.max(1e-6));
         assert_eq!(found.energy, found.sequence_energy(rule, metric), "{method:?}");
     }
 }
 
 trait Reevaluated<const D: usize> {
-    fn sequence_energy<M: Metric<D>>(&self, rule: impl Rule, metric: &M) -> f64;
+    fn sequence_energy<M: Metric<D>>(&self, rule: Rule, metric: &M) -> f64;
 }
 
 impl<const D: usize> Reevaluated<D> for Descended<D> {
     /// Returns the energy that the result claims if the energy of its points is that, up to the
     /// rounding of some 40 terms in another order.
-    fn sequence_energy<M: Metric<D>>(&self, rule: impl Rule, metric: &M) -> f64 {
+    fn sequence_energy<M: Metric<D>>(&self, rule: Rule, metric: &M) -> f64 {
         let energy = rule.energy(metric, &self.sequence);
         if (energy - self.energy).abs() <= 1e-13 * energy { self.energy } else { energy }
     }
@@ -138,11 +137,11 @@ fn descents_end_at_a_saddle_that_the_structured_method_leaves() {
     let start = PointSequence::straight(a, b, N).expect("finite");
     let only = Options { starts: Starts::Only(vec![start.clone()]), ..Options::default() };
     let ends = Ends::points(a, b).expect("finite");
-    let newton = minimise(&bump(), &ends, Trapezoidal, N, &only).expect("a metric");
+    let newton = minimise(&bump(), &ends, Rule::TRAPEZOIDAL, N, &only).expect("a metric");
     assert_eq!(newton.curvature, Curvature::PositiveDefinite);
     let metric = Prepared::new(bump());
     for method in METHODS {
-        let found = method.run(&metric, Trapezoidal, &start, &Limits::default(), &mut go_on);
+        let found = method.run(&metric, Rule::TRAPEZOIDAL, &start, &Limits::default(), &mut go_on);
         let found = found.expect("a metric");
         assert_eq!(found.ended, Ended::Stationary, "{method:?}");
         // The way over the top has more than twice the energy, 64 instead of 22.
@@ -165,7 +164,7 @@ fn sobolev_norms_make_the_number_of_steps_independent_of_n() {
     let steps = |method: Method, n: usize| {
         let start = PointSequence::straight([-1.6, -0.5], [1.3, 1.1], n).expect("finite");
         let limits = Limits { tolerance: 1e-5, ..Limits::default() };
-        let found = method.run(&metric, Trapezoidal, &start, &limits, &mut go_on);
+        let found = method.run(&metric, Rule::TRAPEZOIDAL, &start, &limits, &mut go_on);
         let found = found.expect("a metric");
         assert_eq!(found.ended, Ended::Stationary, "{method:?}, N = {n}");
         found.iterations as f64
@@ -190,18 +189,24 @@ fn a_step_of_full_dynamic_programming_is_a_newton_step() {
     };
     let start = PointSequence::new((0..=12).map(at).collect()).expect("finite");
     let ends = [*start.first(), *start.last()].map(|x| tautline::Point::new(x).expect("finite"));
-    let newton =
-        newton_step(&mut Workspace::default(), &metric, [&ends[0], &ends[1]], Trapezoidal, &start)
-            .expect("definite");
+    let newton = newton_step(
+        &mut Workspace::default(),
+        &metric,
+        [&ends[0], &ends[1]],
+        Rule::TRAPEZOIDAL,
+        &start,
+    )
+    .expect("definite");
     let mut second = None;
     let method = Method::Dynamic(SecondOrder::Full);
-    let found = method.run(&metric, Trapezoidal, &start, &Limits::default(), &mut |iterate| {
-        if iterate.iteration == 1 {
-            second = Some(iterate.sequence.clone());
-            return ControlFlow::Break(());
-        }
-        ControlFlow::Continue(())
-    });
+    let found =
+        method.run(&metric, Rule::TRAPEZOIDAL, &start, &Limits::default(), &mut |iterate| {
+            if iterate.iteration == 1 {
+                second = Some(iterate.sequence.clone());
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        });
     assert_eq!(found.expect("a metric").ended, Ended::Interrupted);
     let second = second.expect("a step");
     for ((x, y), step) in start.points().iter().zip(second.points()).zip(&newton.step) {
@@ -219,16 +224,21 @@ fn a_descent_is_ended_at_any_iterate_and_keeps_it() {
     for method in METHODS {
         for end in [0, 1, 3] {
             let mut shown = None;
-            let found = method.run(&metric, Trapezoidal, &start, &Limits::default(), &mut |it| {
-                shown = Some((it.energy, it.residual, it.sequence.clone()));
-                if it.iteration == end { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            });
+            let found =
+                method.run(&metric, Rule::TRAPEZOIDAL, &start, &Limits::default(), &mut |it| {
+                    shown = Some((it.energy, it.residual, it.sequence.clone()));
+                    if it.iteration == end {
+                        ControlFlow::Break(())
+                    } else {
+                        ControlFlow::Continue(())
+                    }
+                });
             let found = found.expect("a metric");
             assert_eq!((found.ended, found.iterations), (Ended::Interrupted, end), "{method:?}");
             assert_eq!(shown, Some((found.energy, found.residual, found.sequence)), "{method:?}");
         }
         let limits = Limits { iterations: 2, ..Limits::default() };
-        let found = method.run(&metric, Trapezoidal, &start, &limits, &mut go_on);
+        let found = method.run(&metric, Rule::TRAPEZOIDAL, &start, &limits, &mut go_on);
         let found = found.expect("a metric");
         assert_eq!((found.ended, found.iterations), (Ended::IterationLimit, 2), "{method:?}");
     }
@@ -247,7 +257,8 @@ fn a_trace_ends_a_descent_after_a_millisecond() {
             ticks
         };
         let mut trace = Trace::with_limit(&mut clock, 0.00095);
-        let found = method.run(&metric, Trapezoidal, &start, &limits, &mut |it| trace.record(it));
+        let found =
+            method.run(&metric, Rule::TRAPEZOIDAL, &start, &limits, &mut |it| trace.record(it));
         let found = found.expect("a metric");
         assert_eq!((found.ended, trace.entries().len()), (Ended::Interrupted, 10), "{method:?}");
         let energies: Vec<_> = trace.entries().iter().map(|entry| entry.energy).collect();
@@ -274,7 +285,9 @@ fn a_start_without_a_metric_or_an_energy_is_an_error() {
     let nan = Limits { tolerance: f64::NAN, ..Limits::default() };
     for method in METHODS {
         let run = |start, limits: &Limits| {
-            method.run(&metric, Trapezoidal, start, limits, &mut go_on).map(|found| found.ended)
+            method
+                .run(&metric, Rule::TRAPEZOIDAL, start, limits, &mut go_on)
+                .map(|found| found.ended)
         };
         let limits = Limits::default();
         assert!(matches!(run(&across, &limits), Err(DescentError::Metric(_))), "{method:?}");
@@ -310,10 +323,10 @@ fn descents_turn_back_where_there_is_no_metric() {
     let start = PointSequence::straight([1.0, 0.0], [1.0, 3.0], N).expect("finite");
     let ends = Ends::points(*start.first(), *start.last()).expect("finite");
     let only = Options { starts: Starts::Only(vec![start.clone()]), ..Options::default() };
-    let newton = minimise(&BesideAnEdge, &ends, Trapezoidal, N, &only).expect("a metric");
+    let newton = minimise(&BesideAnEdge, &ends, Rule::TRAPEZOIDAL, N, &only).expect("a metric");
     let metric = Prepared::new(BesideAnEdge);
     for method in METHODS {
-        let found = method.run(&metric, Trapezoidal, &start, &Limits::default(), &mut go_on);
+        let found = method.run(&metric, Rule::TRAPEZOIDAL, &start, &Limits::default(), &mut go_on);
         let found = found.expect("a metric");
         assert_eq!(found.ended, Ended::Stationary, "{method:?}");
         let error = found.energy / newton.energy - 1.0;
@@ -324,7 +337,7 @@ fn descents_turn_back_where_there_is_no_metric() {
     let metric = Prepared::new(Above);
     for method in METHODS {
         let limits = Limits { iterations: 300, ..Limits::default() };
-        let found = method.run(&metric, Trapezoidal, &start, &limits, &mut go_on);
+        let found = method.run(&metric, Rule::TRAPEZOIDAL, &start, &limits, &mut go_on);
         let found = found.expect("a metric");
         assert!(found.sequence.chords().all(|(x, d)| (x + d * 0.5)[1] > 0.0), "{method:?}");
         assert!(found.energy > 0.0 && found.ended != Ended::Stationary, "{method:?}");
@@ -345,7 +358,7 @@ fn evaluations_are_counted() {
         (Method::Dynamic(SecondOrder::Full), 4),
         (Method::Dynamic(SecondOrder::GaussNewton), 4),
     ] {
-        let found = method.run(&metric, Trapezoidal, &bent, &Limits::default(), &mut go_on);
+        let found = method.run(&metric, Rule::TRAPEZOIDAL, &bent, &Limits::default(), &mut go_on);
         let found = found.expect("a metric");
         assert_eq!((found.iterations, found.evaluations), (1, evaluations), "{method:?}");
     }
@@ -359,9 +372,10 @@ fn the_smallest_grids_have_a_minimum_too() {
         let start = PointSequence::straight([0.3, 0.0], [2.0, 1.0], n).expect("finite");
         let ends = Ends::points(*start.first(), *start.last()).expect("finite");
         let only = Options { starts: Starts::Only(vec![start.clone()]), ..Options::default() };
-        let newton = minimise(&Valleys, &ends, Trapezoidal, n, &only).expect("a metric");
+        let newton = minimise(&Valleys, &ends, Rule::TRAPEZOIDAL, n, &only).expect("a metric");
         for method in METHODS {
-            let found = method.run(&metric, Trapezoidal, &start, &Limits::default(), &mut go_on);
+            let found =
+                method.run(&metric, Rule::TRAPEZOIDAL, &start, &Limits::default(), &mut go_on);
             let found = found.expect("a metric");
             assert_eq!(found.ended, Ended::Stationary, "{method:?}, N = {n}");
             let error = found.energy / newton.energy - 1.0;

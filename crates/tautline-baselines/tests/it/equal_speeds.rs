@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use tautline::{
-    Ends, LeftEndpoint, Metric, Options, PointSequence, Prepared, Rule, SVector, Trapezoidal,
+    Ends, Metric, Options, PointSequence, Prepared, Rule, SVector,
     gallery::{Bump, CoupledCosines, Hill, Separable, Swirl, Valleys},
     minimise,
 };
@@ -16,7 +16,7 @@ const LIMITS: Limits = Limits { tolerance: 1e-11, iterations: 200 };
 
 fn from<M: Metric<D>, const D: usize>(
     metric: &M,
-    rule: impl Rule,
+    rule: Rule,
     start: PointSequence<D>,
 ) -> EqualSpeeds<D> {
     let prepared = Prepared::new(metric);
@@ -27,7 +27,7 @@ fn from<M: Metric<D>, const D: usize>(
 /// From the minimiser without constraints, by one rule on all grids.
 fn compare<M: Metric<D>, const D: usize>(
     name: &str,
-    rule: impl Rule,
+    rule: Rule,
     metric: &M,
     a: [f64; D],
     b: [f64; D],
@@ -37,7 +37,7 @@ fn compare<M: Metric<D>, const D: usize>(
         let free = minimise(metric, &ends, rule, n, &Options::default()).expect("a metric");
         let found = from(metric, rule, free.sequence);
         let EqualSpeeds { descended, speed_residual, .. } = found;
-        let what = format!("{name}, {rule:?}, N = {n}: {:?}", descended.ended);
+        let what = format!("{name}, {rule}, N = {n}: {:?}", descended.ended);
         assert!(speed_residual <= 1e-10, "{what}: {speed_residual:e}");
         let speeds = rule.speeds(metric, &descended.sequence);
         let mean = descended.energy.sqrt();
@@ -57,8 +57,8 @@ fn compare<M: Metric<D>, const D: usize>(
 }
 
 fn both_rules<M: Metric<D>, const D: usize>(name: &str, metric: M, a: [f64; D], b: [f64; D]) {
-    compare(name, LeftEndpoint, &metric, a, b);
-    compare(name, Trapezoidal, &metric, a, b);
+    compare(name, Rule::LEFT_ENDPOINT, &metric, a, b);
+    compare(name, Rule::TRAPEZOIDAL, &metric, a, b);
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn on_a_line_the_sequence_is_that_of_equal_steps() {
         if end(middle) < b { low = middle } else { high = middle }
     }
     let start = PointSequence::straight([a], [b], n).expect("finite");
-    let found = from(&metric, LeftEndpoint, start);
+    let found = from(&metric, Rule::LEFT_ENDPOINT, start);
     let mut x = a;
     for point in found.descended.sequence.points() {
         // Twelve steps, each with a few roundings, and the tolerance of the speeds.
@@ -107,7 +107,7 @@ fn other_starts_lead_to_the_same_sequence() {
         };
         from(
             &metric,
-            Trapezoidal,
+            Rule::TRAPEZOIDAL,
             PointSequence::new((0..=24).map(point).collect()).expect("finite"),
         )
     };
@@ -126,17 +126,17 @@ fn what_has_no_chords_or_no_metric_is_refused_or_left_alone() {
         tautline::gallery::Constant::<2>::new(tautline::SMatrix::identity()).expect("definite");
     // One chord: there is nothing to do.
     let one = PointSequence::straight([0.0, 0.0], [1.0, 1.0], 1).expect("finite");
-    assert_eq!(from(&flat, Trapezoidal, one).descended.ended, Ended::Stationary);
+    assert_eq!(from(&flat, Rule::TRAPEZOIDAL, one).descended.ended, Ended::Stationary);
     // A chord without length has no slope, and no step leads away from it.
     let still = [[0.0, 0.0], [0.0, 0.0], [1.0, 0.0]].map(SVector::from);
     let still = PointSequence::new(still.to_vec()).expect("finite");
-    let found = from(&flat, Trapezoidal, still.clone());
+    let found = from(&flat, Rule::TRAPEZOIDAL, still.clone());
     assert_eq!(found.descended.ended, Ended::Stalled);
     assert_eq!(found.descended.sequence, still);
     assert!(found.speed_residual > 0.1);
     let metric = Prepared::new(&flat);
     let nan = Limits { tolerance: f64::NAN, ..LIMITS };
     let watch = &mut |_: &tautline::Iterate<'_, 2>| ControlFlow::Continue(());
-    let refused = equal_speeds(&metric, Trapezoidal, still, &nan, watch);
+    let refused = equal_speeds(&metric, Rule::TRAPEZOIDAL, still, &nan, watch);
     assert!(matches!(refused, Err(DescentError::Tolerance { .. })));
 }

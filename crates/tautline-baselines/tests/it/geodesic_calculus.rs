@@ -2,9 +2,7 @@
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline::gallery::Valleys;
-use tautline::{
-    Metric, PointSequence, Scalar, SequenceError, SolveError, Trapezoidal, energy_gradient,
-};
+use tautline::{Metric, PointSequence, Rule, Scalar, SequenceError, SolveError, energy_gradient};
 use tautline_baselines::geodesic_calculus::{
     CalculusError, discrete_exponential, discrete_geodesic, discrete_logarithm, extend, midpoint,
     parallel_transport,
@@ -156,7 +154,7 @@ fn three_points_of_the_calculus_have_a_stationary_energy() {
         let again = midpoint(metric, &x, &z).expect("a point");
         for points in [vec![x, y, z], vec![x, again, z]] {
             let sequence = PointSequence::new(points).expect("finite");
-            let (_, gradient) = energy_gradient(Trapezoidal, metric, &sequence);
+            let (_, gradient) = energy_gradient(Rule::TRAPEZOIDAL, metric, &sequence);
             assert!(gradient[1].norm() < 1e-13, "{name}: {}", gradient[1]);
             assert!(gradient[0].norm() > 0.1);
         }

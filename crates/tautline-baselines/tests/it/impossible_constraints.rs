@@ -1,6 +1,6 @@
 //! Constraints that no curve between two points satisfies, and others that are no constraints.
 
-use tautline::{PointSequence, SMatrix, SVector, Scalar, Trapezoidal, gallery::Constant};
+use tautline::{PointSequence, Rule, SMatrix, SVector, Scalar, gallery::Constant};
 use tautline_baselines::descent::{Constrained, ConstrainedError, Ended, Equality};
 
 use crate::constrained::descend;
@@ -13,7 +13,7 @@ fn solve<const D: usize>(
     feasibility: f64,
 ) -> Result<Constrained<D>, ConstrainedError> {
     let metric = Constant::new(SMatrix::<f64, D, D>::identity()).expect("definite");
-    descend(metric, Trapezoidal, start, constraint, feasibility)
+    descend(metric, Rule::TRAPEZOIDAL, start, constraint, feasibility)
 }
 
 pub(crate) struct TwoSpheres;

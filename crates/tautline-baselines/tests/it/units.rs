@@ -4,9 +4,7 @@ use std::ops::ControlFlow;
 
 use nalgebra::{SMatrix, SVector};
 use tautline::gallery::Bump;
-use tautline::{
-    Batches, Iterate, Metric, PointSequence, Prepared, Scalar, Trapezoidal, norm_squared,
-};
+use tautline::{Batches, Iterate, Metric, PointSequence, Prepared, Rule, Scalar, norm_squared};
 use tautline_baselines::descent::{
     Descended, DescentError, Ended, Limits, SecondOrder, dynamic_programming, sobolev_descent,
 };
@@ -67,7 +65,7 @@ fn dynamic_programming_takes_the_same_steps_in_other_units() {
         off_the_top(factor, |metric, start| {
             let (limits, full) = (Limits::default(), SecondOrder::Full);
             let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
-            dynamic_programming(metric, Trapezoidal, start, full, &limits, watch)
+            dynamic_programming(metric, Rule::TRAPEZOIDAL, start, full, &limits, watch)
         })
     });
 }
@@ -78,7 +76,7 @@ fn a_sobolev_descent_takes_the_same_steps_in_other_units() {
     assert_same_in_other_units(|factor| {
         off_the_top(factor, |metric, start| {
             let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
-            sobolev_descent(metric, Trapezoidal, start, &Limits::default(), watch)
+            sobolev_descent(metric, Rule::TRAPEZOIDAL, start, &Limits::default(), watch)
         })
     });
 }

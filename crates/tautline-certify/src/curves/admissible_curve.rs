@@ -146,7 +146,7 @@ mod tests {
 
     use nalgebra::{SMatrix, SVector, vector};
     use tautline_chance::Random;
-    use tautline_discretizations::{LeftEndpoint, PointSequence};
+    use tautline_discretizations::{PointSequence, Rule};
     use tautline_formula::{Formula, RecordError};
     use tautline_metrics::gallery::{Constant, Hyperbolic, Valleys};
     use tautline_scalar::{Interval, Scalar, Table};
@@ -292,7 +292,7 @@ mod tests {
         let polygon = Polygon::new(&curve);
         let (energy, length) = polygon.energy_and_length(&Branch);
         assert!(energy.is_undefined() && length.is_undefined(), "{energy:?} {length:?}");
-        let discrete = polygon.discrete_energy(LeftEndpoint, &Branch);
+        let discrete = polygon.discrete_energy(Rule::LEFT_ENDPOINT, &Branch);
         assert!(discrete.is_undefined(), "{discrete:?}");
     }
 

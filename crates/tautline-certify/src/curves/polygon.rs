@@ -155,14 +155,14 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     /// The weights and fractions are the doubles of the rule. The result is undefined if the metric
     /// is undefined at a node, or if its formula cannot be recorded or is not known to be symmetric.
     #[must_use]
-    pub fn discrete_energy<R: Rule>(&self, _rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
+    pub fn discrete_energy(&self, rule: Rule, metric: &impl Metric<D>) -> Enclosure<K> {
         let metric = AnyMetric::new(metric);
         if !is_symmetric(&metric) {
             return Enclosure::UNDEFINED;
         }
         let mut sum = PairwiseSum::new();
         for chord in self.chords() {
-            for node in R::NODES {
+            for node in rule.nodes() {
                 sum.add(chord.square_at(&metric, node.fraction) * node.weight);
             }
         }

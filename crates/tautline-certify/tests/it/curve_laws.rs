@@ -4,9 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{SVector, vector};
 use tautline_certify::Polygon;
-use tautline_discretizations::{
-    Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid,
-};
+use tautline_discretizations::{Interpolation, PointSequence, Rule};
 use tautline_formula::Formula;
 use tautline_metrics::{
     Metric,
@@ -72,15 +70,15 @@ fn energies_and_lengths_agree_with_floats_and_with_each_other() {
                 let (e, l) = fast.energy_and_length(metric);
                 assert!(energy.intersection(e.with_kernel()).is_some(), "{name}");
                 assert!(length.intersection(l.with_kernel()).is_some(), "{name}");
-                rule(name, Trapezoidal, metric, &sequence);
-                rule(name, LeftEndpoint, metric, &sequence);
-                rule(name, TrueTrapezoid, metric, &sequence);
+                rule(name, Rule::TRAPEZOIDAL, metric, &sequence);
+                rule(name, Rule::LEFT_ENDPOINT, metric, &sequence);
+                rule(name, Rule::TRUE_TRAPEZOID, metric, &sequence);
             }
         }
     }
-    fn rule<R: Rule, const D: usize>(
+    fn rule<const D: usize>(
         name: &str,
-        rule: R,
+        rule: Rule,
         metric: &impl Metric<D>,
         sequence: &PointSequence<D>,
     ) {
@@ -88,8 +86,8 @@ fn energies_and_lengths_agree_with_floats_and_with_each_other() {
         let float = rule.energy(metric, sequence);
         let error = 64.0 * f64::EPSILON * float;
         let reach = energy + Interval::new(-error, error).expect("ordered");
-        assert!(reach.contains(float), "{name}, {rule:?}: {float} in {energy:?}");
-        assert!(energy.width() <= 64.0 * f64::EPSILON * float, "{name}, {rule:?}: {energy:?}");
+        assert!(reach.contains(float), "{name}, {rule}: {float} in {energy:?}");
+        assert!(energy.width() <= 64.0 * f64::EPSILON * float, "{name}, {rule}: {energy:?}");
     }
     gallery(&mut Agree(Random(tautline_chance::seed(1))));
 }
@@ -112,7 +110,7 @@ fn a_thousand_chords_have_twelve_digits() {
                 assert!(x.width() <= 1e-12 * x.lo(), "{name}: {:e}", x.width() / x.lo());
             }
             // The rules have no truncation error, only a few roundings per chord.
-            let discrete = Polygon::new(&sequence).discrete_energy(Trapezoidal, metric);
+            let discrete = Polygon::new(&sequence).discrete_energy(Rule::TRAPEZOIDAL, metric);
             assert!(discrete.width() <= 1e-14 * discrete.lo(), "{name}");
         }
     }
@@ -132,7 +130,7 @@ fn boxes_at_the_ends_represent_all_their_points() {
         let all = Polygon::new(&sequence).with_ends(first, last);
         assert_eq!((all.first(), all.last()), (&first, &last));
         let (energy, length) = all.energy_and_length(&metric);
-        let discrete = all.discrete_energy(LeftEndpoint, &metric);
+        let discrete = all.discrete_energy(Rule::LEFT_ENDPOINT, &metric);
         for _ in 0..5 {
             let mut points = sequence.points().to_vec();
             for end in [0, 3] {
@@ -142,7 +140,7 @@ fn boxes_at_the_ends_represent_all_their_points() {
             let one = Polygon::new(&one);
             assert!(energy.contains_interval(one.energy(&metric)));
             assert!(length.contains_interval(one.length(&metric)));
-            assert!(discrete.contains_interval(one.discrete_energy(LeftEndpoint, &metric)));
+            assert!(discrete.contains_interval(one.discrete_energy(Rule::LEFT_ENDPOINT, &metric)));
         }
     }
 }
@@ -157,7 +155,7 @@ fn no_energy_is_negative() {
     let polygon = Polygon::new(&sequence).with_ends(vector![wide, wide], vector![wide, wide]);
     let (energy, length) = polygon.energy_and_length(&metric);
     assert!(energy.lo() == 0.0 && length.lo() == 0.0, "{energy:?} {length:?}");
-    assert_eq!(polygon.discrete_energy(Trapezoidal, &metric).lo(), 0.0);
+    assert_eq!(polygon.discrete_energy(Rule::TRAPEZOIDAL, &metric).lo(), 0.0);
 }
 
 #[test]
@@ -165,7 +163,7 @@ fn equal_points_have_energy_and_length_zero() {
     let zero = Interval::point(0.0);
     let constant = PointSequence::new(vec![vector![0.1, 0.2]; 4]).expect("finite");
     assert_eq!(Polygon::new(&constant).energy_and_length(&Valleys), (zero, zero));
-    assert_eq!(Polygon::new(&constant).discrete_energy(Trapezoidal, &Valleys), zero);
+    assert_eq!(Polygon::new(&constant).discrete_energy(Rule::TRAPEZOIDAL, &Valleys), zero);
     // A repeated point only changes N.
     let (a, b) = (vector![0.0, 0.0], vector![1.0, 0.5]);
     let twice = PointSequence::new(vec![a, a, b]).expect("finite");
@@ -197,12 +195,12 @@ fn a_metric_that_is_undefined_somewhere_has_no_finite_energy() {
     undefined(&pole, &[[-1.0], [2.0]]);
     undefined(&negative, &[[0.0], [1.0]]);
     let unit = PointSequence::straight([0.0], [1.0], 1).expect("finite");
-    assert!(Polygon::new(&unit).discrete_energy(LeftEndpoint, &negative).is_undefined());
+    assert!(Polygon::new(&unit).discrete_energy(Rule::LEFT_ENDPOINT, &negative).is_undefined());
     let sequence = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 1).expect("finite");
     let polygon = Polygon::new(&sequence);
-    let interior = polygon.discrete_energy(Trapezoidal, &Hyperbolic);
+    let interior = polygon.discrete_energy(Rule::TRAPEZOIDAL, &Hyperbolic);
     assert!(interior.is_finite() && interior.contains(64.0 / 9.0));
-    assert!(polygon.discrete_energy(TrueTrapezoid, &Hyperbolic).is_undefined());
+    assert!(polygon.discrete_energy(Rule::TRUE_TRAPEZOID, &Hyperbolic).is_undefined());
     // Some boxes are undefined.
     let nowhere = vector![Interval::UNDEFINED, Interval::point(0.0)];
     assert!(polygon.with_ends(nowhere, *polygon.last()).energy(&Valleys).is_undefined());

@@ -3,7 +3,7 @@
 use astro_float::{BigFloat, Consts, Radix, RoundingMode};
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_certify::Polygon;
-use tautline_discretizations::{LeftEndpoint, PointSequence, Trapezoidal, TrueTrapezoid};
+use tautline_discretizations::{PointSequence, Rule};
 use tautline_metrics::{
     Metric,
     gallery::{
@@ -77,7 +77,7 @@ fn the_line_of_section_5_has_the_energy_72_pi_squared() {
     check(length, "25.1327412287183459077011471", NARROW);
     // The paper's discrete energy sees only a valley: it is 16 π². The box is one unit in the last
     // place wide, and its width is squared.
-    let discrete = polygon.discrete_energy(Trapezoidal, &Valleys);
+    let discrete = polygon.discrete_energy(Rule::TRAPEZOIDAL, &Valleys);
     check(discrete, "157.913670417429737901351855998", 16.0 * f64::EPSILON);
     let fast = polygon.with_kernel::<Fast>();
     check(fast.energy(&Valleys), "710.61151687843382055608335199108", NARROW);
@@ -168,7 +168,7 @@ fn the_difference_of_points_is_not_rounded() {
     let polygon = Polygon::new(&sequence);
     let (energy, length) = polygon.energy_and_length(&euclidean);
     assert!(holds(energy, &square) && holds(length, &exact), "{energy:?} {length:?}");
-    assert!(holds(polygon.discrete_energy(Trapezoidal, &euclidean), &square));
+    assert!(holds(polygon.discrete_energy(Rule::TRAPEZOIDAL, &euclidean), &square));
     assert!(energy.width() <= 1e-15 && length.width() <= 1e-15);
 }
 
@@ -200,11 +200,11 @@ fn fourth_powers_are_integrated_exactly() {
     check(energy, "6.2", 4.0 * f64::EPSILON);
     check(length, "2.333333333333333333333333333333", NARROW);
     let point = |x: f64| Interval::point(x);
-    assert_eq!(polygon.discrete_energy(LeftEndpoint, &quartic), point(1.0));
-    assert_eq!(polygon.discrete_energy(Trapezoidal, &quartic), point(5.0625));
-    assert_eq!(polygon.discrete_energy(TrueTrapezoid, &quartic), point(8.5));
+    assert_eq!(polygon.discrete_energy(Rule::LEFT_ENDPOINT, &quartic), point(1.0));
+    assert_eq!(polygon.discrete_energy(Rule::TRAPEZOIDAL, &quartic), point(5.0625));
+    assert_eq!(polygon.discrete_energy(Rule::TRUE_TRAPEZOID, &quartic), point(8.5));
     // Two halves, with the factor N = 2.
     let sequence = PointSequence::straight([1.0], [2.0], 2).expect("finite");
-    let halves = Polygon::new(&sequence).discrete_energy(LeftEndpoint, &quartic);
+    let halves = Polygon::new(&sequence).discrete_energy(Rule::LEFT_ENDPOINT, &quartic);
     assert_eq!(halves, point(2.0 * 0.25 * (1.0 + 5.0625)));
 }

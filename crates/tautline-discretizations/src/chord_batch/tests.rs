@@ -5,21 +5,19 @@ use tautline_formula::{Batches, Kind, Plain, Prepared};
 use tautline_metrics::{Lanes, Metric, Pair, Scalar, gallery::Swirl};
 
 use super::ChordBatch;
-use crate::{
-    ChordModel, LeftEndpoint, LinearModel, Node, PointSequence, Rule, Trapezoidal, TrueTrapezoid,
-};
+use crate::{ChordModel, LinearModel, Node, PointSequence, Rule};
 
 type Chord<'p, const D: usize> = (&'p SVector<f64, D>, SVector<f64, D>);
 
-fn batch<R: Rule, const D: usize>(_rule: R, metric: &dyn Batches<D>, n: f64) -> ChordBatch<'_, D> {
-    ChordBatch::new(metric, Kind::Contraction, R::NODES, n, 2)
+fn batch<const D: usize>(rule: Rule, metric: &dyn Batches<D>, n: f64) -> ChordBatch<'_, D> {
+    ChordBatch::new(metric, Kind::Contraction, rule.nodes(), n, 2)
 }
 
 /// Returns the model of one chord from one of its ends, by both implementations of a metric,
 /// and whether the metric is positive definite at the nodes of the chord.
-fn model_from<R: Rule, const D: usize>(
+fn model_from<const D: usize>(
     end: usize,
-    rule: R,
+    rule: Rule,
     metric: &impl Metric<D>,
     chord: Chord<'_, D>,
     n: f64,
@@ -38,8 +36,8 @@ fn model_from<R: Rule, const D: usize>(
 }
 
 /// Returns the model of two facing chords.
-fn facing<R: Rule, const D: usize>(
-    rule: R,
+fn facing<const D: usize>(
+    rule: Rule,
     metric: &impl Metric<D>,
     chords: [Chord<'_, D>; 2],
     n: f64,
@@ -55,13 +53,11 @@ fn facing<R: Rule, const D: usize>(
 }
 
 /// A rule that is not symmetric.
-#[derive(Clone, Copy, Debug)]
-struct Lopsided;
-impl Rule for Lopsided {
-    const NODES: &'static [Node] =
-        &[Node { fraction: 0.25, weight: 0.75 }, Node { fraction: 0.5, weight: 0.25 }];
-    const ERROR_EXPONENT: i32 = 1;
-}
+const LOPSIDED: Rule = Rule::new(
+    "lopsided",
+    &[Node { fraction: 0.25, weight: 0.75 }, Node { fraction: 0.5, weight: 0.25 }],
+    1,
+);
 
 /// The tolerance for about a hundred operations on numbers below 100, each with two roundings
 /// of 3e-14.
@@ -82,7 +78,7 @@ fn assert_agrees<const D: usize>(end: usize, one: &ChordModel<D>, other: &ChordM
 }
 
 #[track_caller]
-fn compare<R: Rule>(rule: R) {
+fn compare(rule: Rule) {
     let metric = Swirl::new(0.5, 1.0).expect("a width");
     let chords =
         [(vector![0.3, -0.2], vector![0.5, 0.25]), (vector![-0.6, 0.1], vector![0.2, -0.7])];
@@ -110,7 +106,7 @@ fn the_model_at_the_midpoint_is_the_general_model() {
     let metric = Prepared::new(Swirl::new(0.5, 1.0).expect("a width"));
     let x = [vector![0.3, -0.2], vector![-0.6, 0.1], vector![0.4, 0.9]];
     let chords = x.each_ref().map(|x| (x, vector![0.5, 0.25] - x));
-    let mut batch = ChordBatch::new(&metric, Kind::Contraction, Trapezoidal::NODES, 8.0, 4);
+    let mut batch = ChordBatch::new(&metric, Kind::Contraction, Rule::TRAPEZOIDAL.nodes(), 8.0, 4);
     batch.evaluate_from(0, chords.into_iter());
     let models = batch.singles().first(3);
     assert!(models.is_midpoint());
@@ -122,7 +118,8 @@ fn the_model_at_the_midpoint_is_the_general_model() {
     for k in 0..2 {
         assert_eq!(models.model_at_midpoint(k), models.model(k));
     }
-    for nodes in [LeftEndpoint::NODES, TrueTrapezoid::NODES, Lopsided::NODES, &[]] {
+    for nodes in [Rule::LEFT_ENDPOINT.nodes(), Rule::TRUE_TRAPEZOID.nodes(), LOPSIDED.nodes(), &[]]
+    {
         let batch = ChordBatch::new(&metric, Kind::Contraction, nodes, 8.0, 2);
         assert!(!batch.singles().is_midpoint(), "{nodes:?}");
     }
@@ -130,10 +127,10 @@ fn the_model_at_the_midpoint_is_the_general_model() {
 
 #[test]
 fn a_chord_from_its_far_end_is_reversed() {
-    compare(Trapezoidal);
-    compare(LeftEndpoint);
-    compare(TrueTrapezoid);
-    compare(Lopsided);
+    compare(Rule::TRAPEZOIDAL);
+    compare(Rule::LEFT_ENDPOINT);
+    compare(Rule::TRUE_TRAPEZOID);
+    compare(LOPSIDED);
 }
 
 /// The matrix `x₂ I`, which is a metric only above the axis.
@@ -155,14 +152,14 @@ fn one_node_without_a_metric_is_noticed() {
         let height = |place: usize| if place == below { -1.0 } else { heights[place] };
         let chords = [chord(height(0), height(1)), chord(height(2), height(3))];
         let [first, second] =
-            chords.map(|(x, d)| model_from(0, TrueTrapezoid, &Above, (&x, d), 1.0).1);
+            chords.map(|(x, d)| model_from(0, Rule::TRUE_TRAPEZOID, &Above, (&x, d), 1.0).1);
         assert_eq!([first, second], [below >= 2, !(2..4).contains(&below)], "{below}");
         let both = chords.each_ref().map(|(x, d)| (x, *d));
-        let (_, is_metric) = facing(TrueTrapezoid, &Above, both, 1.0);
+        let (_, is_metric) = facing(Rule::TRUE_TRAPEZOID, &Above, both, 1.0);
         assert_eq!(is_metric, below == heights.len(), "{below}");
         let points = (0..4).map(|place| vector![place as f64, height(place)]).collect();
         let sequence = PointSequence::new(points).expect("finite");
-        let linear = LinearModel::new(TrueTrapezoid, &Above, &sequence);
+        let linear = LinearModel::new(Rule::TRUE_TRAPEZOID, &Above, &sequence);
         assert_eq!(linear.is_metric, below == heights.len(), "{below}");
     }
 }
@@ -200,16 +197,17 @@ fn spoilt_matrices_are_noticed<const D: usize>() {
     for (place, entry) in defects.into_iter().chain([whole]) {
         let metric = Spoilt { place, entry };
         let expected = (place, entry) == whole;
-        let (_, is_metric) = model_from(0, Trapezoidal, &metric, (&x, d), 1.0);
+        let (_, is_metric) = model_from(0, Rule::TRAPEZOIDAL, &metric, (&x, d), 1.0);
         assert_eq!(is_metric, expected, "{entry} at {place:?} of {D}");
-        let linear = LinearModel::new(Trapezoidal, &metric, &sequence);
+        let linear = LinearModel::new(Rule::TRAPEZOIDAL, &metric, &sequence);
         assert_eq!(linear.is_metric, expected, "{entry} at {place:?} of {D}");
         for metric in [&Plain::new(&metric) as &dyn Batches<D>, &Prepared::new(&metric)] {
-            let mut batch = ChordBatch::new(metric, Kind::Checked, Trapezoidal::NODES, 1.0, 1);
+            let mut batch =
+                ChordBatch::new(metric, Kind::Checked, Rule::TRAPEZOIDAL.nodes(), 1.0, 1);
             batch.evaluate_from(0, sequence.chords());
             assert_eq!(batch.is_metric, expected, "{entry} at {place:?} of {D}");
         }
-        let (_, is_metric) = facing(Trapezoidal, &metric, [(&x, d), (&x, d)], 1.0);
+        let (_, is_metric) = facing(Rule::TRAPEZOIDAL, &metric, [(&x, d), (&x, d)], 1.0);
         assert_eq!(is_metric, expected, "{entry} at {place:?} of {D}");
     }
 }
@@ -228,7 +226,7 @@ fn one_chord_of_a_pair_without_a_metric_is_noticed() {
     let (above, below) = (vector![0.0, 1.0], vector![0.0, -1.0]);
     let d = vector![1.0, 0.25];
     for places in [[&above, &below], [&below, &above], [&above, &above]] {
-        let (_, is_metric) = facing(Trapezoidal, &Above, places.map(|x| (x, d)), 1.0);
+        let (_, is_metric) = facing(Rule::TRAPEZOIDAL, &Above, places.map(|x| (x, d)), 1.0);
         assert_eq!(is_metric, places == [&above, &above]);
     }
 }

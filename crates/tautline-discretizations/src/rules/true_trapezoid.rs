@@ -2,16 +2,15 @@
 
 use crate::{Node, Rule};
 
-/// The rule that takes the mean of `H` at both ends of the chord: the trapezoidal rule outside the
-/// paper.
-///
-/// It is not the paper's [`Trapezoidal`](crate::Trapezoidal), and no statement of the paper
-/// concerns it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct TrueTrapezoid;
-
-impl Rule for TrueTrapezoid {
-    const NODES: &'static [Node] =
-        &[Node { fraction: 0.0, weight: 0.5 }, Node { fraction: 1.0, weight: 0.5 }];
-    const ERROR_EXPONENT: i32 = 2;
+impl Rule {
+    /// The rule that takes the mean of `H` at both ends of the chord: the trapezoidal rule outside the
+    /// paper.
+    ///
+    /// It is not the paper's [`Rule::TRAPEZOIDAL`], and no statement of the paper
+    /// concerns it.
+    pub const TRUE_TRAPEZOID: Rule = Rule::new(
+        "true_trapezoid",
+        &[Node { fraction: 0.0, weight: 0.5 }, Node { fraction: 1.0, weight: 0.5 }],
+        2,
+    );
 }

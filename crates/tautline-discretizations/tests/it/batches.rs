@@ -2,8 +2,7 @@
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{
-    Interpolation, LeftEndpoint, LinearModel, PointSequence, QuadraticModel, Rule, Simpson,
-    Trapezoidal, admissible_energy,
+    Interpolation, LinearModel, PointSequence, QuadraticModel, Rule, admissible_energy,
 };
 use tautline_formula::{Batches, Plain, Prepared};
 use tautline_metrics::{
@@ -56,7 +55,7 @@ fn curves_are_integrated_in_batches_as_point_by_point() {
 /// for the next but what belongs to its last point.
 #[test]
 fn a_model_of_many_chords_is_the_sum_of_the_models_of_each() {
-    fn check<R: Rule>(rule: R) {
+    fn check(rule: Rule) {
         let swirl = Swirl::new(1.3, 0.8).expect("a swirl");
         let (plain, prepared) = (Plain::new(&swirl), Prepared::new(&swirl));
         for n in [1, 2, 3, 64, 65, 200, 1001] {
@@ -81,23 +80,23 @@ fn a_model_of_many_chords_is_the_sum_of_the_models_of_each() {
                 upper.push(model.hessian.upper[0] * factor);
             }
             for metric in [&plain as &dyn Batches<2>, &prepared] {
-                let linear = LinearModel::by_batches(R::NODES, metric, &sequence);
+                let linear = LinearModel::by_batches(rule.nodes(), metric, &sequence);
                 let mut quadratic = QuadraticModel::default();
-                quadratic.expand_by_batches(R::NODES, metric, &sequence);
+                quadratic.expand_by_batches(rule.nodes(), metric, &sequence);
                 // Sums of numbers of the size of an energy below 10, and of N times that of a metric.
                 let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * energy;
-                let admissible = admissible_energy(R::NODES, metric, sequence.points());
+                let admissible = admissible_energy(rule.nodes(), metric, sequence.points());
                 let admissible = admissible.expect("a metric");
                 for found in [linear.energy, quadratic.energy, admissible] {
-                    assert!(close(found, energy), "{rule:?} {n}: {found} {energy}");
+                    assert!(close(found, energy), "{rule} {n}: {found} {energy}");
                 }
                 assert!(linear.is_metric);
                 let small = 1e-12 * factor;
                 for k in 0..=n {
-                    assert!((linear.gradient[k] - gradient[k]).amax() <= small, "{rule:?} {n} {k}");
+                    assert!((linear.gradient[k] - gradient[k]).amax() <= small, "{rule} {n} {k}");
                     assert!((quadratic.gradient[k] - gradient[k]).amax() <= small, "{n} {k}");
                     let off = (quadratic.hessian.diagonal[k] - diagonal[k]).amax();
-                    assert!(off <= 10.0 * small, "{rule:?} {n} {k}: {off:e}");
+                    assert!(off <= 10.0 * small, "{rule} {n} {k}: {off:e}");
                 }
                 for (k, block) in upper.iter().enumerate() {
                     assert!((quadratic.hessian.upper[k] - block).amax() <= 10.0 * small, "{n} {k}");
@@ -105,9 +104,9 @@ fn a_model_of_many_chords_is_the_sum_of_the_models_of_each() {
             }
         }
     }
-    check(Trapezoidal);
-    check(LeftEndpoint);
-    check(Simpson);
+    check(Rule::TRAPEZOIDAL);
+    check(Rule::LEFT_ENDPOINT);
+    check(Rule::SIMPSON);
 }
 
 /// `H = x₁ I` is negative left of 0. One chord there, in whichever batch, is enough: the sum of all energies
@@ -130,7 +129,7 @@ fn one_chord_without_a_metric_is_enough() {
         };
         let sequence = PointSequence::new((0..=n).map(at).collect()).expect("finite");
         for metric in [&plain as &dyn Batches<2>, &prepared] {
-            let nodes = Trapezoidal::NODES;
+            let nodes = Rule::TRAPEZOIDAL.nodes();
             let model = LinearModel::by_batches(nodes, metric, &sequence);
             assert!(model.energy > 0.0, "{wrong:?}");
             assert_eq!(model.is_metric, wrong.is_none(), "{wrong:?}");

@@ -4,9 +4,7 @@
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
 use proptest::prelude::*;
-use tautline_discretizations::{
-    LeftEndpoint, PointSequence, QuadraticModel, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
-};
+use tautline_discretizations::{PointSequence, QuadraticModel, Rule, energy_gradient};
 use tautline_metrics::{Metric, Scalar};
 
 /// A full matrix that depends on both coordinates.
@@ -40,7 +38,7 @@ fn energy(v: &SVector<Dual, 8>, fraction: f64) -> Dual {
     sum * 3.0
 }
 
-fn check<R: Rule>(rule: R, fractions: &[f64], coordinates: [f64; 8]) -> Result<(), TestCaseError> {
+fn check(rule: Rule, fractions: &[f64], coordinates: [f64; 8]) -> Result<(), TestCaseError> {
     let v = SVector::<f64, 8>::from(coordinates);
     let points = (0..4).map(|k| SVector::from([v[2 * k], v[2 * k + 1]])).collect();
     let sequence = PointSequence::new(points).expect("finite");
@@ -108,7 +106,7 @@ fn chord_energy(v: &SVector<Dual, 8>, fraction: f64) -> Dual {
     sum
 }
 
-fn check_four<R: Rule>(rule: R, fraction: f64, v: [f64; 8]) -> Result<(), TestCaseError> {
+fn check_four(rule: Rule, fraction: f64, v: [f64; 8]) -> Result<(), TestCaseError> {
     let v = SVector::<f64, 8>::from(v);
     let ends = [0, 4].map(|k| SVector::<f64, 4>::from_fn(|i, _| v[k + i]));
     let sequence = PointSequence::new(ends.to_vec()).expect("finite");
@@ -140,11 +138,11 @@ proptest! {
     fn derivatives_of_every_rule_agree_with_num_dual(
         v in proptest::array::uniform8(-2.0..2.0_f64),
     ) {
-        check(Trapezoidal, &[0.5], v)?;
-        check(LeftEndpoint, &[0.0], v)?;
-        check(TrueTrapezoid, &[0.0, 1.0], v)?;
-        check_four(Trapezoidal, 0.5, v)?;
-        check_four(LeftEndpoint, 0.0, v)?;
+        check(Rule::TRAPEZOIDAL, &[0.5], v)?;
+        check(Rule::LEFT_ENDPOINT, &[0.0], v)?;
+        check(Rule::TRUE_TRAPEZOID, &[0.0, 1.0], v)?;
+        check_four(Rule::TRAPEZOIDAL, 0.5, v)?;
+        check_four(Rule::LEFT_ENDPOINT, 0.0, v)?;
     }
 
     /// `Hessian · v`, computed by blocks, is the derivative of the gradient along `v`.
@@ -152,11 +150,11 @@ proptest! {
     fn the_product_is_the_second_derivative(v in proptest::array::uniform8(-2.0..2.0_f64)) {
         let line = PointSequence::straight([0.0, 0.1], [1.0, 0.4], 3).expect("finite");
         let direction: Vec<_> = (0..4).map(|k| SVector::from([v[2 * k], v[2 * k + 1]])).collect();
-        let model = QuadraticModel::new(Trapezoidal, &Skew, &line);
+        let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &Skew, &line);
         let product = model.hessian.mul(&direction);
         let gradient = |s: f64| {
             let moved = line.points().iter().zip(&direction).map(|(x, u)| x + u * s).collect();
-            energy_gradient(Trapezoidal, &Skew, &PointSequence::new(moved).expect("finite")).1
+            energy_gradient(Rule::TRAPEZOIDAL, &Skew, &PointSequence::new(moved).expect("finite")).1
         };
         // The error of the central difference is s² times a third derivative of about 10³, plus
         // 1e-14 / s.

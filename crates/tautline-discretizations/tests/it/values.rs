@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 use approx::assert_relative_eq;
 use nalgebra::{SMatrix, vector};
 use tautline_discretizations::{
-    BlockTridiagonal, Interpolation, LeftEndpoint, LinearModel, PointSequence, QuadraticModel,
-    Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
+    BlockTridiagonal, Interpolation, LinearModel, PointSequence, QuadraticModel, Rule,
+    energy_gradient,
 };
 use tautline_formula::Plain;
 use tautline_metrics::gallery::{Constant, Sphere, Valleys};
@@ -17,16 +17,28 @@ use tautline_metrics::gallery::{Constant, Sphere, Valleys};
 fn the_rules_evaluate_the_metric_at_their_nodes() {
     let chord = PointSequence::straight([0.0, 0.0], [TAU, 0.0], 1).expect("finite");
     assert_relative_eq!(
-        Trapezoidal.energy(&Valleys, &chord),
+        Rule::TRAPEZOIDAL.energy(&Valleys, &chord),
         9.0 * TAU * TAU,
         max_relative = 1e-15
     );
-    assert_relative_eq!(TrueTrapezoid.energy(&Valleys, &chord), TAU * TAU, max_relative = 1e-15);
+    assert_relative_eq!(
+        Rule::TRUE_TRAPEZOID.energy(&Valleys, &chord),
+        TAU * TAU,
+        max_relative = 1e-15
+    );
     let chord = PointSequence::straight([0.0, 0.0], [PI, 0.0], 1).expect("finite");
-    assert_relative_eq!(LeftEndpoint.energy(&Valleys, &chord), PI * PI, max_relative = 1e-15);
-    assert_relative_eq!(LeftEndpoint.length(&Valleys, &chord), PI, max_relative = 1e-15);
+    assert_relative_eq!(
+        Rule::LEFT_ENDPOINT.energy(&Valleys, &chord),
+        PI * PI,
+        max_relative = 1e-15
+    );
+    assert_relative_eq!(Rule::LEFT_ENDPOINT.length(&Valleys, &chord), PI, max_relative = 1e-15);
     let back = PointSequence::straight([PI, 0.0], [0.0, 0.0], 1).expect("finite");
-    assert_relative_eq!(LeftEndpoint.energy(&Valleys, &back), 9.0 * PI * PI, max_relative = 1e-15);
+    assert_relative_eq!(
+        Rule::LEFT_ENDPOINT.energy(&Valleys, &back),
+        9.0 * PI * PI,
+        max_relative = 1e-15
+    );
 }
 
 /// One jump in a sequence of `N` chords costs `N` times the energy of one chord, but the same
@@ -38,10 +50,22 @@ fn a_jump_costs_energy_but_no_length() {
         points.push(vector![2.0 * TAU, 0.0]);
         let jump = PointSequence::new(points).expect("finite");
         let energy = 16.0 * PI * PI * n as f64;
-        assert_relative_eq!(Trapezoidal.energy(&Valleys, &jump), energy, max_relative = 1e-14);
-        assert_relative_eq!(Trapezoidal.length(&Valleys, &jump), 2.0 * TAU, max_relative = 1e-14);
-        assert_relative_eq!(LeftEndpoint.length(&Valleys, &jump), 2.0 * TAU, max_relative = 1e-14);
-        let speeds = Trapezoidal.speeds(&Valleys, &jump);
+        assert_relative_eq!(
+            Rule::TRAPEZOIDAL.energy(&Valleys, &jump),
+            energy,
+            max_relative = 1e-14
+        );
+        assert_relative_eq!(
+            Rule::TRAPEZOIDAL.length(&Valleys, &jump),
+            2.0 * TAU,
+            max_relative = 1e-14
+        );
+        assert_relative_eq!(
+            Rule::LEFT_ENDPOINT.length(&Valleys, &jump),
+            2.0 * TAU,
+            max_relative = 1e-14
+        );
+        let speeds = Rule::TRAPEZOIDAL.speeds(&Valleys, &jump);
         assert!(speeds[..n - 1].iter().all(|&speed| speed == 0.0));
         assert_relative_eq!(speeds[n - 1], 2.0 * TAU * n as f64, max_relative = 1e-14);
     }
@@ -55,12 +79,16 @@ fn energy_is_at_least_length_squared() {
     let sequence = PointSequence::new(points).expect("finite");
     let excess = |energy: f64, length: f64| energy / (length * length) - 1.0;
     assert!(
-        excess(Trapezoidal.energy(&Sphere, &sequence), Trapezoidal.length(&Sphere, &sequence))
-            > 0.1
+        excess(
+            Rule::TRAPEZOIDAL.energy(&Sphere, &sequence),
+            Rule::TRAPEZOIDAL.length(&Sphere, &sequence)
+        ) > 0.1
     );
     assert!(
-        excess(LeftEndpoint.energy(&Sphere, &sequence), LeftEndpoint.length(&Sphere, &sequence))
-            > 0.1
+        excess(
+            Rule::LEFT_ENDPOINT.energy(&Sphere, &sequence),
+            Rule::LEFT_ENDPOINT.length(&Sphere, &sequence)
+        ) > 0.1
     );
     let curve = Interpolation::new(&sequence);
     assert!(excess(curve.energy(&Sphere).value, curve.length(&Sphere).value) > 0.1);
@@ -79,19 +107,19 @@ fn nan_propagates() {
         }
     }
     let line = PointSequence::straight([1.5], [-1.0], 4).expect("finite");
-    assert!(Trapezoidal.energy(&Broken, &line).is_nan());
+    assert!(Rule::TRAPEZOIDAL.energy(&Broken, &line).is_nan());
     assert!(Interpolation::new(&line).energy(&Broken).value.is_nan());
     assert!(Interpolation::new(&line).length(&Broken).value.is_nan());
-    assert!(Trapezoidal.length(&Broken, &line).is_nan());
-    assert!(energy_gradient(Trapezoidal, &Broken, &line).0.is_nan());
-    assert!(QuadraticModel::new(Trapezoidal, &Broken, &line).energy.is_nan());
-    assert!(Trapezoidal.speeds(&Broken, &line).iter().any(|speed| speed.is_nan()));
+    assert!(Rule::TRAPEZOIDAL.length(&Broken, &line).is_nan());
+    assert!(energy_gradient(Rule::TRAPEZOIDAL, &Broken, &line).0.is_nan());
+    assert!(QuadraticModel::new(Rule::TRAPEZOIDAL, &Broken, &line).energy.is_nan());
+    assert!(Rule::TRAPEZOIDAL.speeds(&Broken, &line).iter().any(|speed| speed.is_nan()));
     // Where `ln x` is negative there is an energy but no length.
     let line = PointSequence::straight([0.25], [0.75], 4).expect("finite");
-    assert!(Trapezoidal.energy(&Broken, &line) < 0.0);
+    assert!(Rule::TRAPEZOIDAL.energy(&Broken, &line) < 0.0);
     assert!(Interpolation::new(&line).energy(&Broken).value < 0.0);
     assert!(Interpolation::new(&line).length(&Broken).value.is_nan());
-    assert!(Trapezoidal.length(&Broken, &line).is_nan());
+    assert!(Rule::TRAPEZOIDAL.length(&Broken, &line).is_nan());
 }
 
 /// The speed of a chord is the root of the weighted mean, not the mean of the roots. From valley to
@@ -99,9 +127,13 @@ fn nan_propagates() {
 #[test]
 fn speeds_are_roots_of_means() {
     let chord = PointSequence::straight([0.0, 0.0], [PI, 0.0], 1).expect("finite");
-    let speed = TrueTrapezoid.speeds(&Valleys, &chord)[0];
+    let speed = Rule::TRUE_TRAPEZOID.speeds(&Valleys, &chord)[0];
     assert_relative_eq!(speed, PI * 5.0_f64.sqrt(), max_relative = 1e-15);
-    assert_relative_eq!(TrueTrapezoid.length(&Valleys, &chord), 2.0 * PI, max_relative = 1e-15);
+    assert_relative_eq!(
+        Rule::TRUE_TRAPEZOID.length(&Valleys, &chord),
+        2.0 * PI,
+        max_relative = 1e-15
+    );
 }
 
 #[test]
@@ -131,13 +163,13 @@ fn the_contributions_of_many_small_chords_are_not_lost() {
     // The small terms of the energy are squares of 2⁻²⁷; those of the length are 2⁻⁵⁴ itself.
     let (squares, lengths) = (sequence(2.0_f64.powi(-27)), sequence(little));
     let n = f64::from(chords);
-    rounded(Trapezoidal.energy(&identity, &squares), n * sum);
-    rounded(LeftEndpoint.energy(&identity, &squares), n * sum);
-    rounded(TrueTrapezoid.energy(&identity, &squares), n * sum);
-    rounded(energy_gradient(Trapezoidal, &identity, &squares).0, n * sum);
-    rounded(QuadraticModel::new(Trapezoidal, &identity, &squares).energy, n * sum);
-    rounded(Trapezoidal.length(&identity, &lengths), sum);
-    rounded(TrueTrapezoid.length(&identity, &lengths), sum);
+    rounded(Rule::TRAPEZOIDAL.energy(&identity, &squares), n * sum);
+    rounded(Rule::LEFT_ENDPOINT.energy(&identity, &squares), n * sum);
+    rounded(Rule::TRUE_TRAPEZOID.energy(&identity, &squares), n * sum);
+    rounded(energy_gradient(Rule::TRAPEZOIDAL, &identity, &squares).0, n * sum);
+    rounded(QuadraticModel::new(Rule::TRAPEZOIDAL, &identity, &squares).energy, n * sum);
+    rounded(Rule::TRAPEZOIDAL.length(&identity, &lengths), sum);
+    rounded(Rule::TRUE_TRAPEZOID.length(&identity, &lengths), sum);
     rounded(squares.k3().powi(2), n * sum);
     // The quadrature with seven nodes rounds the long chord a little more.
     let curve = Interpolation::new(&squares).energy(&identity);
@@ -166,16 +198,23 @@ fn the_error_of_a_curve_is_the_sum_of_the_errors_of_its_chords() {
 /// order.
 #[test]
 fn the_exponent_of_the_error_is_the_observed_order() {
-    fn order<R: Rule>(rule: R) -> f64 {
+    fn order(rule: Rule) -> f64 {
         let line = |n| PointSequence::straight([0.2, 0.0], [1.4, 0.3], n).expect("finite");
         let limit = Interpolation::new(&line(64)).energy(&Valleys).value;
         let error = |n| rule.energy(&Valleys, &line(n)) - limit;
         (error(256) / error(512)).log2()
     }
     // The next order contributes a relative 1/256, which is less than 0.05 in the logarithm.
-    assert!((order(Trapezoidal) - f64::from(Trapezoidal::ERROR_EXPONENT)).abs() < 0.05);
-    assert!((order(TrueTrapezoid) - f64::from(TrueTrapezoid::ERROR_EXPONENT)).abs() < 0.05);
-    assert!((order(LeftEndpoint) - f64::from(LeftEndpoint::ERROR_EXPONENT)).abs() < 0.05);
+    assert!(
+        (order(Rule::TRAPEZOIDAL) - f64::from(Rule::TRAPEZOIDAL.error_exponent())).abs() < 0.05
+    );
+    assert!(
+        (order(Rule::TRUE_TRAPEZOID) - f64::from(Rule::TRUE_TRAPEZOID.error_exponent())).abs()
+            < 0.05
+    );
+    assert!(
+        (order(Rule::LEFT_ENDPOINT) - f64::from(Rule::LEFT_ENDPOINT.error_exponent())).abs() < 0.05
+    );
 }
 
 /// Nothing remains from an earlier, finer grid.
@@ -184,8 +223,8 @@ fn a_model_in_used_memory_equals_a_new_one() {
     let line = |n| PointSequence::straight([-0.5, 0.2], [1.4, 0.3], n).expect("finite");
     let mut used = QuadraticModel::default();
     for n in [9, 4, 4, 1, 6] {
-        used.expand_by_batches(TrueTrapezoid::NODES, &Plain::new(Sphere), &line(n));
-        assert_eq!(used, QuadraticModel::new(TrueTrapezoid, &Sphere, &line(n)), "N = {n}");
+        used.expand_by_batches(Rule::TRUE_TRAPEZOID.nodes(), &Plain::new(Sphere), &line(n));
+        assert_eq!(used, QuadraticModel::new(Rule::TRUE_TRAPEZOID, &Sphere, &line(n)), "N = {n}");
         assert_eq!((used.gradient.len(), used.hessian.upper.len()), (n + 1, n));
     }
 }
@@ -197,18 +236,18 @@ fn the_size_of_a_metric_is_the_mean_of_its_eigenvalues() {
     for n in [1, 2, 5] {
         let line = PointSequence::straight([0.0, 0.0], [3.0, 4.0], n).expect("finite");
         for mean in [
-            QuadraticModel::new(Trapezoidal, &metric, &line).mean_gram,
-            QuadraticModel::new(TrueTrapezoid, &metric, &line).mean_gram,
+            QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &line).mean_gram,
+            QuadraticModel::new(Rule::TRUE_TRAPEZOID, &metric, &line).mean_gram,
         ] {
             assert_relative_eq!(mean, 4.0, max_relative = 1e-15);
         }
     }
     // From valley to ridge, f² is 1 and 9 at the ends of the chord, and both count.
     let chord = PointSequence::straight([0.0, 0.0], [PI, 0.0], 1).expect("finite");
-    let mean = QuadraticModel::new(TrueTrapezoid, &Valleys, &chord).mean_gram;
+    let mean = QuadraticModel::new(Rule::TRUE_TRAPEZOID, &Valleys, &chord).mean_gram;
     assert_relative_eq!(mean, 5.0, max_relative = 1e-15);
     let two = PointSequence::new(vec![vector![PI, 0.0], vector![0.0, 0.0], vector![0.0, 1.0]]);
-    let mean = QuadraticModel::new(LeftEndpoint, &Valleys, &two.expect("finite")).mean_gram;
+    let mean = QuadraticModel::new(Rule::LEFT_ENDPOINT, &Valleys, &two.expect("finite")).mean_gram;
     assert_relative_eq!(mean, 5.0, max_relative = 1e-15);
 }
 
@@ -219,5 +258,5 @@ fn a_curve_of_one_chord_has_both_ends() {
     let curve = Interpolation::new(&chord);
     assert_eq!([curve.at(0.0), curve.at(1.0)], [vector![2.0, 1.0], vector![4.0, -3.0]]);
     assert_eq!(curve.at(0.25), vector![2.5, 0.0]);
-    assert!(LinearModel::new(Trapezoidal, &Sphere, &chord).is_metric);
+    assert!(LinearModel::new(Rule::TRAPEZOIDAL, &Sphere, &chord).is_metric);
 }

@@ -1,7 +1,7 @@
 //! The distances of problems: either known to the metric, or extrapolated from a fine grid.
 
 use nalgebra::SVector;
-use tautline::{Bounded, Ends, Options, Starts, Trapezoidal, extrapolate, minimise};
+use tautline::{Bounded, Ends, Options, Rule, Starts, extrapolate, minimise};
 use tautline_statements::{AnyBounded, Known, Reconstruction, VerifyError};
 
 use super::{case::Case, problems::Posed};
@@ -70,7 +70,7 @@ pub(super) fn estimated<M: Bounded<D>, const D: usize>(
         _ => Starts::Also(shorter.iter().map(|seen| seen.minimum.sequence.clone()).collect()),
     };
     let options = Options { starts, ..Options::default() };
-    let minimum = minimise(&metric, &ends, Trapezoidal, REFERENCE, &options)?;
+    let minimum = minimise(&metric, &ends, Rule::TRAPEZOIDAL, REFERENCE, &options)?;
     let unknown = VerifyError::NotConverged {
         n: REFERENCE,
         stop: minimum.stop,

@@ -2,8 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Bounded, ClosedSet, Ends, HalfSpace, Metric, Options, Point, PointSequence, Scalar,
-    Trapezoidal, minimise,
+    Bounded, ClosedSet, Ends, HalfSpace, Metric, Options, Point, PointSequence, Rule, Scalar,
+    minimise,
 };
 use tautline_statements::{AnyBounded, WithConstants};
 
@@ -100,8 +100,9 @@ pub(super) fn nan_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
 /// Checks that `N = 0` is refused.
 pub(super) fn no_subinterval<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let [a, b] = [0.25, 0.75].map(|fraction| case.region.at(&SVector::repeat(fraction)));
-    let solved = Ends::points(a, b)
-        .map(|ends| minimise(&&case.metric, &ends, Trapezoidal, 0, &Options::default()).is_ok());
+    let solved = Ends::points(a, b).map(|ends| {
+        minimise(&&case.metric, &ends, Rule::TRAPEZOIDAL, 0, &Options::default()).is_ok()
+    });
     let refusals = [solved == Ok(false), PointSequence::straight(a, b, 0).is_err()];
     refused(case, "N = 0", &refusals)
 }

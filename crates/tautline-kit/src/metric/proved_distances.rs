@@ -3,7 +3,7 @@
 use std::{any::Any, ops::ControlFlow};
 
 use nalgebra::SVector;
-use tautline::{Ends, Formula, Problem, Trapezoidal, distance::Wanted};
+use tautline::{Ends, Formula, Problem, Rule, distance::Wanted};
 use tautline_statements::{Evidence, Known, LIBRARY, PaperRule, Reconstruction, VerifyError};
 
 use super::{Case, formula::on_winding, problems::Posed, statements::judge_all};
@@ -109,7 +109,7 @@ fn proved<const D: usize>(
     &[a, b]: &[SVector<f64, D>; 2],
 ) -> Option<[f64; 2]> {
     let problem = Problem::new(formula.clone(), Ends::points(a, b).ok()?);
-    let line = problem.solve(Trapezoidal, CHORDS).ok()?;
+    let line = problem.solve(Rule::TRAPEZOIDAL, CHORDS).ok()?;
     let wanted = Wanted { gap: GAP, cubes: CUBES };
     let found = line.certificate_with(wanted, &mut |_| ControlFlow::Continue(())).ok()?;
     Some([found.proved.lower, found.proved.upper?])

@@ -3,7 +3,7 @@
 use std::cell::{Cell, RefCell};
 
 use nalgebra::SVector;
-use tautline::{ClosedSet, LeftEndpoint, Options, PointSequence, Starts, Trapezoidal, minimise};
+use tautline::{ClosedSet, Options, PointSequence, Rule, Starts, minimise};
 use tautline_statements::{
     AnyBounded, Evidence, Known, LIBRARY, PaperRule, Reconstruction, Subject, VerifyError,
 };
@@ -61,8 +61,8 @@ impl<const D: usize> Minimiser<'_, D> {
         let Known { metric, ends, .. } = self.known;
         let n = self.seen.n.get();
         let minimum = match self.seen.rule {
-            PaperRule::Trapezoidal => minimise(metric, ends, Trapezoidal, n, &options)?,
-            PaperRule::LeftEndpoint => minimise(metric, ends, LeftEndpoint, n, &options)?,
+            PaperRule::Trapezoidal => minimise(metric, ends, Rule::TRAPEZOIDAL, n, &options)?,
+            PaperRule::LeftEndpoint => minimise(metric, ends, Rule::LEFT_ENDPOINT, n, &options)?,
         };
         Ok(minimum.sequence)
     }

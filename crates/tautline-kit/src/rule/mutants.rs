@@ -1,6 +1,6 @@
 //! Wrong rules, which the laws must refuse.
 
-use tautline::{LeftEndpoint, Metric, Node, PointSequence, Rule};
+use tautline::{Node, Rule};
 
 use super::{RuleCase, laws};
 use crate::{
@@ -9,51 +9,23 @@ use crate::{
 };
 
 /// The left-endpoint rule with a claimed exponent of 2.
-#[derive(Clone, Copy, Debug)]
-struct WrongOrder;
-
-impl Rule for WrongOrder {
-    const NODES: &'static [Node] = LeftEndpoint::NODES;
-    const ERROR_EXPONENT: i32 = 2;
-}
+const WRONG_ORDER: Rule = Rule::new("wrong_order", Rule::LEFT_ENDPOINT.nodes(), 2);
 
 /// A rule with weights that add up to 0.9.
-#[derive(Clone, Copy, Debug)]
-struct LightWeights;
-
-impl Rule for LightWeights {
-    const NODES: &'static [Node] = &[Node { fraction: 0.5, weight: 0.9 }];
-    const ERROR_EXPONENT: i32 = 2;
-}
+const LIGHT_WEIGHTS: Rule = Rule::new("light_weights", &[Node { fraction: 0.5, weight: 0.9 }], 2);
 
 /// A rule with a node beyond the end of the chord.
-#[derive(Clone, Copy, Debug)]
-struct Beyond;
-
-impl Rule for Beyond {
-    const NODES: &'static [Node] =
-        &[Node { fraction: -0.5, weight: 0.5 }, Node { fraction: 1.5, weight: 0.5 }];
-    const ERROR_EXPONENT: i32 = 2;
-}
-
-/// A rule with an energy that differs from the sum over its nodes.
-#[derive(Clone, Copy, Debug)]
-struct OtherEnergy<R>(R);
-
-impl<R: Rule> Rule for OtherEnergy<R> {
-    const NODES: &'static [Node] = R::NODES;
-    const ERROR_EXPONENT: i32 = R::ERROR_EXPONENT;
-
-    fn energy<const D: usize>(&self, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
-        1.001 * self.0.energy(metric, sequence)
-    }
-}
+const BEYOND: Rule = Rule::new(
+    "beyond",
+    &[Node { fraction: -0.5, weight: 0.5 }, Node { fraction: 1.5, weight: 0.5 }],
+    2,
+);
 
 /// Fails if a law accepts a rule that violates it.
-fn refused<R: Rule, W: Rule>(
-    case: &RuleCase<R>,
-    wrong: W,
-    law: fn(&RuleCase<W>) -> LawResult,
+fn refused(
+    case: &RuleCase,
+    wrong: Rule,
+    law: impl Fn(&RuleCase) -> LawResult,
     what: &'static str,
 ) -> LawResult {
     match law(&RuleCase { rule: wrong, effort: case.effort }) {
@@ -63,32 +35,35 @@ fn refused<R: Rule, W: Rule>(
 }
 
 /// Checks that weights that add up to 0.9 are refused, and nodes off the chord.
-pub(super) fn wrong_nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
-    Ok(refused(case, LightWeights, laws::weights, "weights that add up to 0.9")?
-        .and(refused(case, LightWeights, laws::constant_metrics, "weights that add up to 0.9")?)
-        .and(refused(case, Beyond, laws::nodes, "a node off the chord")?))
+pub(super) fn wrong_nodes(case: &RuleCase) -> LawResult {
+    Ok(refused(case, LIGHT_WEIGHTS, laws::weights, "weights that add up to 0.9")?
+        .and(refused(case, LIGHT_WEIGHTS, laws::constant_metrics, "weights that add up to 0.9")?)
+        .and(refused(case, BEYOND, laws::nodes, "a node off the chord")?))
 }
 
 /// Checks that an exponent of 2 is refused for the left-endpoint rule.
-pub(super) fn wrong_order<R: Rule>(case: &RuleCase<R>) -> LawResult {
-    refused(case, WrongOrder, laws::exponent, "an exponent of 2 for the left-endpoint rule")
+pub(super) fn wrong_order(case: &RuleCase) -> LawResult {
+    refused(case, WRONG_ORDER, laws::exponent, "an exponent of 2 for the left-endpoint rule")
 }
 
-/// Checks that the rule itself is refused with an energy that differs from the sum over its nodes.
-pub(super) fn another_energy<R: Rule>(case: &RuleCase<R>) -> LawResult {
+/// Checks that an energy that differs from the sum over the nodes is refused.
+pub(super) fn another_energy(case: &RuleCase) -> LawResult {
     let what = "an energy that is not that of the nodes";
-    refused(case, OtherEnergy(case.rule), laws::gradient, what)
+    let law = |case: &RuleCase| {
+        laws::gradient_of(case, |metric, sequence| 1.001 * case.rule.energy(metric, sequence))
+    };
+    refused(case, case.rule, law, what)
 }
 
 #[cfg(test)]
 mod tests {
-    use tautline::Trapezoidal;
+    use tautline::Rule;
 
-    use super::{Beyond, LightWeights, WrongOrder, refused};
+    use super::{BEYOND, LIGHT_WEIGHTS, WRONG_ORDER, refused};
     use crate::{Effort, Fault, RuleCase, report::LawResult, rule::laws};
 
-    fn case() -> RuleCase<Trapezoidal> {
-        RuleCase::new(Trapezoidal, Effort::default())
+    fn case() -> RuleCase {
+        RuleCase::new(Rule::TRAPEZOIDAL, Effort::default())
     }
 
     /// A law does not refuse a rule that satisfies it.
@@ -98,16 +73,16 @@ mod tests {
             let fault = result.expect_err("it passes").fault;
             assert_eq!(fault, Fault::NotRefused { what: "it" });
         };
-        passes(refused(&case(), Trapezoidal, laws::weights, "it"));
-        passes(refused(&case(), Beyond, laws::weights, "it"));
-        passes(refused(&case(), LightWeights, laws::nodes, "it"));
-        passes(refused(&case(), WrongOrder, laws::gradient, "it"));
-        passes(refused(&case(), Trapezoidal, laws::exponent, "it"));
+        passes(refused(&case(), Rule::TRAPEZOIDAL, laws::weights, "it"));
+        passes(refused(&case(), BEYOND, laws::weights, "it"));
+        passes(refused(&case(), LIGHT_WEIGHTS, laws::nodes, "it"));
+        passes(refused(&case(), WRONG_ORDER, laws::gradient, "it"));
+        passes(refused(&case(), Rule::TRAPEZOIDAL, laws::exponent, "it"));
     }
 
     #[test]
     fn a_refused_mutant_is_no_fault() {
-        assert!(refused(&case(), LightWeights, laws::weights, "it").is_ok());
-        assert!(refused(&case(), Beyond, laws::nodes, "it").is_ok());
+        assert!(refused(&case(), LIGHT_WEIGHTS, laws::weights, "it").is_ok());
+        assert!(refused(&case(), BEYOND, laws::nodes, "it").is_ok());
     }
 }

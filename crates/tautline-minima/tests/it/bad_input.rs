@@ -2,8 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Ends, GraphPathError, Lattice, Metric, Plain, Problem, Punctures, Scalar, SolveError,
-    Trapezoidal, gallery::Valleys,
+    Ends, GraphPathError, Lattice, Metric, Plain, Problem, Punctures, Rule, Scalar, SolveError,
+    gallery::Valleys,
 };
 use tautline_baselines::EikonalError;
 use tautline_minima::{GlobalSearch, MinimaError, Refused, follow};
@@ -17,7 +17,8 @@ fn problem() -> Problem<Valleys, 2> {
 #[test]
 fn a_lattice_far_from_an_end_refuses_paths_and_nothing_is_lost() {
     let lattice = Lattice::new([-1.0, -1.0], [0.5, 1.0], 0.1).expect("a box");
-    let found = GlobalSearch::within(lattice).search(&problem(), Trapezoidal, 16).expect("found");
+    let found =
+        GlobalSearch::within(lattice).search(&problem(), Rule::TRAPEZOIDAL, 16).expect("found");
     assert_eq!(found.minima().len(), 1);
     let [Refused::Classes(classes), Refused::Passes(passes)] = found.refused() else {
         panic!("{:?}", found.refused())
@@ -31,7 +32,7 @@ fn ends_that_nothing_joins_have_no_minimum() {
     let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
     let lattice = Lattice::new([-1.0, -1.0], [2.0, 1.0], 0.1).expect("a box");
     let search = GlobalSearch::within(lattice);
-    let error = search.search(&Problem::new(Torn, ends), Trapezoidal, 16).expect_err("torn");
+    let error = search.search(&Problem::new(Torn, ends), Rule::TRAPEZOIDAL, 16).expect_err("torn");
     let MinimaError::NoMinimum { starts: 1, source: Some(SolveError::Metric(_)) } = error else {
         panic!("{error:?}")
     };
@@ -56,8 +57,9 @@ fn a_gap_that_no_automatic_start_sees_is_found_by_the_lattice() {
     let ends = Ends::points([-1.0, 0.0], [1.0, 0.1]).expect("finite");
     let lattice = Lattice::new([-1.2, -1.0], [1.2, 3.0], 0.1).expect("a box");
     let problem = Problem::new(Wall, ends);
-    let automatic = problem.solve(Trapezoidal, 64).expect_err("a wall");
-    let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 64).expect("a gap");
+    let automatic = problem.solve(Rule::TRAPEZOIDAL, 64).expect_err("a wall");
+    let found =
+        GlobalSearch::within(lattice).search(&problem, Rule::TRAPEZOIDAL, 64).expect("a gap");
     let [only] = found.minima() else { panic!("{}", found.minima().len()) };
     // In the middle of the wall the gap is where 0.3 e^(−10 (y − 2.2)²) > 0.04.
     let across = only.line.sequence().points().iter().filter(|x| x[0].abs() < 0.05);
@@ -73,17 +75,17 @@ fn numbers_out_of_range_are_errors() {
     for slack in [0.5, f64::NAN] {
         let mut search = GlobalSearch::within(lattice.clone());
         search.slack = slack;
-        let error = search.search(&problem(), Trapezoidal, 16);
+        let error = search.search(&problem(), Rule::TRAPEZOIDAL, 16);
         assert!(matches!(error, Err(MinimaError::Lattice(GraphPathError::Slack { .. }))));
     }
     // No further start is tried.
-    let error = GlobalSearch::within(lattice).search(&problem(), Trapezoidal, 0);
+    let error = GlobalSearch::within(lattice).search(&problem(), Rule::TRAPEZOIDAL, 0);
     let source = Some(SolveError::NoSubinterval);
     assert_eq!(error.err(), Some(MinimaError::NoMinimum { starts: 1, source }));
     let twice = Punctures::new(vec![[0.0, 0.0]; 2]);
     assert!(matches!(twice, Err(GraphPathError::Puncture { number: 2, .. })));
     let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
-    let nothing = follow(|_| Valleys, &[], &ends, Trapezoidal, 16, 8);
+    let nothing = follow(|_| Valleys, &[], &ends, Rule::TRAPEZOIDAL, 16, 8);
     assert_eq!(nothing.map(|_| ()), Err(SolveError::NoStart));
 }
 
@@ -105,7 +107,7 @@ fn of_many_peaks_the_most_prominent_are_told_apart() {
     let mut search = GlobalSearch::within(lattice);
     (search.most, search.steps) = (0, 0);
     let ends = Ends::points([0.0, 0.0], [1.0, 0.5]).expect("finite");
-    let found = search.search(&Problem::new(EggBox, ends), Trapezoidal, 16).expect("found");
+    let found = search.search(&Problem::new(EggBox, ends), Rule::TRAPEZOIDAL, 16).expect("found");
     assert_eq!(found.punctures().points(), &peaks.points()[..64]);
 }
 
@@ -115,6 +117,6 @@ fn without_ways_there_is_the_automatic_search() {
     let lattice = Lattice::new([-1.0, -1.0], [2.0, 2.0], 0.1).expect("a box");
     let mut search = GlobalSearch::within(lattice);
     (search.most, search.steps) = (0, 0);
-    let found = search.search(&problem(), Trapezoidal, 16).expect("found");
+    let found = search.search(&problem(), Rule::TRAPEZOIDAL, 16).expect("found");
     assert_eq!((found.minima().len(), found.starts()), (1, 1));
 }

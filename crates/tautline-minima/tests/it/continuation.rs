@@ -1,7 +1,7 @@
 //! Minima of a bump that rises.
 
 use tautline::{
-    Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, are_apart,
+    Ends, Metric, Problem, Rule, SMatrix, SVector, Scalar, are_apart,
     gallery::{Bump, TwoChannels},
 };
 use tautline_minima::{Flattened, GlobalSearch, Minima, follow};
@@ -39,7 +39,7 @@ fn a_rising_bump_splits_the_line_where_the_second_variation_vanishes() {
     // The error of 64 chords moves the critical height by their square, some 10⁻³ of it.
     for (last, expected) in [(0.98 * critical, 1), (1.1 * critical, 2)] {
         let heights: Vec<f64> = (0..=10).map(|k| last * f64::from(k) / 10.0).collect();
-        let branches = follow(family, &heights, &ends, Trapezoidal, n, 8).expect("followed");
+        let branches = follow(family, &heights, &ends, Rule::TRAPEZOIDAL, n, 8).expect("followed");
         assert_eq!(branches.len(), expected, "up to {last} of {critical}");
         let line = branches[0].line.sequence();
         let bend = line.points().iter().map(|x| x[1].abs()).fold(0.0, f64::max);
@@ -65,7 +65,7 @@ fn a_branch_keeps_its_age() {
     let family = |a: f64| Bump::new(-a, 0.5).expect("a bump");
     let up_to = |last: usize, most| {
         let parameters = &parameters[..=last];
-        follow(family, parameters, &ends, Trapezoidal, 64, most).expect("followed")
+        follow(family, parameters, &ends, Rule::TRAPEZOIDAL, 64, most).expect("followed")
     };
     let split = (1..=6).find(|&k| up_to(k, 8).len() == 2).expect("a split");
     assert!(split < 4, "{split}");
@@ -87,7 +87,7 @@ fn what_does_not_converge_is_no_branch() {
     }
     let ends = Ends::points([-1.5, 0.0], [1.5, 0.0]).expect("finite");
     let up_to = |parameters: &[f64]| {
-        follow(Valley, parameters, &ends, Trapezoidal, 16, 8).expect("followed")
+        follow(Valley, parameters, &ends, Rule::TRAPEZOIDAL, 16, 8).expect("followed")
     };
     let [far, there] = [&[9.0][..], &[9.0, 0.0]].map(|parameters| up_to(parameters).len());
     assert_eq!([far, there], [1, 0]);
@@ -98,7 +98,8 @@ fn what_does_not_converge_is_no_branch() {
 fn the_first_metric_has_no_more_branches_either() {
     let ends = Ends::points([-3.0, 0.0], [3.0, 0.0]).expect("finite");
     let family = |width: f64| TwoChannels::new(2.0, 1.0, width).expect("channels");
-    let of = |most| follow(family, &[0.5], &ends, Trapezoidal, 64, most).expect("solved").len();
+    let of =
+        |most| follow(family, &[0.5], &ends, Rule::TRAPEZOIDAL, 64, most).expect("solved").len();
     assert_eq!([of(8), of(1)], [2, 1]);
 }
 
@@ -124,9 +125,9 @@ fn continuation_alone_finds_both_sides() {
     let metric = problem.metric();
     let shares: Vec<f64> = (0..=8).map(|k| f64::from(k) / 8.0).collect();
     let family = |share| Flattened { metric, level: 1.0, share };
-    let branches = follow(family, &shares, &ends, Trapezoidal, 64, 8).expect("followed");
+    let branches = follow(family, &shares, &ends, Rule::TRAPEZOIDAL, 64, 8).expect("followed");
     let search = GlobalSearch::default();
-    let found = search.search(&problem, Trapezoidal, 64).expect("found");
+    let found = search.search(&problem, Rule::TRAPEZOIDAL, 64).expect("found");
     assert_eq!((branches.len(), found.minima().len()), (2, 2));
     assert!(branches[1].since > 0.0);
 }
@@ -140,10 +141,10 @@ fn the_last_step_is_that_to_the_whole_metric() {
     let of = |steps| {
         let mut search = GlobalSearch::default();
         search.steps = steps;
-        search.search(&problem, Trapezoidal, 64).expect("found")
+        search.search(&problem, Rule::TRAPEZOIDAL, 64).expect("found")
     };
     let without = of(0);
-    let hits = |found: &Minima<Bump, Trapezoidal, 2>| -> Vec<usize> {
+    let hits = |found: &Minima<Bump, 2>| -> Vec<usize> {
         found.minima().iter().map(|minimum| minimum.hits).collect()
     };
     assert_eq!(without.minima().len(), 2);

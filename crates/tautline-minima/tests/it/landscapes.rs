@@ -1,8 +1,7 @@
 //! Landscapes whose minima are known.
 
 use tautline::{
-    AxisBox, Curvature, Ends, HalfSpace, Lattice, Metric, Problem, SMatrix, SVector, Scalar,
-    Trapezoidal,
+    AxisBox, Curvature, Ends, HalfSpace, Lattice, Metric, Problem, Rule, SMatrix, SVector, Scalar,
     distance::Wanted,
     gallery::{Bump, Constant, TwoChannels},
 };
@@ -12,7 +11,7 @@ use crate::setup::{PAST, Planar, around, two_hills};
 
 const N: usize = 64;
 
-fn energies<M: Metric<D>, const D: usize>(found: &Minima<M, Trapezoidal, D>) -> Vec<f64> {
+fn energies<M: Metric<D>, const D: usize>(found: &Minima<M, D>) -> Vec<f64> {
     found.minima().iter().map(|minimum| minimum.line.discrete_energy()).collect()
 }
 
@@ -20,7 +19,8 @@ fn energies<M: Metric<D>, const D: usize>(found: &Minima<M, Trapezoidal, D>) -> 
 #[test]
 fn two_hills_have_three_ways() {
     let problem = Problem::new(two_hills(), Ends::points(PAST[0], PAST[1]).expect("finite"));
-    let found = GlobalSearch::within(around()).search(&problem, Trapezoidal, N).expect("found");
+    let found =
+        GlobalSearch::within(around()).search(&problem, Rule::TRAPEZOIDAL, N).expect("found");
     assert!(found.refused().is_empty(), "{:?}", found.refused());
     assert_eq!(found.punctures().points().len(), 2);
     let heights: Vec<f64> =
@@ -41,7 +41,8 @@ fn two_hills_have_three_ways() {
 #[test]
 fn a_certificate_ranks_the_ways() {
     let problem = Problem::new(two_hills(), Ends::points(PAST[0], PAST[1]).expect("finite"));
-    let found = GlobalSearch::within(around()).search(&problem, Trapezoidal, N).expect("found");
+    let found =
+        GlobalSearch::within(around()).search(&problem, Rule::TRAPEZOIDAL, N).expect("found");
     let ranked = found.ranked(Wanted::gap(1e-2)).expect("a certificate");
     let [Standing::Shortest { gap }, rest @ ..] = &ranked.standings[..] else {
         panic!("{:?}", ranked.standings);
@@ -76,7 +77,7 @@ fn mirror_images_are_two_minima_and_both_the_shortest() {
     let channels = TwoChannels::new(2.0, 1.0, 0.5).expect("channels");
     let lattice = Lattice::new([-3.5, -2.5], [3.5, 2.5], 0.1).expect("a box");
     let found = GlobalSearch::within(lattice);
-    let found = found.search(&Problem::new(channels, ends), Trapezoidal, N).expect("found");
+    let found = found.search(&Problem::new(channels, ends), Rule::TRAPEZOIDAL, N).expect("found");
     let [first, second, ..] = energies(&found)[..] else { panic!("{}", found.minima().len()) };
     // Two solves to the floor of rounding.
     assert!((first / second - 1.0).abs() < 1e-11, "{first} {second}");
@@ -93,14 +94,14 @@ fn mirror_images_are_two_minima_and_both_the_shortest() {
 #[test]
 fn further_dimensions_have_the_ways_of_the_plane() {
     let plane = Problem::new(two_hills(), Ends::points(PAST[0], PAST[1]).expect("finite"));
-    let plane = GlobalSearch::within(around()).search(&plane, Trapezoidal, N).expect("found");
+    let plane = GlobalSearch::within(around()).search(&plane, Rule::TRAPEZOIDAL, N).expect("found");
     let plane = energies(&plane);
 
     let [a, b] = PAST.map(|[x, y]| [x, y, 0.0]);
     let space = Problem::new(Planar(two_hills()), Ends::points(a, b).expect("finite"));
     let lattice = Lattice::new([-2.2, -2.0, -0.4], [2.2, 2.0, 0.4], 0.2).expect("a box");
     let search = GlobalSearch::within(lattice);
-    let found = search.search(&space, Trapezoidal, N).expect("found");
+    let found = search.search(&space, Rule::TRAPEZOIDAL, N).expect("found");
     let ways = energies(&found);
     assert_eq!(ways.len(), plane.len());
     for (way, exact) in ways.iter().zip(&plane) {
@@ -110,7 +111,7 @@ fn further_dimensions_have_the_ways_of_the_plane() {
 
     let [a, b] = PAST.map(|[x, y]| [x, y, 0.0, 0.0, 0.0, 0.0]);
     let wide = Problem::new(Planar(two_hills()), Ends::points(a, b).expect("finite"));
-    let found = GlobalSearch::default().search(&wide, Trapezoidal, N).expect("found");
+    let found = GlobalSearch::default().search(&wide, Rule::TRAPEZOIDAL, N).expect("found");
     for way in energies(&found) {
         assert!(plane.iter().any(|exact| (way / exact - 1.0).abs() < 1e-11), "{way} {plane:?}");
     }
@@ -125,7 +126,8 @@ fn degenerate_minima_are_minima() {
     let flat = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
     let problem = Problem::new(flat, Ends::new(square, side).expect("bounded"));
     let lattice = Lattice::new([-1.5, -1.5], [2.5, 1.5], 0.1).expect("a box");
-    let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, N).expect("found");
+    let found =
+        GlobalSearch::within(lattice).search(&problem, Rule::TRAPEZOIDAL, N).expect("found");
     for minimum in found.minima() {
         assert_eq!(minimum.line.minimum().curvature, Curvature::Degenerate);
         let energy = minimum.line.discrete_energy();
@@ -140,7 +142,8 @@ fn each_kind_of_start_finds_both_sides_of_a_bump() {
     let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
     let problem = Problem::new(Bump::new(4.0, 0.5).expect("a bump"), ends);
     let lattice = Lattice::new([-2.0, -1.5], [2.0, 1.5], 0.05).expect("a box");
-    let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, N).expect("found");
+    let found =
+        GlobalSearch::within(lattice).search(&problem, Rule::TRAPEZOIDAL, N).expect("found");
     let [near, far] = found.minima() else { panic!("{}", found.minima().len()) };
     // The automatic search and its other minima, two classes, two passes and two branches.
     assert!(near.hits >= 4 && far.hits >= 4, "{} {}", near.hits, far.hits);
@@ -165,7 +168,7 @@ fn the_lowest_minimum_stands_first_whoever_finds_it() {
     let lattice = Lattice::new([-2.0, -1.0], [2.0, 4.0], 0.1).expect("a lattice");
     let mut search = GlobalSearch::within(lattice);
     search.steps = 0;
-    let found = search.search(&problem, Trapezoidal, 128).expect("found");
+    let found = search.search(&problem, Rule::TRAPEZOIDAL, 128).expect("found");
     let energies = energies(&found);
     assert!(energies.len() >= 2 && energies.is_sorted(), "{energies:?}");
     // √40 is the way to the gap and back, without the wall.

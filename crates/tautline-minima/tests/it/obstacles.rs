@@ -2,8 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Ends, Lattice, Metric, Options, Plain, PointSequence, Problem, Scalar, Starts, TautLine,
-    Trapezoidal, are_apart,
+    Ends, Lattice, Metric, Options, Plain, PointSequence, Problem, Rule, Scalar, Starts, TautLine,
+    are_apart,
     distance::Order,
     gallery::{Obstacle, SoftObstacles},
     graph_path,
@@ -64,7 +64,7 @@ fn compare<M: Metric<2>>(metric: M, random: &mut Random) -> Compared {
     let [a, b] = [-1.8, 1.8].map(|x| [x, random.between(-1.0, 1.0)]);
     let problem = Problem::new(metric, Ends::points(a, b).expect("finite"));
     let lattice = |spacing| Lattice::new([-2.0, -1.8], [2.0, 1.8], spacing).expect("a box");
-    let found = GlobalSearch::within(lattice(0.1)).search(&problem, Trapezoidal, N);
+    let found = GlobalSearch::within(lattice(0.1)).search(&problem, Rule::TRAPEZOIDAL, N);
     let (metric, ends, fine) = (problem.metric(), problem.ends(), lattice(0.05));
     let mut starts = vec![Starts::Automatic];
     let mut start = |sequence: Option<PointSequence<2>>| {
@@ -80,19 +80,18 @@ fn compare<M: Metric<2>>(metric: M, random: &mut Random) -> Compared {
     }
     let solve = |starts: Starts<2>| {
         let options = Options { starts, ..Options::default() };
-        let line = problem.solve_with(Trapezoidal, N, &options).ok()?;
+        let line = problem.solve_with(Rule::TRAPEZOIDAL, N, &options).ok()?;
         line.minimum().is_local_minimum().then_some(line)
     };
-    let mut rivals: Vec<Option<TautLine<_, _, 2>>> = starts.into_iter().map(solve).collect();
-    let energy = |line: Option<&TautLine<M, Trapezoidal, 2>>| {
-        line.map_or(f64::INFINITY, TautLine::discrete_energy)
-    };
+    let mut rivals: Vec<Option<TautLine<_, 2>>> = starts.into_iter().map(solve).collect();
+    let energy =
+        |line: Option<&TautLine<M, 2>>| line.map_or(f64::INFINITY, TautLine::discrete_energy);
     let automatic = energy(rivals[0].as_ref());
     let best = rivals.iter().map(|line| energy(line.as_ref())).fold(f64::INFINITY, f64::min);
     let Ok(found) = found else {
         return Compared { excess: f64::INFINITY, ..Compared::default() };
     };
-    let mut theirs: Vec<TautLine<_, _, 2>> = Vec::new();
+    let mut theirs: Vec<TautLine<_, 2>> = Vec::new();
     rivals.sort_by(|a, b| energy(a.as_ref()).total_cmp(&energy(b.as_ref())));
     for line in rivals.into_iter().flatten() {
         if theirs.iter().all(|known| are_apart(line.sequence(), known.sequence())) {
@@ -100,10 +99,10 @@ fn compare<M: Metric<2>>(metric: M, random: &mut Random) -> Compared {
         }
     }
     let ours: Vec<_> = found.minima().iter().map(|minimum| &minimum.line).collect();
-    let is_ours = |line: &&TautLine<M, Trapezoidal, 2>| {
+    let is_ours = |line: &&TautLine<M, 2>| {
         ours.iter().any(|known| !are_apart(line.sequence(), known.sequence()))
     };
-    let is_theirs = |line: &&&TautLine<M, Trapezoidal, 2>| {
+    let is_theirs = |line: &&&TautLine<M, 2>| {
         theirs.iter().any(|known| !are_apart(line.sequence(), known.sequence()))
     };
     let short: Vec<_> =

@@ -2,7 +2,7 @@
 
 use tautline::{
     Ball, Ends, GraphPathError, HalfSpace, Lattice, LatticeGraph, Metric, Options, Plain, Point,
-    Problem, Punctures, SMatrix, SVector, Scalar, Starts, Trapezoidal, are_apart, class_paths,
+    Problem, Punctures, Rule, SMatrix, SVector, Scalar, Starts, are_apart, class_paths,
     gallery::{Obstacle, SoftObstacles},
 };
 use tautline_baselines::EikonalError;
@@ -18,7 +18,8 @@ use crate::setup::{PAST, Planar, Torn, around, two_hills};
 fn each_way_past_the_hills_has_a_pass() {
     let ends = Ends::points(PAST[0], PAST[1]).expect("finite");
     let problem = Problem::new(two_hills(), ends.clone());
-    let known = GlobalSearch::within(around()).search(&problem, Trapezoidal, 64).expect("found");
+    let known =
+        GlobalSearch::within(around()).search(&problem, Rule::TRAPEZOIDAL, 64).expect("found");
     let paths = pass_paths(problem.metric(), &ends, &around(), 9, 2.0).expect("passes");
     let mut longer = [f64::INFINITY; 3];
     for path in &paths {
@@ -28,7 +29,7 @@ fn each_way_past_the_hills_has_a_pass() {
         let nearest = sequence.points().iter().map(|x| (x - path.pass()).norm());
         assert!(nearest.fold(f64::INFINITY, f64::min) < 0.1);
         let options = Options { starts: Starts::OnTheGrid(vec![sequence]), ..Options::default() };
-        let line = problem.solve_with(Trapezoidal, 64, &options).expect("solved");
+        let line = problem.solve_with(Rule::TRAPEZOIDAL, 64, &options).expect("solved");
         let is_it = |k: &usize| !are_apart(line.sequence(), known.minima()[*k].line.sequence());
         let way = (0..3).find(is_it).expect("one of the ways");
         longer[way] = longer[way].min(path.length() / line.length().value - 1.0);
@@ -129,7 +130,8 @@ fn between_sets_there_are_three_ways_as_well() {
     let side = HalfSpace::new([-1.0, 0.0], -2.0).expect("a half-plane");
     let problem = Problem::new(two_hills(), Ends::new(ball, side).expect("bounded"));
     let lattice = Lattice::new([-2.6, -2.2], [2.2, 2.2], 0.1).expect("a box");
-    let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 64).expect("found");
+    let found =
+        GlobalSearch::within(lattice).search(&problem, Rule::TRAPEZOIDAL, 64).expect("found");
     assert!(found.refused().is_empty(), "{:?}", found.refused());
     assert_eq!(found.minima().len(), 3);
     let mut words: Vec<_> = found.minima().iter().map(|minimum| &minimum.word).collect();
@@ -155,7 +157,8 @@ fn minima_that_end_on_either_side_of_a_ray_have_different_words() {
     let point = Point::new([0.05, -1.5]).expect("finite");
     let problem = Problem::new(hill, Ends::new(point, roof).expect("bounded"));
     let lattice = Lattice::new([-1.8, -1.8], [1.8, 1.8], 0.1).expect("a box");
-    let found = GlobalSearch::within(lattice).search(&problem, Trapezoidal, 32).expect("found");
+    let found =
+        GlobalSearch::within(lattice).search(&problem, Rule::TRAPEZOIDAL, 32).expect("found");
     let [right, left] = found.minima() else { panic!("{}", found.minima().len()) };
     assert!(right.line.curve().at(0.5)[0] > 0.5 && left.line.curve().at(0.5)[0] < -0.5);
     assert_ne!(right.word, left.word);
@@ -190,14 +193,14 @@ fn passes_are_the_same_in_other_units() {
 fn all_ways_have_the_slack_that_is_asked_for() {
     let ends = Ends::points(PAST[0], PAST[1]).expect("finite");
     let problem = Problem::new(two_hills(), ends.clone());
-    let automatic = problem.solve(Trapezoidal, 64).expect("solved").other_minima().len() + 1;
+    let automatic = problem.solve(Rule::TRAPEZOIDAL, 64).expect("solved").other_minima().len() + 1;
     let plain = Plain::new(problem.metric());
     let graph = LatticeGraph::usual(&plain, around());
     let mut counts = Vec::new();
     for slack in [1.0, 1.1, 2.0] {
         let mut search = GlobalSearch::within(around());
         (search.slack, search.steps) = (slack, 0);
-        let found = search.search(&problem, Trapezoidal, 64).expect("found");
+        let found = search.search(&problem, Rule::TRAPEZOIDAL, 64).expect("found");
         let classes = class_paths(&graph, &ends, found.punctures(), 32, slack).expect("paths");
         let passes = pass_paths(problem.metric(), &ends, &around(), 32, slack).expect("passes");
         assert_eq!(found.starts(), automatic + classes.len() + passes.len(), "{slack}");
@@ -214,7 +217,7 @@ fn given_punctures_are_not_replaced_by_peaks() {
     let given = Punctures::new(vec![[0.0, 0.85]]).expect("a point");
     let mut search = GlobalSearch::within(around());
     (search.punctures, search.steps) = (Some(given.clone()), 0);
-    let found = search.search(&problem, Trapezoidal, 64).expect("found");
+    let found = search.search(&problem, Rule::TRAPEZOIDAL, 64).expect("found");
     assert_eq!(*found.punctures(), given);
     let mut words: Vec<_> = found.minima().iter().map(|minimum| &minimum.word).collect();
     words.sort();

@@ -1,9 +1,7 @@
 //! `LeadingConstants`: the predicted leading errors of both rules on smooth data.
 
 use nalgebra::SVector;
-use tautline_discretizations::{
-    LeftEndpoint, Node, QuadraticModel, Rule, Trapezoidal, energy_gradient,
-};
+use tautline_discretizations::{QuadraticModel, Rule, energy_gradient};
 use tautline_metrics::Metric;
 use tautline_sets::{ClosedSet, Ends};
 
@@ -61,7 +59,7 @@ pub struct LeadingConstants {
 const STATIONARY: f64 = 1e-10;
 
 /// Returns the leading constants of the errors of both rules, in `m²`, along a minimiser of the
-/// [`Trapezoidal`] energy. The minimiser should be computed with a large `N`. All constants are 0
+/// [`Rule::TRAPEZOIDAL`] energy. The minimiser should be computed with a large `N`. All constants are 0
 /// if the sets touch.
 ///
 /// - `ends`: the sets between which `minimum` was computed. Only the constants of the left rule's
@@ -116,15 +114,6 @@ pub fn leading_constants<const D: usize>(
     })
 }
 
-/// The left-endpoint rule for the reversed curve.
-#[derive(Clone, Copy, Debug)]
-struct RightEndpoint;
-
-impl Rule for RightEndpoint {
-    const NODES: &'static [Node] = &[Node { fraction: 1.0, weight: 1.0 }];
-    const ERROR_EXPONENT: i32 = 1;
-}
-
 /// Returns `½ E″[η, η]`, in `m²`. It is half the square of the Newton decrement of
 /// `E_tra,N + N⁻¹ F` at the minimiser of `E_tra,N`, times `N²`. Here `(N/2) (E_l,N − E_r,N)`
 /// approximates `F` to second order, unlike `N (E_l,N − E_tra,N)`.
@@ -142,7 +131,7 @@ fn displacement_energy<const D: usize>(
     });
     let nearest = pairs.min_by(|a, b| a.0.total_cmp(&b.0));
     let (_, [first, second]) = nearest.ok_or(AsymptoticsError::Degenerate)?;
-    let model = QuadraticModel::new(Trapezoidal, metric, sequence);
+    let model = QuadraticModel::new(Rule::TRAPEZOIDAL, metric, sequence);
     // The system subtracts the margin. With the margin as the shift, the Hessian is unchanged.
     let system = ReducedSystem::new(&model, [&*first, &*second], points, margin(n));
     let factorization = system.factorize().ok_or(AsymptoticsError::Degenerate)?;
@@ -150,8 +139,8 @@ fn displacement_energy<const D: usize>(
     if !(decrement <= STATIONARY) {
         return Err(AsymptoticsError::NotStationary { decrement });
     }
-    let (_, left) = energy_gradient(LeftEndpoint, metric, sequence);
-    let (_, right) = energy_gradient(RightEndpoint, metric, sequence);
+    let (_, left) = energy_gradient(Rule::LEFT_ENDPOINT, metric, sequence);
+    let (_, right) = energy_gradient(Rule::RIGHT_ENDPOINT, metric, sequence);
     let half = 0.5 * n as f64;
     let gradient: Vec<_> = left.iter().zip(&right).map(|(l, r)| (l - r) * half).collect();
     Ok(system.decrement_of(&factorization, &gradient))

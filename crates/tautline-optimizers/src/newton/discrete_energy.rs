@@ -22,8 +22,8 @@ pub(crate) struct DiscreteEnergy<'m, const D: usize> {
 }
 
 impl<'m, const D: usize> DiscreteEnergy<'m, D> {
-    pub(crate) fn new<R: Rule>(_rule: R, metric: &'m dyn Batches<D>) -> Self {
-        Self { nodes: R::NODES, error_exponent: R::ERROR_EXPONENT, metric }
+    pub(crate) fn new(rule: Rule, metric: &'m dyn Batches<D>) -> Self {
+        Self { nodes: rule.nodes(), error_exponent: rule.error_exponent(), metric }
     }
 
     /// Returns the processor instructions that the metric uses.
@@ -100,9 +100,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
-    use tautline_discretizations::{
-        LeftEndpoint, PointSequence, Rule, Simpson, Trapezoidal, TrueTrapezoid, energy_gradient,
-    };
+    use tautline_discretizations::{PointSequence, Rule, energy_gradient};
     use tautline_formula::{Batches, Plain, Prepared};
     use tautline_metrics::{
         Metric, MetricError, Scalar,
@@ -112,7 +110,7 @@ mod tests {
     use super::DiscreteEnergy;
 
     #[track_caller]
-    fn assert_sum_of_chords<R: Rule>(rule: R, exponent: i32) {
+    fn assert_sum_of_chords(rule: Rule, exponent: i32) {
         let shear = Shear::new(0.5, 1.0).expect("a wave number");
         let points = vec![vector![0.0, 0.3], vector![1.0, -0.2], vector![1.5, 0.8]];
         let sequence = PointSequence::new(points).expect("finite");
@@ -132,9 +130,9 @@ mod tests {
 
     #[test]
     fn the_energy_is_the_sum_over_chords() {
-        assert_sum_of_chords(Trapezoidal, 2);
-        assert_sum_of_chords(LeftEndpoint, 1);
-        assert_sum_of_chords(TrueTrapezoid, 2);
+        assert_sum_of_chords(Rule::TRAPEZOIDAL, 2);
+        assert_sum_of_chords(Rule::LEFT_ENDPOINT, 1);
+        assert_sum_of_chords(Rule::TRUE_TRAPEZOID, 2);
     }
 
     /// One chord is long, and each of the short ones would be rounded away when added to it.
@@ -142,7 +140,7 @@ mod tests {
     fn the_energy_of_a_trial_is_summed_with_compensation() {
         let flat = Constant::new(nalgebra::SMatrix::<f64, 1, 1>::identity()).expect("definite");
         let metric = Plain::new(&flat);
-        let energy = DiscreteEnergy::<1>::new(Trapezoidal, &metric);
+        let energy = DiscreteEnergy::<1>::new(Rule::TRAPEZOIDAL, &metric);
         let n = (1 << 16) + 1;
         let short = 2.0_f64.powi(-27);
         let points: Vec<_> = (0..=n)
@@ -158,7 +156,7 @@ mod tests {
     /// Every node of every chord is checked, including the last ones.
     #[test]
     fn a_defect_is_reported_at_whichever_node_it_is() {
-        assert_sum_of_chords(Simpson, 2);
+        assert_sum_of_chords(Rule::SIMPSON, 2);
         for chord in 0..3 {
             for node in 0..3 {
                 let place = f64::from(chord) + 0.5 * f64::from(node);
@@ -177,7 +175,7 @@ mod tests {
                     let points = (0..=n).map(|k| vector![from + f64::from(k)]).collect();
                     let sequence = PointSequence::new(points).expect("finite");
                     for metric in [&plain as &dyn Batches<1>, &prepared] {
-                        let energy = DiscreteEnergy::new(Simpson, metric);
+                        let energy = DiscreteEnergy::new(Rule::SIMPSON, metric);
                         match energy.check_nodes(&sequence) {
                             Err(MetricError::NotPositiveDefinite { point, .. }) => {
                                 assert_eq!(point, [place]);
@@ -189,7 +187,7 @@ mod tests {
             }
         }
         let metric = Plain::new(&ToTheRight);
-        let energy = DiscreteEnergy::<2>::new(Simpson, &metric);
+        let energy = DiscreteEnergy::<2>::new(Rule::SIMPSON, &metric);
         assert!(energy.check_at(&vector![1.0, 0.0]).is_ok());
         assert!(energy.check_at(&vector![-1.0, 0.0]).is_err());
     }
@@ -206,7 +204,7 @@ mod tests {
     #[test]
     fn a_trial_with_one_negative_chord_has_no_energy() {
         let metric = Plain::new(&ToTheRight);
-        let energy = DiscreteEnergy::<2>::new(Trapezoidal, &metric);
+        let energy = DiscreteEnergy::<2>::new(Rule::TRAPEZOIDAL, &metric);
         let over = |lowest: f64| {
             energy.admissible(&[vector![8.0, 0.0], vector![lowest, 0.0], vector![lowest, 0.5]])
         };

@@ -100,10 +100,7 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::SVector;
-    use tautline_discretizations::{
-        LeftEndpoint, PointSequence, QuadraticModel, Rule, Trapezoidal, TrueTrapezoid,
-        energy_gradient,
-    };
+    use tautline_discretizations::{PointSequence, QuadraticModel, Rule, energy_gradient};
     use tautline_formula::Prepared;
     use tautline_metrics::{
         Metric,
@@ -122,8 +119,8 @@ mod tests {
 
     /// Compares a pass, on one thread and on two, with the assembled system.
     #[track_caller]
-    fn compare<R: Rule, const D: usize>(
-        rule: R,
+    fn compare<const D: usize>(
+        rule: Rule,
         metric: &impl Metric<D>,
         ends: [&dyn ClosedSet<D>; 2],
         n: usize,
@@ -136,8 +133,8 @@ mod tests {
 
     /// Compares a pass with the assembled system, and returns the results of the pass.
     #[track_caller]
-    fn compare_once<R: Rule, const D: usize>(
-        rule: R,
+    fn compare_once<const D: usize>(
+        rule: Rule,
         metric: &impl Metric<D>,
         ends: [&dyn ClosedSet<D>; 2],
         n: usize,
@@ -207,9 +204,9 @@ mod tests {
             [[&ball as &dyn ClosedSet<2>, &b], [&a, &wall], [&circle, &wall], [&ball, &ball_too]]
         {
             for n in [1, 2, 3, 4, 5, 6, 7, 8] {
-                compare(Trapezoidal, &swirl, ends, n, &mut memory);
-                compare(LeftEndpoint, &swirl, ends, n, &mut memory);
-                compare(TrueTrapezoid, &swirl, ends, n, &mut memory);
+                compare(Rule::TRAPEZOIDAL, &swirl, ends, n, &mut memory);
+                compare(Rule::LEFT_ENDPOINT, &swirl, ends, n, &mut memory);
+                compare(Rule::TRUE_TRAPEZOID, &swirl, ends, n, &mut memory);
             }
         }
     }
@@ -228,8 +225,8 @@ mod tests {
         let mut memory = Workspace::default();
         for ends in [[&ball as &dyn ClosedSet<4>, &b], [&ball, &wall]] {
             for n in [1, 2, 3, 7, 8] {
-                compare(Trapezoidal, &metric, ends, n, &mut memory);
-                compare(LeftEndpoint, &metric, ends, n, &mut memory);
+                compare(Rule::TRAPEZOIDAL, &metric, ends, n, &mut memory);
+                compare(Rule::LEFT_ENDPOINT, &metric, ends, n, &mut memory);
             }
         }
     }

@@ -31,11 +31,11 @@ pub struct NewtonStep<const D: usize> {
 /// [`minimise`](crate::minimise) repeats this step on fine grids, where it needs no damping.
 /// Assembly and factorisation take one pass over the chords, `O(N D³)`, on one thread and in the
 /// memory of `workspace`.
-pub fn newton_step<const D: usize, R: Rule>(
+pub fn newton_step<const D: usize>(
     workspace: &mut Workspace<D>,
     metric: &dyn Batches<D>,
     ends: [&dyn ClosedSet<D>; 2],
-    rule: R,
+    rule: Rule,
     sequence: &PointSequence<D>,
 ) -> Option<NewtonStep<D>> {
     workspace.check_undamped(sequence.n().get()).ok()?;
@@ -60,7 +60,7 @@ pub fn newton_step<const D: usize, R: Rule>(
 #[cfg(test)]
 mod tests {
     use nalgebra::vector;
-    use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_discretizations::{PointSequence, Rule};
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Bump, Constant};
     use tautline_sets::Point;
@@ -77,7 +77,8 @@ mod tests {
         let chain = [vector![0.5, -1.0], vector![3.0, -1.0], vector![0.5, 0.5], vector![0.5, -1.0]];
         let chain = PointSequence::new(chain.to_vec()).expect("finite");
         let mut workspace = Workspace::default();
-        let found = newton_step(&mut workspace, &metric, [&begin, &begin], Trapezoidal, &chain);
+        let found =
+            newton_step(&mut workspace, &metric, [&begin, &begin], Rule::TRAPEZOIDAL, &chain);
         let found = found.expect("definite");
         for (x, step) in chain.points().iter().zip(&found.step) {
             // The result is accurate up to the margin of 1e-8, with entries of the Hessian below 4.
@@ -99,7 +100,7 @@ mod tests {
             &mut Workspace::default(),
             &metric,
             [&ends[0], &ends[1]],
-            Trapezoidal,
+            Rule::TRAPEZOIDAL,
             &bent,
         )
         .expect("definite");
@@ -118,6 +119,8 @@ mod tests {
         let ends = [[-1.5, 0.0], [1.5, 0.0]].map(|x| Point::new(x).expect("finite"));
         let line = PointSequence::straight([-1.5, 0.0], [1.5, 0.0], 32).expect("finite");
         let ends: [&dyn tautline_sets::ClosedSet<2>; 2] = [&ends[0], &ends[1]];
-        assert!(newton_step(&mut Workspace::default(), &bump, ends, Trapezoidal, &line).is_none());
+        assert!(
+            newton_step(&mut Workspace::default(), &bump, ends, Rule::TRAPEZOIDAL, &line).is_none()
+        );
     }
 }

@@ -185,7 +185,7 @@ fn half_dot<const D: usize>(a: &[SVector<f64, D>], b: &[SVector<f64, D>]) -> f64
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, matrix, vector};
-    use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
+    use tautline_discretizations::{PointSequence, QuadraticModel, Rule};
     use tautline_metrics::gallery::Constant;
     use tautline_sets::{AxisBox, ClosedSet, Point};
 
@@ -201,7 +201,7 @@ mod tests {
         let metric = Constant::new(h).expect("definite");
         let expand = |points: &[SVector<f64, 2>]| {
             let sequence = PointSequence::new(points.to_vec()).expect("finite");
-            QuadraticModel::new(Trapezoidal, &metric, &sequence)
+            QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &sequence)
         };
         let before = expand(&points);
         let system = ReducedSystem::new(&before, ends, &points, 0.0);
@@ -231,7 +231,7 @@ mod tests {
         let points = vec![vector![0.0, 0.0], vector![1.0, -1.0], vector![2.0, 1.0]];
         let ends = [&points[0], &points[2]].map(|x| Point::new(*x).expect("finite"));
         let sequence = PointSequence::new(points.clone()).expect("finite");
-        let model = QuadraticModel::new(Trapezoidal, &metric, &sequence);
+        let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &sequence);
         let system = ReducedSystem::new(&model, [&ends[0], &ends[1]], &points, 0.0);
         let v = system.flattest_direction(&system.factorize().expect("definite"));
         assert_eq!((v[0], v[2]), (vector![0.0, 0.0], vector![0.0, 0.0]));

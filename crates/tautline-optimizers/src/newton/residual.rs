@@ -79,7 +79,7 @@ impl<const D: usize> Residual<D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector};
-    use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
+    use tautline_discretizations::{PointSequence, QuadraticModel, Rule};
     use tautline_metrics::{Lanes, Pair, gallery::Constant};
     use tautline_sets::{ClosedSet, HalfSpace, Point};
 
@@ -92,7 +92,7 @@ mod tests {
         let (a, b) = (SVector::<f64, D>::repeat(-0.3), SVector::repeat(0.7));
         let metric = Constant::new(SMatrix::<f64, D, D>::identity()).expect("definite");
         let line = PointSequence::straight(a, b, 1000).expect("finite");
-        let model = QuadraticModel::new(Trapezoidal, &metric, &line);
+        let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &line);
         let magnitude = Magnitude::of(&model);
         let mut residual = Residual::new(1000, magnitude);
         residual.push_all(&model.gradient);
@@ -129,7 +129,7 @@ mod tests {
         let second = [wall([-1.0, 0.0], &b), wall([0.0, -1.0], &b)];
         for n in [1, 2, 20] {
             let line = PointSequence::straight(a, b, n).expect("finite");
-            let model = QuadraticModel::new(Trapezoidal, &metric, &line);
+            let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &line);
             let magnitude = Magnitude::of(&model);
             let mut residual = Residual::new(n, magnitude);
             residual.push_all(&model.gradient);

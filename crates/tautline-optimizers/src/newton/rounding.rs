@@ -55,7 +55,7 @@ pub(crate) fn margin(n: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
+    use tautline_discretizations::{PointSequence, QuadraticModel, Rule};
     use tautline_metrics::gallery::Valleys;
 
     use super::{Magnitude, is_rounding, margin, negligible, rounding};
@@ -64,7 +64,7 @@ mod tests {
     fn near_the_origin_the_energy_decides_and_far_away_the_points() {
         let shifted = |x: f64| {
             let line = PointSequence::straight([x, 0.0], [x, 1.0], 8).expect("finite");
-            let model = QuadraticModel::new(Trapezoidal, &Valleys, &line);
+            let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &Valleys, &line);
             assert!(!is_rounding(&model, &line));
             (negligible(Magnitude::of(&model), &line), model.energy)
         };
@@ -79,7 +79,7 @@ mod tests {
     fn a_chord_of_one_rounding_is_rounding() {
         let b = 1.0 + f64::EPSILON;
         let line = PointSequence::straight([1.0, 0.0], [b, 0.0], 4).expect("finite");
-        assert!(is_rounding(&QuadraticModel::new(Trapezoidal, &Valleys, &line), &line));
+        assert!(is_rounding(&QuadraticModel::new(Rule::TRAPEZOIDAL, &Valleys, &line), &line));
     }
 
     #[test]
@@ -98,7 +98,7 @@ mod tests {
         let loop_of = |size: f64| {
             let points = [[1.0, 0.0], [1.0, size], [1.0, 0.0]].map(nalgebra::SVector::from);
             let line = PointSequence::new(points.to_vec()).expect("finite");
-            is_rounding(&QuadraticModel::new(Trapezoidal, &Valleys, &line), &line)
+            is_rounding(&QuadraticModel::new(Rule::TRAPEZOIDAL, &Valleys, &line), &line)
         };
         assert!(!loop_of(1.0) && !loop_of(1e-12) && loop_of(1e-16));
     }

@@ -41,7 +41,7 @@ impl<const D: usize> LocalSearch<'_, D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
-    use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_discretizations::{PointSequence, Rule};
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::Constant;
     use tautline_sets::Point;
@@ -60,7 +60,7 @@ mod tests {
         let [a, b] = [[0.0, 0.0], [2.0, 0.0]].map(|x| Point::new(x).expect("finite"));
         let batches = Prepared::new(&metric);
         let search = LocalSearch {
-            energy: &DiscreteEnergy::new(Trapezoidal, &batches),
+            energy: &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &batches),
             ends: [&a, &b],
             iterations: 1,
             threads: 1,

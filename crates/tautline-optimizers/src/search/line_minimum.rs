@@ -93,7 +93,7 @@ mod tests {
     use std::sync::LazyLock;
 
     use nalgebra::vector;
-    use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, TrueTrapezoid};
+    use tautline_discretizations::Rule;
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Hyperbolic, Valleys};
 
@@ -101,7 +101,7 @@ mod tests {
     use crate::newton::discrete_energy::DiscreteEnergy;
 
     /// Returns the energy of a rule over the valleys.
-    fn valleys(rule: impl Rule) -> DiscreteEnergy<'static, 2> {
+    fn valleys(rule: Rule) -> DiscreteEnergy<'static, 2> {
         static METRIC: LazyLock<Prepared<Valleys, 2>> = LazyLock::new(|| Prepared::new(Valleys));
         DiscreteEnergy::new(rule, &*METRIC)
     }
@@ -112,7 +112,7 @@ mod tests {
     #[test]
     fn the_left_rule_steps_from_valley_to_valley() {
         let (a, b) = (vector![0.0, 1.0], vector![4.0 * std::f64::consts::PI, 1.0]);
-        let line = line_minimum(&valleys(LeftEndpoint), &a, &b, 2, 64).expect("finite");
+        let line = line_minimum(&valleys(Rule::LEFT_ENDPOINT), &a, &b, 2, 64).expect("finite");
         assert_eq!((line[0], line[2]), (a, b));
         assert!((line[1] - (a + b) * 0.5).norm() < 1e-14, "{}", line[1]);
     }
@@ -122,7 +122,7 @@ mod tests {
     fn a_flat_metric_has_equal_chords() {
         let flat = tautline_metrics::gallery::Constant::new(nalgebra::matrix![2.0]).expect("2 > 0");
         let line = line_minimum(
-            &DiscreteEnergy::new(Trapezoidal, &Prepared::new(flat)),
+            &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &Prepared::new(flat)),
             &vector![0.0],
             &vector![8.0],
             16,
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn a_leap_begins_with_a_step_back() {
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
-        let line = line_minimum(&valleys(LeftEndpoint), &a, &b, 4, 128).expect("finite");
+        let line = line_minimum(&valleys(Rule::LEFT_ENDPOINT), &a, &b, 4, 128).expect("finite");
         assert!(line.iter().any(|x| x[0] < 1.0), "{line:?}");
     }
 
@@ -145,7 +145,7 @@ mod tests {
     /// best sequence back is the reverse of the best sequence there.
     #[test]
     fn a_leap_ends_with_a_step_back_too() {
-        let energy = valleys(TrueTrapezoid);
+        let energy = valleys(Rule::TRUE_TRAPEZOID);
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
         let there = line_minimum(&energy, &a, &b, 4, 128).expect("finite");
         let mut back = line_minimum(&energy, &b, &a, 4, 128).expect("finite");
@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn one_chord_joins_the_ends() {
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
-        assert_eq!(line_minimum(&valleys(LeftEndpoint), &a, &b, 1, 128), Some(vec![a, b]));
+        assert_eq!(line_minimum(&valleys(Rule::LEFT_ENDPOINT), &a, &b, 1, 128), Some(vec![a, b]));
     }
 
     #[test]
@@ -169,7 +169,7 @@ mod tests {
         let (inside, outside) = (vector![0.9, 0.0], vector![1.5, 0.0]);
         assert_eq!(
             line_minimum(
-                &DiscreteEnergy::new(LeftEndpoint, &Prepared::new(Hyperbolic)),
+                &DiscreteEnergy::new(Rule::LEFT_ENDPOINT, &Prepared::new(Hyperbolic)),
                 &outside,
                 &inside,
                 3,

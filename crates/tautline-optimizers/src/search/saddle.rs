@@ -69,7 +69,7 @@ fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector};
-    use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
+    use tautline_discretizations::{PointSequence, QuadraticModel, Rule};
     use tautline_formula::Prepared;
     use tautline_metrics::{Metric, Scalar, gallery::Bump};
     use tautline_sets::Point;
@@ -102,7 +102,7 @@ mod tests {
         for sign in [1.0, -1.0] {
             let metric = Walled { bump: Bump::new(4.0, 0.5).expect("a width"), sign };
             let batches = Prepared::new(&metric);
-            let energy = &DiscreteEnergy::new(Trapezoidal, &batches);
+            let energy = &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &batches);
             let search = LocalSearch {
                 energy,
                 ends: [&a, &b],
@@ -110,7 +110,7 @@ mod tests {
                 threads: 1,
                 watch: &Unwatched,
             };
-            let model = QuadraticModel::new(Trapezoidal, &metric, &line);
+            let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &line);
             let points = search.leave_saddle(&model, &line, 64.0).expect("a way down");
             assert!(points[1..32].iter().all(|x| x[1] * sign > -1e-5), "{points:?}");
             let lower = search.energy.admissible(&points).expect("inside");
@@ -132,13 +132,13 @@ mod tests {
         let begin = Point::new(begin).expect("finite");
         let batches = Prepared::new(&metric);
         let search = LocalSearch {
-            energy: &DiscreteEnergy::new(Trapezoidal, &batches),
+            energy: &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &batches),
             ends: [&begin, &begin],
             iterations: 1,
             threads: 1,
             watch: &Unwatched,
         };
-        let model = QuadraticModel::new(Trapezoidal, &metric, &line);
+        let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &line);
         let points = search.leave_saddle(&model, &line, 64.0).expect("a way down");
         let lower = search.energy.admissible(&points).expect("defined everywhere");
         assert!(lower < 0.999 * model.energy, "{lower} {}", model.energy);

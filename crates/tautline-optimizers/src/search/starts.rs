@@ -162,7 +162,7 @@ mod tests {
     use std::sync::LazyLock;
 
     use nalgebra::SVector;
-    use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_discretizations::{PointSequence, Rule};
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::Valleys;
     use tautline_sets::{Ball, HalfSpace, Point, Sphere};
@@ -173,7 +173,7 @@ mod tests {
     /// Returns the energy over the valleys.
     fn valleys() -> DiscreteEnergy<'static, 2> {
         static METRIC: LazyLock<Prepared<Valleys, 2>> = LazyLock::new(|| Prepared::new(Valleys));
-        DiscreteEnergy::new(Trapezoidal, &*METRIC)
+        DiscreteEnergy::new(Rule::TRAPEZOIDAL, &*METRIC)
     }
 
     #[test]
@@ -247,7 +247,7 @@ mod tests {
         let b = Point::new([1.0, 0.0, 0.0]).expect("finite");
         let middles: Vec<_> = Starts::Automatic
             .between(
-                &DiscreteEnergy::new(Trapezoidal, &Prepared::new(Valleys)),
+                &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &Prepared::new(Valleys)),
                 [&a, &b],
                 10,
                 true,

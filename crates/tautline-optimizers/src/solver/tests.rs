@@ -1,7 +1,7 @@
 //! What a solver keeps of its searches.
 
 use nalgebra::vector;
-use tautline_discretizations::{PointSequence, Trapezoidal};
+use tautline_discretizations::{PointSequence, Rule};
 use tautline_formula::Prepared;
 use tautline_metrics::gallery::Separable;
 use tautline_sets::{ClosedSet, Point};
@@ -20,7 +20,7 @@ fn failed_undamped_steps_are_counted() {
     let ends: [&dyn ClosedSet<3>; 2] = [&a, &b];
     let (workspace, options) = (&mut Workspace::default(), &Options::default());
     let batches = Prepared::new(&ridges);
-    let energy = &DiscreteEnergy::new(Trapezoidal, &batches);
+    let energy = &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &batches);
     let mut search = Search {
         workspace,
         energy,
@@ -55,7 +55,7 @@ fn what_was_left_behind_is_followed_if_nothing_better_counts() {
     let ends: [&dyn ClosedSet<2>; 2] = [&a, &b];
     let (workspace, options) = (&mut Workspace::default(), &Options::default());
     let batches = Prepared::new(&plane);
-    let energy = &DiscreteEnergy::new(Trapezoidal, &batches);
+    let energy = &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &batches);
     let mut search = Search {
         workspace,
         energy,

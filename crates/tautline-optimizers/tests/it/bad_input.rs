@@ -1,7 +1,7 @@
 //! Tests bad input: every defect has its error, and every search ends.
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
-use tautline_discretizations::{LARGEST_N, LeftEndpoint, Trapezoidal};
+use tautline_discretizations::{LARGEST_N, Rule};
 use tautline_metrics::{
     Metric, MetricError, Scalar,
     gallery::{Hyperbolic, Valleys},
@@ -12,7 +12,8 @@ use tautline_sets::{Ends, FiniteSet};
 use crate::setup::{ball, between, euclidean, from_to, lowest, only, point, sequence, straight};
 
 fn error<const D: usize>(metric: &impl Metric<D>, ends: &Ends<D>, n: usize) -> MetricError {
-    let error = minimise(metric, ends, Trapezoidal, n, &Options::default()).expect_err("refused");
+    let error =
+        minimise(metric, ends, Rule::TRAPEZOIDAL, n, &Options::default()).expect_err("refused");
     let SolveError::Metric(error) = error else { panic!("{error}") };
     error
 }
@@ -20,11 +21,11 @@ fn error<const D: usize>(metric: &impl Metric<D>, ends: &Ends<D>, n: usize) -> M
 #[test]
 fn no_subinterval_is_refused() {
     let ends = from_to([0.0], [1.0]);
-    let result = minimise(&Valleys, &ends, Trapezoidal, 0, &Options::default());
+    let result = minimise(&Valleys, &ends, Rule::TRAPEZOIDAL, 0, &Options::default());
     assert_eq!(result, Err(SolveError::NoSubinterval));
     // This check comes first, even if the ends touch.
     let touching = from_to([0.0], [0.0]);
-    let result = minimise(&Valleys, &touching, Trapezoidal, 0, &Options::default());
+    let result = minimise(&Valleys, &touching, Rule::TRAPEZOIDAL, 0, &Options::default());
     assert_eq!(result.expect_err("refused").to_string(), SolveError::NoSubinterval.to_string());
 }
 
@@ -36,8 +37,8 @@ fn more_chords_than_rounding_allows_are_refused() {
         for starts in [Starts::Automatic, Starts::Only(vec![])] {
             let options = Options { starts, ..Options::default() };
             let flat = euclidean::<D>();
-            assert_eq!(minimise(&flat, &ends, Trapezoidal, n, &options), too_many);
-            assert_eq!(minimise(&flat, &ends, LeftEndpoint, n, &options), too_many);
+            assert_eq!(minimise(&flat, &ends, Rule::TRAPEZOIDAL, n, &options), too_many);
+            assert_eq!(minimise(&flat, &ends, Rule::LEFT_ENDPOINT, n, &options), too_many);
         }
     }
     // The points would take 8 to 67 072 bytes each, but none of this memory is requested. Ends that
@@ -58,7 +59,7 @@ fn an_energy_below_the_range_of_f64_is_zero_and_not_nan() {
     for n in [4, 100, 20_000] {
         let ends = from_to([0.0, 0.0], [3e-170, 1e-170]);
         let Minimum { energy, decrement, residual, residual_floor, .. } =
-            lowest(&euclidean::<2>(), &ends, Trapezoidal, n);
+            lowest(&euclidean::<2>(), &ends, Rule::TRAPEZOIDAL, n);
         assert_eq!([energy, decrement, residual, residual_floor], [0.0; 4], "N = {n}");
     }
 }
@@ -82,7 +83,8 @@ impl Metric<2> for Gap {
 fn a_start_refused_on_a_coarse_grid_is_tried_on_the_next() {
     let gap = Gap { c: 8.5 / 16.0, w: 5e-5 };
     let options = only(straight([0.0, 0.0], [1.0, 0.0], 1));
-    let solve = |n| minimise(&gap, &from_to([0.0, 0.0], [1.0, 0.0]), Trapezoidal, n, &options);
+    let solve =
+        |n| minimise(&gap, &from_to([0.0, 0.0], [1.0, 0.0]), Rule::TRAPEZOIDAL, n, &options);
     assert!(matches!(solve(16), Err(SolveError::Metric(_))));
     let minimum = solve(256).expect("no node in the gap");
     // The 256 squares of 1/256 are each rounded.
@@ -93,7 +95,7 @@ fn a_start_refused_on_a_coarse_grid_is_tried_on_the_next() {
 #[test]
 fn no_start_is_an_error() {
     let options = Options { starts: Starts::Only(vec![]), ..Options::default() };
-    let result = minimise(&Valleys, &from_to([0.0], [1.0]), Trapezoidal, 4, &options);
+    let result = minimise(&Valleys, &from_to([0.0], [1.0]), Rule::TRAPEZOIDAL, 4, &options);
     assert_eq!(result, Err(SolveError::NoStart));
 }
 
@@ -112,7 +114,7 @@ fn of_two_failed_starts_the_first_gives_the_error() {
         let starts = Starts::Only(vec![through(2.0 * sign), through(-2.0 * sign)]);
         let options = Options { starts, ..Options::default() };
         let ends = from_to([0.0, 0.0], [1.0, 0.0]);
-        match minimise(&Lane, &ends, Trapezoidal, 4, &options) {
+        match minimise(&Lane, &ends, Rule::TRAPEZOIDAL, 4, &options) {
             Err(SolveError::Metric(MetricError::NotFinite { point, .. })) => {
                 assert!(point[1] * sign > 0.5, "{point:?}");
             }
@@ -142,7 +144,7 @@ fn a_metric_that_is_nan_along_the_way_is_an_error() {
         }
     }
     let inside = from_to([-0.9, 0.0], [0.9, 0.5]);
-    assert!(lowest(&Gorge, &inside, Trapezoidal, 64).is_local_minimum());
+    assert!(lowest(&Gorge, &inside, Rule::TRAPEZOIDAL, 64).is_local_minimum());
 }
 
 /// A start across the hole is refused, while one around it is not.
@@ -159,8 +161,8 @@ fn the_search_goes_round_a_hole_in_the_metric() {
     let ends = from_to([-3.0, 0.1], [3.0, -0.1]);
     let options = only(straight([-3.0, 0.1], [3.0, -0.1], 30));
     // On its own the straight line fails; together with the bent ones it does no harm.
-    assert!(minimise(&Hole, &ends, Trapezoidal, 30, &options).is_err());
-    let minimum = lowest(&Hole, &ends, Trapezoidal, 200);
+    assert!(minimise(&Hole, &ends, Rule::TRAPEZOIDAL, 30, &options).is_err());
+    let minimum = lowest(&Hole, &ends, Rule::TRAPEZOIDAL, 200);
     assert!(minimum.is_local_minimum());
     assert!(minimum.sequence.points().iter().all(|x| x.norm() > 1.0));
 }
@@ -217,7 +219,7 @@ fn a_defect_that_only_the_fine_grid_meets_is_an_error() {
     let ends = from_to([0.0, 0.0], [1.0, 0.0]);
     // The nearest nodes are 1/32 away from the strip, and the nearest points of the quadrature
     // 0.0197/16. There the difference is e^(−30).
-    assert!(lowest(&Strip, &ends, Trapezoidal, 16).is_local_minimum());
+    assert!(lowest(&Strip, &ends, Rule::TRAPEZOIDAL, 16).is_local_minimum());
     let MetricError::NotSymmetric { point, above, .. } = error(&Strip, &ends, 1024) else {
         panic!("finite and definite");
     };
@@ -245,7 +247,7 @@ fn a_metric_that_is_indefinite_along_the_way_is_an_error() {
     }
     // Away from the strip the matrix is a metric, and the search stays there.
     let aside = from_to([-1.9, 0.0], [1.9, 2.0]);
-    let minimum = lowest(&Flip, &aside, Trapezoidal, 100);
+    let minimum = lowest(&Flip, &aside, Rule::TRAPEZOIDAL, 100);
     assert!(minimum.sequence.points().iter().all(|x| x[0].cos() > -0.5));
 }
 
@@ -258,7 +260,8 @@ fn points_outside_the_hyperbolic_disc_are_errors() {
                 let MetricError::NotFinite { point, .. } = error else { panic!("{error}") };
                 assert!(vector![point[0], point[1]].norm() > 1.0, "{point:?}");
                 // The left-endpoint rule does not evaluate the metric at the last point.
-                let left = minimise(&Hyperbolic, &ends, LeftEndpoint, n, &Options::default());
+                let left =
+                    minimise(&Hyperbolic, &ends, Rule::LEFT_ENDPOINT, n, &Options::default());
                 assert!(matches!(left, Err(SolveError::Metric(MetricError::NotFinite { .. }))));
             }
         }
@@ -279,11 +282,11 @@ fn points_outside_the_hyperbolic_disc_are_errors() {
 fn the_part_of_a_set_with_a_metric_is_used() {
     let set = FiniteSet::new([[3.0, 0.0], [0.0, 0.5], [0.0, -2.0]]).expect("finite");
     let origin = point([0.0, 0.0]);
-    let minimum = lowest(&Hyperbolic, &between(origin, set), Trapezoidal, 64);
+    let minimum = lowest(&Hyperbolic, &between(origin, set), Rule::TRAPEZOIDAL, 64);
     assert!(minimum.is_local_minimum());
     assert_eq!(*minimum.sequence.last(), vector![0.0, 0.5]);
     let ends = between(origin, ball([1.0, 0.0], 0.5));
-    let minimum = lowest(&Hyperbolic, &ends, Trapezoidal, 64);
+    let minimum = lowest(&Hyperbolic, &ends, Rule::TRAPEZOIDAL, 64);
     assert!(minimum.is_local_minimum());
     assert!((minimum.sequence.last() - vector![0.5, 0.0]).norm() < 1e-9);
 }

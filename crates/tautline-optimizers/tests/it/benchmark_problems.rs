@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use tautline_discretizations::Trapezoidal;
+use tautline_discretizations::Rule;
 use tautline_metrics::{
     Metric,
     gallery::{Bump, CoupledCosines, SineProjections, Sphere, Valleys},
@@ -34,7 +34,7 @@ fn assert_minimum<const D: usize>(minimum: &Minimum<D>) {
 #[test]
 fn valleys_over_two_ridges() {
     let ends = from_to([0.0, 0.0], [4.0 * PI, 0.0]);
-    let minimum = lowest(&Valleys, &ends, Trapezoidal, 1000);
+    let minimum = lowest(&Valleys, &ends, Rule::TRAPEZOIDAL, 1000);
     assert_minimum(&minimum);
     // At N = 1000, E_N − d² is −3.2e-3.
     let d2 = 64.0 * PI * PI;
@@ -50,11 +50,11 @@ fn the_straight_line_goes_round_the_bump() {
     let ends = from_to([-1.5, 0.05], [1.5, -0.1]);
     let options = only(straight([-1.5, 0.05], [1.5, -0.1], 100));
     for n in [100, 1000] {
-        let minimum = minimise(&bump, &ends, Trapezoidal, n, &options).expect("ok");
+        let minimum = minimise(&bump, &ends, Rule::TRAPEZOIDAL, n, &options).expect("ok");
         assert_minimum(&minimum);
         assert!((minimum.energy - 21.858_160_535).abs() < 24.0 / (n as f64).powi(2));
     }
-    let minimum = lowest(&bump, &ends, Trapezoidal, 1000);
+    let minimum = lowest(&bump, &ends, Rule::TRAPEZOIDAL, 1000);
     assert_close(extrapolated(&minimum), 21.858_160_535, 1e-9);
 }
 
@@ -65,7 +65,7 @@ fn assert_distance<const D: usize>(
     [from, to]: [[f64; D]; 2],
     d2: f64,
 ) {
-    let minimum = lowest(metric, &from_to(from, to), Trapezoidal, 1000);
+    let minimum = lowest(metric, &from_to(from, to), Rule::TRAPEZOIDAL, 1000);
     assert_minimum(&minimum);
     let error = extrapolated(&minimum) / d2 - 1.0;
     assert!(error.abs() <= 1e-11, "{name}: {error:e}");
@@ -92,7 +92,7 @@ fn the_saddle_on_the_axis_is_left() {
     let oblique = straight([-1.6, 0.3], [2.0, 0.3], 100);
     for start in [axis, oblique] {
         let options = only(start);
-        let minimum = minimise(&bump, &ends, Trapezoidal, 1000, &options).expect("ok");
+        let minimum = minimise(&bump, &ends, Rule::TRAPEZOIDAL, 1000, &options).expect("ok");
         assert_minimum(&minimum);
         // The reference is the value of the exactly parametrised problem at N = 1000.
         assert_close(minimum.energy, 17.476_781_885_75, 1e-11);
@@ -112,7 +112,7 @@ fn a_saddle_has_a_negative_eigenvalue() {
     let ends = from_to([-2.0, 0.0], [2.0, 0.0]);
     let axis = straight([-2.0, 0.0], [2.0, 0.0], 16);
     let options = Options { iterations: 0, ..only(axis) };
-    let minimum = minimise(&bump, &ends, Trapezoidal, 16, &options).expect("a metric");
+    let minimum = minimise(&bump, &ends, Rule::TRAPEZOIDAL, 16, &options).expect("a metric");
     assert_eq!(minimum.stop, Stop::IterationLimit);
     // Only one direction leads down: it moves all points to one side.
     assert!(matches!(minimum.curvature, Curvature::Indefinite { negative: 1 }), "{minimum:?}");
@@ -124,7 +124,7 @@ fn a_saddle_has_a_negative_eigenvalue() {
 fn steps_on_all_grids_are_counted() {
     let ends = from_to([0.0, 0.0], [2.0, 1.5]);
     let of = |n| {
-        let minimum = lowest(&Valleys, &ends, Trapezoidal, n);
+        let minimum = lowest(&Valleys, &ends, Rule::TRAPEZOIDAL, n);
         (minimum.levels.len(), minimum.iterations)
     };
     let ((three, few), (five, more)) = (of(250), of(4000));

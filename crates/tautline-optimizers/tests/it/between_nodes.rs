@@ -1,7 +1,7 @@
 //! Tests metrics that are undefined between the nodes of a rule, where the resulting curve passes.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::{Interpolation, LeftEndpoint, Rule, Trapezoidal};
+use tautline_discretizations::{Interpolation, Rule};
 use tautline_metrics::{Metric, MetricError, Scalar};
 use tautline_optimizers::{Options, SolveError, minimise};
 use tautline_sets::{AxisBox, Ends, FiniteSet};
@@ -47,7 +47,7 @@ fn on_the_axis<const D: usize>(x: f64) -> SVector<f64, D> {
 /// Solves along a straight line from 0 to 1 on the first axis, with a dip at the fraction `place`
 /// of a chord that is too narrow for the nodes. The error must name that place.
 #[track_caller]
-fn assert_refused<R: Rule, const D: usize>(rule: R, ends: &Ends<D>, chord: usize, place: f64) {
+fn assert_refused<const D: usize>(rule: Rule, ends: &Ends<D>, chord: usize, place: f64) {
     let x = (chord as f64 + place) / N as f64;
     let dip = Dip::<D> { centre: on_the_axis(x), width: 3e-4, of_all: false };
     let line = straight(on_the_axis(0.0), on_the_axis(1.0), N);
@@ -65,7 +65,7 @@ fn assert_refused<R: Rule, const D: usize>(rule: R, ends: &Ends<D>, chord: usize
     assert!(error.to_string().contains("is not positive definite"), "{error}");
 }
 
-fn assert_refused_everywhere<R: Rule, const D: usize>(rule: R) {
+fn assert_refused_everywhere<const D: usize>(rule: Rule) {
     let corner = SVector::<f64, D>::from_fn(|i, _| if i == 0 { -0.5 } else { 0.0 });
     let ball = || ball(corner, 0.5);
     let wall = || half_space(on_the_axis::<D>(1.0), 1.0);
@@ -84,10 +84,10 @@ fn assert_refused_everywhere<R: Rule, const D: usize>(rule: R) {
 
 #[test]
 fn a_defect_between_nodes_is_reported_with_its_point() {
-    assert_refused_everywhere::<_, 1>(Trapezoidal);
-    assert_refused_everywhere::<_, 2>(Trapezoidal);
-    assert_refused_everywhere::<_, 3>(LeftEndpoint);
-    assert_refused_everywhere::<_, 5>(LeftEndpoint);
+    assert_refused_everywhere::<1>(Rule::TRAPEZOIDAL);
+    assert_refused_everywhere::<2>(Rule::TRAPEZOIDAL);
+    assert_refused_everywhere::<3>(Rule::LEFT_ENDPOINT);
+    assert_refused_everywhere::<5>(Rule::LEFT_ENDPOINT);
 }
 
 /// The search runs from all starts on every grid, where nodes may find the dip. Every result has a
@@ -99,7 +99,7 @@ fn a_result_has_a_length() {
         for n in [1, 2, 3, 5, 8, 16, 33, 64, 100, 300] {
             let dip = Dip::<1> { centre: on_the_axis(0.4), width, of_all: false };
             let ends = from_to([0.0], [1.0]);
-            match minimise(&dip, &ends, Trapezoidal, n, &Options::default()) {
+            match minimise(&dip, &ends, Rule::TRAPEZOIDAL, n, &Options::default()) {
                 Ok(minimum) => {
                     let curve = Interpolation::new(&minimum.sequence);
                     let length = curve.length(&dip).value;
@@ -134,7 +134,7 @@ fn the_error_is_the_defect_of_the_lowest_result() {
     }
     for members in [[[-1.2, 0.0], [1.0, 0.0]], [[1.0, 0.0], [-1.2, 0.0]]] {
         let ends = between(point([0.0, 0.0]), FiniteSet::new(members).expect("finite"));
-        let error = minimise(&TwoDips, &ends, Trapezoidal, 40, &Options::default());
+        let error = minimise(&TwoDips, &ends, Rule::TRAPEZOIDAL, 40, &Options::default());
         let Err(SolveError::Metric(MetricError::NotPositiveDefinite { point, .. })) = error else {
             panic!("{error:?}")
         };
@@ -151,7 +151,7 @@ fn the_lowest_result_with_a_metric_all_along_is_returned() {
         let dip = Dip::<2> { centre, width, of_all: true };
         let members = FiniteSet::new([[1.0, 0.0], [0.0, 1.2]]).expect("finite");
         let ends = between(point([0.0, 0.0]), members);
-        let minimum = lowest(&dip, &ends, Trapezoidal, n);
+        let minimum = lowest(&dip, &ends, Rule::TRAPEZOIDAL, n);
         assert_eq!(*minimum.sequence.last(), SVector::from([0.0, 1.2]), "N = {n}");
         // The N squares of 1.2/N are each rounded.
         assert!((minimum.energy - 1.44).abs() < 1e-13 && minimum.is_local_minimum());

@@ -2,7 +2,7 @@
 //! chords, and one dimension. Nothing is NaN, and the result reports what it is.
 
 use nalgebra::{SVector, matrix, vector};
-use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal};
+use tautline_discretizations::Rule;
 use tautline_metrics::{
     KnownDistance, Metric,
     gallery::{Constant, Ramp, Sphere as RoundSphere, Valleys},
@@ -18,7 +18,7 @@ use crate::setup::{
 fn solve<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
-    rule: impl Rule,
+    rule: Rule,
     n: usize,
 ) -> Minimum<D> {
     let minimum = lowest(metric, ends, rule, n);
@@ -50,7 +50,7 @@ fn sets_that_touch_or_overlap_have_energy_zero() {
     ];
     for ends in &all {
         for n in [1, 2, 7, 100] {
-            let minimum = solve(&Valleys, ends, LeftEndpoint, n);
+            let minimum = solve(&Valleys, ends, Rule::LEFT_ENDPOINT, n);
             assert_eq!((minimum.stop, minimum.energy), (Stop::EndsTouch, 0.0), "{ends:?}");
             assert_eq!((minimum.decrement, minimum.residual), (0.0, 0.0));
             assert!(minimum.is_local_minimum());
@@ -70,8 +70,12 @@ fn sets_that_almost_touch_have_the_energy_of_the_gap() {
     let unit = ball([0.0, 0.0], 1.0);
     for exponent in 0..=16 {
         let gap = 10_f64.powi(-exponent);
-        let minimum =
-            solve(&euclidean(), &between(unit, half_space([0.6, 0.8], 1.0 + gap)), Trapezoidal, 10);
+        let minimum = solve(
+            &euclidean(),
+            &between(unit, half_space([0.6, 0.8], 1.0 + gap)),
+            Rule::TRAPEZOIDAL,
+            10,
+        );
         let d = minimum.energy.sqrt();
         assert!((d - gap).abs() <= 12.0 * f64::EPSILON + 1e-9 * gap, "{gap:e}: {d:e}");
         assert_ne!(minimum.stop, Stop::IterationLimit);
@@ -102,7 +106,7 @@ fn a_continuum_of_minimisers_is_degenerate() {
             (euclidean(), between(square, wall), 4.0),
             (euclidean(), between(ball, shell), 2.25),
         ] {
-            let minimum = solve(&metric, &ends, Trapezoidal, n);
+            let minimum = solve(&metric, &ends, Rule::TRAPEZOIDAL, n);
             assert_close(minimum.energy, energy, 1e-14);
             assert_eq!(
                 (minimum.stop, minimum.curvature),
@@ -119,7 +123,7 @@ fn a_continuum_of_minimisers_is_degenerate() {
 #[test]
 fn antipodes_have_the_energy_of_a_half_circle() {
     let ends = from_to([-1.0, 0.0], [1.0, 0.0]);
-    let minimum = solve(&RoundSphere, &ends, Trapezoidal, 512);
+    let minimum = solve(&RoundSphere, &ends, Rule::TRAPEZOIDAL, 512);
     assert_eq!(minimum.stop, Stop::Converged);
     let d2 = extrapolated(&minimum);
     assert_close(d2, std::f64::consts::PI.powi(2), 1e-8);
@@ -136,17 +140,17 @@ fn sets_of_size_zero_are_points() {
     ];
     for n in [1, 2, 30] {
         let reference =
-            solve(&Valleys, &between(point(p), half_space([1.0, 0.0], 3.0)), Trapezoidal, n);
+            solve(&Valleys, &between(point(p), half_space([1.0, 0.0], 3.0)), Rule::TRAPEZOIDAL, n);
         assert!(reference.is_local_minimum());
         for ends in &small {
-            let minimum = solve(&Valleys, ends, Trapezoidal, n);
+            let minimum = solve(&Valleys, ends, Rule::TRAPEZOIDAL, n);
             assert_eq!(minimum.sequence, reference.sequence);
             assert_eq!(minimum.curvature, Curvature::PositiveDefinite);
         }
     }
     // A flat box is the same as a segment.
     let flat = AxisBox::new([0.0, 0.0], [0.0, 2.0]).expect("half-widths");
-    let minimum = solve(&Valleys, &between(flat, point([0.0, 5.0])), Trapezoidal, 40);
+    let minimum = solve(&Valleys, &between(flat, point([0.0, 5.0])), Rule::TRAPEZOIDAL, 40);
     assert_close(minimum.energy, 9.0, 1e-14);
 }
 
@@ -154,10 +158,10 @@ fn sets_of_size_zero_are_points() {
 #[test]
 fn very_few_chords_are_minimised_exactly() {
     let ends = from_to([0.0, 0.0], [2.0, 1.0]);
-    let one = solve(&Valleys, &ends, Trapezoidal, 1);
+    let one = solve(&Valleys, &ends, Rule::TRAPEZOIDAL, 1);
     assert_close(one.energy, 5.0 * (2.0 - 1_f64.cos()).powi(2), 1e-15);
     assert!(one.is_local_minimum(), "nothing can vary");
-    let two = solve(&Valleys, &ends, Trapezoidal, 2);
+    let two = solve(&Valleys, &ends, Rule::TRAPEZOIDAL, 2);
     assert!(two.is_local_minimum());
     let energy = |x: SVector<f64, 2>| {
         let cost = |a: SVector<f64, 2>, b: SVector<f64, 2>| {
@@ -171,7 +175,7 @@ fn very_few_chords_are_minimised_exactly() {
         let x = vector![i * 0.02 - 3.0, j * 0.02 - 2.0];
         assert!(two.energy <= energy(x) * (1.0 + 1e-14), "lower at {x}");
     }
-    let three = solve(&Valleys, &ends, Trapezoidal, 3);
+    let three = solve(&Valleys, &ends, Rule::TRAPEZOIDAL, 3);
     assert!(three.is_local_minimum());
 }
 
@@ -192,10 +196,10 @@ fn one_dimension_has_sets_too() {
     ];
     for (ends, reference) in &all {
         for n in [1, 2, 3, 512] {
-            let minimum = solve(&ramp, ends, Trapezoidal, n);
+            let minimum = solve(&ramp, ends, Rule::TRAPEZOIDAL, n);
             assert!(minimum.is_local_minimum(), "{ends:?}, {n}");
         }
-        let minimum = solve(&ramp, ends, Trapezoidal, 512);
+        let minimum = solve(&ramp, ends, Rule::TRAPEZOIDAL, 512);
         let d2 = extrapolated(&minimum);
         assert_close(d2, *reference, 1e-9);
     }
@@ -210,7 +214,7 @@ fn pieces_that_touch_are_found_in_any_order() {
         let ball = || ball([0.0, 0.0], 1.0);
         for ends in [between(several(), ball()), between(ball(), several())] {
             for n in [1, 100] {
-                let minimum = solve(&Valleys, &ends, Trapezoidal, n);
+                let minimum = solve(&Valleys, &ends, Rule::TRAPEZOIDAL, n);
                 assert_eq!((minimum.stop, minimum.energy), (Stop::EndsTouch, 0.0));
                 assert_eq!((minimum.iterations, minimum.levels.len()), (0, 1));
                 assert!(minimum.sequence.points().iter().all(|x| *x == vector![0.5, 0.0]));

@@ -5,7 +5,7 @@
 use std::{collections::HashSet, f64::consts::PI, sync::Mutex, thread};
 
 use nalgebra::{SMatrix, SVector, vector};
-use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, energy_gradient};
+use tautline_discretizations::{Rule, energy_gradient};
 use tautline_formula::{Batches, Kind, Layout, Plain, Prepared, Registers};
 use tautline_metrics::{
     Metric, MetricError, Scalar,
@@ -19,7 +19,7 @@ use crate::setup::{between, bump, from_to, half_space, lowest, only, point, stra
 
 fn from_the_line<const D: usize>(
     metric: &impl Metric<D>,
-    rule: impl Rule,
+    rule: Rule,
     [a, b]: [[f64; D]; 2],
     n: usize,
 ) -> Result<Minimum<D>, SolveError> {
@@ -29,7 +29,7 @@ fn from_the_line<const D: usize>(
 fn on_threads<const D: usize>(
     threads: usize,
     metric: &dyn Batches<D>,
-    rule: impl Rule,
+    rule: Rule,
     [a, b]: [[f64; D]; 2],
     n: usize,
 ) -> Result<Minimum<D>, SolveError> {
@@ -39,12 +39,7 @@ fn on_threads<const D: usize>(
 
 /// Compares the energy, the residual and the decrement with those computed from the points.
 #[track_caller]
-fn assert_true<R: Rule, const D: usize>(
-    metric: &impl Metric<D>,
-    rule: R,
-    line: [[f64; D]; 2],
-    n: usize,
-) {
+fn assert_true<const D: usize>(metric: &impl Metric<D>, rule: Rule, line: [[f64; D]; 2], n: usize) {
     let minimum = from_the_line(metric, rule, line, n).expect("a metric");
     assert!(minimum.is_local_minimum() && minimum.levels.len() > 2);
     let (energy, gradient) = energy_gradient(rule, metric, &minimum.sequence);
@@ -58,7 +53,7 @@ fn assert_true<R: Rule, const D: usize>(
         let at = |node: &tautline_discretizations::Node| {
             node.weight * metric.gram::<f64>(&(x + d * node.fraction)).trace()
         };
-        R::NODES.iter().map(at).sum::<f64>()
+        rule.nodes().iter().map(at).sum::<f64>()
     };
     let mean = minimum.sequence.chords().map(trace).sum::<f64>() / (n * D) as f64;
     let residual = 0.5 * n as f64 * root / (mean * energy).sqrt();
@@ -82,11 +77,11 @@ fn assert_true<R: Rule, const D: usize>(
 fn the_claims_of_a_minimum_hold_on_every_grid() {
     let bump = bump();
     for n in [3_000, 10_000, 40_000, 70_000] {
-        assert_true(&Valleys, Trapezoidal, [[0.0, 0.0], [4.0 * PI, 0.0]], n);
-        assert_true(&bump, Trapezoidal, [[-1.5, 0.05], [1.5, -0.1]], n);
-        assert_true(&bump, LeftEndpoint, [[-1.5, 0.05], [1.5, -0.1]], n);
-        assert_true(&CoupledCosines, Trapezoidal, [[0.0; 3], [3.0, 2.0, -2.0]], n);
-        assert_true(&Sphere, Trapezoidal, [[-0.8, 0.3], [1.1, 0.6]], n);
+        assert_true(&Valleys, Rule::TRAPEZOIDAL, [[0.0, 0.0], [4.0 * PI, 0.0]], n);
+        assert_true(&bump, Rule::TRAPEZOIDAL, [[-1.5, 0.05], [1.5, -0.1]], n);
+        assert_true(&bump, Rule::LEFT_ENDPOINT, [[-1.5, 0.05], [1.5, -0.1]], n);
+        assert_true(&CoupledCosines, Rule::TRAPEZOIDAL, [[0.0; 3], [3.0, 2.0, -2.0]], n);
+        assert_true(&Sphere, Rule::TRAPEZOIDAL, [[-0.8, 0.3], [1.1, 0.6]], n);
     }
 }
 
@@ -108,10 +103,11 @@ fn a_defect_at_a_node_is_found_on_the_finest_grid() {
     let slit = Slit(bump());
     let line = [[-1.5, 0.05], [1.5, -0.1]];
     for n in [2_500, 5_000] {
-        let coarse = from_the_line(&slit, Trapezoidal, line, n).expect("a metric at the nodes");
+        let coarse =
+            from_the_line(&slit, Rule::TRAPEZOIDAL, line, n).expect("a metric at the nodes");
         assert!(coarse.is_local_minimum());
     }
-    let fine = from_the_line(&slit, Trapezoidal, line, 80_000);
+    let fine = from_the_line(&slit, Rule::TRAPEZOIDAL, line, 80_000);
     let refused = matches!(fine, Err(SolveError::Metric(MetricError::NotSymmetric { .. })));
     assert!(refused, "{:?}", fine.map(|minimum| minimum.residual));
 }
@@ -124,8 +120,8 @@ fn the_starts_are_tried_again_after_a_leap() {
     let ridges = ridges.expect("below one");
     let line = [[-2.866, 0.0, 0.0], [3.0, 0.0, 0.0]];
     let ends = from_to(line[0], line[1]);
-    let automatic = lowest(&ridges, &ends, Trapezoidal, 129);
-    let alone = from_the_line(&ridges, Trapezoidal, line, 129).expect("a metric");
+    let automatic = lowest(&ridges, &ends, Rule::TRAPEZOIDAL, 129);
+    let alone = from_the_line(&ridges, Rule::TRAPEZOIDAL, line, 129).expect("a metric");
     for minimum in [automatic, alone] {
         assert!((minimum.energy - 33.15).abs() < 0.1, "{:?}", minimum.levels);
         assert!(minimum.is_local_minimum());
@@ -154,7 +150,7 @@ impl<const D: usize> Batches<D> for Asked<'_, D> {
 #[track_caller]
 fn assert_same_on_two_threads<const D: usize>(
     metric: impl Metric<D> + Copy,
-    rule: impl Rule,
+    rule: Rule,
     line: [[f64; D]; 2],
     n: usize,
 ) {
@@ -168,7 +164,7 @@ fn assert_same_on_two_threads<const D: usize>(
 #[track_caller]
 fn assert_same_by<const D: usize>(
     metric: &dyn Batches<D>,
-    rule: impl Rule,
+    rule: Rule,
     line: [[f64; D]; 2],
     n: usize,
 ) {
@@ -192,10 +188,15 @@ fn has_two_processors() -> bool {
 fn two_threads_find_the_same_bit_by_bit() {
     let five = projections::<5>();
     for n in [3_000, 3_001] {
-        assert_same_on_two_threads(&five, Trapezoidal, [[0.0; 5], [1.0; 5]], n);
-        assert_same_on_two_threads(&five, LeftEndpoint, [[0.0; 5], [1.0; 5]], n);
+        assert_same_on_two_threads(&five, Rule::TRAPEZOIDAL, [[0.0; 5], [1.0; 5]], n);
+        assert_same_on_two_threads(&five, Rule::LEFT_ENDPOINT, [[0.0; 5], [1.0; 5]], n);
     }
-    assert_same_on_two_threads(&projections::<4>(), Trapezoidal, [[0.0; 4], [1.0; 4]], 30_001);
+    assert_same_on_two_threads(
+        &projections::<4>(),
+        Rule::TRAPEZOIDAL,
+        [[0.0; 4], [1.0; 4]],
+        30_001,
+    );
 }
 
 /// The Gram matrix is not symmetric within about 10⁻⁵ of a hyperplane. The defect is in an entry
@@ -222,14 +223,15 @@ fn a_defect_at_a_node_is_found_on_either_side() {
     };
     let metric = SineProjections::new([1.0, 2.0, 3.0].map(term).to_vec()).expect("finite");
     let (line, n) = ([[0.0; 5], [1.0, 1.0, 1.0, 1.0, 0.0]], 3_000);
-    let whole = from_the_line(&metric, Trapezoidal, line, n).expect("a metric");
+    let whole = from_the_line(&metric, Rule::TRAPEZOIDAL, line, n).expect("a metric");
     for k in [100, 2_900] {
         let (x, d) = whole.sequence.chord(k);
         let torn = Torn { metric: &metric, at: x[0] + 0.5 * d[0] };
-        let coarse = from_the_line(&torn, Trapezoidal, line, 750).expect("a metric at the nodes");
+        let coarse =
+            from_the_line(&torn, Rule::TRAPEZOIDAL, line, 750).expect("a metric at the nodes");
         assert!(coarse.is_local_minimum());
         for threads in [1, 2] {
-            let fine = on_threads(threads, &Prepared::new(&torn), Trapezoidal, line, n);
+            let fine = on_threads(threads, &Prepared::new(&torn), Rule::TRAPEZOIDAL, line, n);
             let refused = matches!(fine, Err(SolveError::Metric(MetricError::NotSymmetric { .. })));
             assert!(refused, "{k}: {:?}", fine.map(|minimum| minimum.residual));
         }
@@ -264,7 +266,7 @@ fn a_last_point_without_a_metric_is_an_error_although_no_rule_reads_it() {
     let wall = half_space([1.0, 0.2], 2.0);
     let ends = between(point([0.0, 0.3]), wall);
     let options = Options::default();
-    let solve = |c, w| minimise(&Band { c, w }, &ends, LeftEndpoint, 256, &options);
+    let solve = |c, w| minimise(&Band { c, w }, &ends, Rule::LEFT_ENDPOINT, 256, &options);
     let free = solve(1e3, 1e-7).expect("a metric");
     let [x, y] = [free.sequence.last()[0], free.sequence.last()[1]];
     assert!(free.is_local_minimum() && free.levels.len() > 2);

@@ -3,7 +3,7 @@
 use std::{f64::consts::PI, ops::ControlFlow};
 
 use nalgebra::{SMatrix, SVector, vector};
-use tautline_discretizations::Trapezoidal;
+use tautline_discretizations::Rule;
 use tautline_formula::Prepared;
 use tautline_metrics::{Metric, Scalar};
 use tautline_optimizers::{Iterate, Options, SolveError, Workspace, minimise, minimise_watched};
@@ -31,7 +31,7 @@ fn along_either_axis() -> Ends<2> {
 #[test]
 fn a_minimiser_left_behind_is_followed_if_it_is_lower_on_the_finest_grid() {
     let ends = along_either_axis();
-    let solve = |n| minimise(&Ripples, &ends, Trapezoidal, n, &Options::default());
+    let solve = |n| minimise(&Ripples, &ends, Rule::TRAPEZOIDAL, n, &Options::default());
     let [coarse, fine] = [512, 4096].map(|n| solve(n).expect("a metric"));
     assert_eq!(coarse.sequence.last(), &vector![2.0, 0.0]);
     assert!((coarse.energy - 4.0).abs() < 1e-9, "{}", coarse.energy);
@@ -57,7 +57,7 @@ fn a_watcher_ends_the_solve_also_where_a_minimiser_left_behind_is_followed() {
             if seen == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let (memory, options) = (&mut Workspace::default(), Options::default());
-        let rule = Trapezoidal;
+        let rule = Rule::TRAPEZOIDAL;
         let found = minimise_watched(memory, &metric, &ends, rule, 4096, &options, &mut watch);
         (found.map(|_| ()), seen, end)
     };

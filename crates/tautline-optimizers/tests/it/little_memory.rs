@@ -4,7 +4,7 @@
 use std::{env, process::Command};
 
 use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::{LARGEST_N, LeftEndpoint, Trapezoidal};
+use tautline_discretizations::{LARGEST_N, Rule};
 use tautline_formula::Prepared;
 use tautline_metrics::{Metric, Scalar, gallery::Separable};
 use tautline_optimizers::{Options, SolveError, Starts, Workspace, minimise, newton_step};
@@ -54,7 +54,7 @@ fn a_step_without_memory_is_none() {
         };
         let flat = Prepared::new(Separable::new([0.1; D], [1.0; D]).expect("a metric"));
         let mut workspace = Workspace::default();
-        let mut step = |n| newton_step(&mut workspace, &flat, pieces, Trapezoidal, &line(n));
+        let mut step = |n| newton_step(&mut workspace, &flat, pieces, Rule::TRAPEZOIDAL, &line(n));
         assert!(step(1024).is_some());
         assert!(step(N).is_none());
     });
@@ -64,7 +64,7 @@ fn a_step_without_memory_is_none() {
 fn a_grid_without_memory_is_an_error() {
     with_megabytes(300, "a_grid_without_memory_is_an_error", || {
         let ends = from_to([0.0; D], [1.0; D]);
-        let error = minimise(&metric(), &ends, LeftEndpoint, N, &Options::default());
+        let error = minimise(&metric(), &ends, Rule::LEFT_ENDPOINT, N, &Options::default());
         let error = error.map(|minimum| minimum.sequence.n()).expect_err("no memory");
         // The error reports the bytes of an undamped step.
         let bytes = (N + 1) * (2 * D * D + 2 * D) * 8;
@@ -77,7 +77,7 @@ fn points_without_memory_are_an_error_before_any_search() {
     with_megabytes(500, "points_without_memory_are_an_error_before_any_search", || {
         let wave = Separable::new([0.1], [1.0]).expect("a metric");
         let ends = from_to([0.0], [1.0]);
-        let error = minimise(&wave, &ends, Trapezoidal, LARGEST_N, &Options::default());
+        let error = minimise(&wave, &ends, Rule::TRAPEZOIDAL, LARGEST_N, &Options::default());
         let error = error.map(|minimum| minimum.sequence.n()).expect_err("no memory");
         let bytes = 8 * (LARGEST_N + 1);
         assert_eq!(error, SolveError::OutOfMemory { n: LARGEST_N, bytes });
@@ -102,7 +102,7 @@ fn damped_steps_without_memory_are_an_error() {
         let through = |x: f64| sequence([1.0, x, 2.0].map(on_axis).to_vec());
         let starts = Starts::Only(vec![through(-10.0), through(1.5)]);
         let options = Options { starts, ..Options::default() };
-        let error = minimise(&ToTheRight, &ends, Trapezoidal, n, &options);
+        let error = minimise(&ToTheRight, &ends, Rule::TRAPEZOIDAL, n, &options);
         let error = error.map(|minimum| minimum.sequence.n()).expect_err("no memory");
         let bytes = (n + 1) * 4 * (2 * D * D + 2 * D) * 8;
         assert_eq!(error, SolveError::OutOfMemory { n, bytes });

@@ -2,7 +2,7 @@
 //! nothing false.
 
 use nalgebra::{SMatrix, SVector, matrix};
-use tautline_discretizations::{Rule, Trapezoidal};
+use tautline_discretizations::Rule;
 use tautline_metrics::{Metric, Scalar};
 use tautline_optimizers::{Curvature, Minimum, Options, Starts, Stop, minimise};
 use tautline_sets::Sphere;
@@ -12,7 +12,7 @@ use crate::setup::{ball, between, from_to, point, straight};
 /// Checks what holds for any metric.
 #[track_caller]
 fn assert_honest(metric: &impl Metric<2>, minimum: &Minimum<2>) {
-    let energy = Trapezoidal.energy(metric, &minimum.sequence);
+    let energy = Rule::TRAPEZOIDAL.energy(metric, &minimum.sequence);
     assert!((energy / minimum.energy - 1.0).abs() <= 1e-12, "{energy}");
     for value in [minimum.decrement, minimum.residual, minimum.residual_floor] {
         assert!(value >= 0.0, "{minimum:?}");
@@ -70,7 +70,8 @@ fn check_nasty(metric: &impl Metric<2>) {
         for n in [1, 2, 7, 40] {
             for limit in [0, 1, 30] {
                 let options = Options { iterations: limit, ..Options::default() };
-                let minimum = minimise(metric, ends, Trapezoidal, n, &options).expect("a metric");
+                let minimum =
+                    minimise(metric, ends, Rule::TRAPEZOIDAL, n, &options).expect("a metric");
                 assert_honest(metric, &minimum);
                 // There are at most ten pairs of ends with six starts, or n jumps, and eight
                 // minimisers are followed.
@@ -102,7 +103,8 @@ fn derivatives_that_are_nan_end_the_search() {
             let straight = straight([0.0; 3], [0.0, 1.0, 1.0], n);
             for starts in [Starts::Automatic, Starts::Only(vec![straight])] {
                 let options = Options { starts, ..Options::default() };
-                let minimum = minimise(&Kink, &ends, Trapezoidal, n, &options).expect("values");
+                let minimum =
+                    minimise(&Kink, &ends, Rule::TRAPEZOIDAL, n, &options).expect("values");
                 assert!(minimum.energy.is_finite() && minimum.residual >= 0.0);
                 // Without derivatives the result claims nothing.
                 let blind = minimum.residual == f64::INFINITY;

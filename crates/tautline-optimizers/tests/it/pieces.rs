@@ -4,7 +4,7 @@
 use std::{f64::consts::TAU, sync::Arc};
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
-use tautline_discretizations::Trapezoidal;
+use tautline_discretizations::Rule;
 use tautline_metrics::{
     Metric,
     gallery::{Constant, Lens, Valleys},
@@ -18,7 +18,7 @@ use crate::setup::{
 
 #[track_caller]
 fn solve<const D: usize>(metric: &impl Metric<D>, ends: &Ends<D>, n: usize) -> Minimum<D> {
-    let minimum = lowest(metric, ends, Trapezoidal, n);
+    let minimum = lowest(metric, ends, Rule::TRAPEZOIDAL, n);
     assert!(minimum.is_local_minimum(), "{:?} {:?}", minimum.stop, minimum.curvature);
     minimum
 }
@@ -192,7 +192,7 @@ fn inside_a_sphere_the_nearest_point_lies_off_the_axis() {
         assert!((minimum.sequence.last()[0] - x1).abs() < 1e-7);
         // This search starts from the saddle alone.
         let options = only(straight([p, 0.0, 0.0], [1.0, 0.0, 0.0], n));
-        let left = minimise(&metric, &ends, Trapezoidal, n, &options).expect("a metric");
+        let left = minimise(&metric, &ends, Rule::TRAPEZOIDAL, n, &options).expect("a metric");
         assert!(left.is_local_minimum());
         assert_close(left.energy, reference, 1e-13);
     }
@@ -212,7 +212,7 @@ fn check_mirror(metric: &impl Metric<2>) {
     let ends = from_to([-1.5, 0.0], [1.5, 0.0]);
     let search = |starts| {
         let options = Options { starts, ..Options::default() };
-        let minimum = minimise(metric, &ends, Trapezoidal, n, &options).expect("a metric");
+        let minimum = minimise(metric, &ends, Rule::TRAPEZOIDAL, n, &options).expect("a metric");
         assert!(minimum.is_local_minimum());
         minimum
     };

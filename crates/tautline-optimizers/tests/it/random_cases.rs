@@ -3,7 +3,7 @@
 
 use nalgebra::{SVector, vector};
 use proptest::prelude::*;
-use tautline_discretizations::{Interpolation, LeftEndpoint, Rule, Trapezoidal};
+use tautline_discretizations::{Interpolation, Rule};
 use tautline_metrics::{
     KnownDistance, Metric,
     gallery::{Bump, Lens, Ramp, Separable, Shear, Valleys},
@@ -55,14 +55,14 @@ fn check<const D: usize>(
     n: usize,
     sine: f64,
 ) -> Result<(), TestCaseError> {
-    check_rule(metric, ends, Trapezoidal, n, sine)?;
-    check_rule(metric, ends, LeftEndpoint, n, sine)
+    check_rule(metric, ends, Rule::TRAPEZOIDAL, n, sine)?;
+    check_rule(metric, ends, Rule::LEFT_ENDPOINT, n, sine)
 }
 
 fn check_rule<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
-    rule: impl Rule,
+    rule: Rule,
     n: usize,
     sine: f64,
 ) -> Result<(), TestCaseError> {
@@ -115,7 +115,7 @@ fn stops_well<const D: usize>(minimum: &Minimum<D>) -> Result<(), TestCaseError>
 fn not_lowered<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
-    rule: impl Rule,
+    rule: Rule,
     minimum: &Minimum<D>,
     sine: f64,
 ) -> Result<(), TestCaseError> {
@@ -153,7 +153,9 @@ fn not_below<const D: usize>(
 ) -> Result<(), TestCaseError> {
     let ends = from_to(a, b);
     let Some(d) = metric.distance(&a, &b) else { return Ok(()) };
-    for minimum in [lowest(metric, &ends, LeftEndpoint, n), lowest(metric, &ends, Trapezoidal, n)] {
+    for minimum in
+        [lowest(metric, &ends, Rule::LEFT_ENDPOINT, n), lowest(metric, &ends, Rule::TRAPEZOIDAL, n)]
+    {
         stops_well(&minimum)?;
         let energy = Interpolation::new(&minimum.sequence).energy(metric);
         // Each primitive is at most 10 and has an error of about 4e-15; the sum of squares has a
@@ -231,7 +233,7 @@ proptest! {
 fn random_starts_find_nothing_lower() {
     let bump = crate::setup::bump();
     let ends = between(point([-2.0, 0.2]), ball([2.0, 0.0], 0.4));
-    let automatic = lowest(&bump, &ends, Trapezoidal, 64);
+    let automatic = lowest(&bump, &ends, Rule::TRAPEZOIDAL, 64);
     let mut same = 0;
     for k in 0..40 {
         let phase = |i: f64, j: f64| (12.9 * i + 78.2 * j + 3.7 * f64::from(k)).sin() * 1.2;
@@ -241,7 +243,7 @@ fn random_starts_find_nothing_lower() {
         });
         let start = sequence(points.collect());
         let options = only(start);
-        let minimum = minimise(&bump, &ends, Trapezoidal, 64, &options).expect("a metric");
+        let minimum = minimise(&bump, &ends, Rule::TRAPEZOIDAL, 64, &options).expect("a metric");
         assert!(minimum.is_local_minimum(), "{:?} {:?}", minimum.stop, minimum.curvature);
         assert!(automatic.energy <= minimum.energy * (1.0 + 1e-13));
         same += usize::from(minimum.energy <= automatic.energy * (1.0 + 1e-12));

@@ -1,9 +1,6 @@
 //! The minima of every rule converge with the order that the rule claims.
 
-use tautline_discretizations::{
-    GaussThree, GaussTwo, Interpolation, LeftEndpoint, RightEndpoint, Rule, Simpson, Trapezoidal,
-    TrueTrapezoid,
-};
+use tautline_discretizations::{Interpolation, Rule};
 use tautline_metrics::{KnownDistance, gallery::Shear};
 use tautline_optimizers::{Minimum, leading_constants};
 
@@ -20,7 +17,7 @@ fn squared_distance() -> f64 {
     shear().distance(&FROM.into(), &TO.into()).expect("known").powi(2)
 }
 
-fn minimum(rule: impl Rule, n: usize) -> Minimum<2> {
+fn minimum(rule: Rule, n: usize) -> Minimum<2> {
     lowest(&shear(), &from_to(FROM, TO), rule, n)
 }
 
@@ -34,18 +31,18 @@ fn order(error: impl Fn(usize) -> f64) -> f64 {
 #[test]
 fn minima_converge_with_the_order_of_their_rule() {
     let d2 = squared_distance();
-    fn check<R: Rule>(rule: R, d2: f64) {
+    fn check(rule: Rule, d2: f64) {
         let order = order(|n| minimum(rule, n).energy - d2);
-        let expected = f64::from(R::ERROR_EXPONENT);
-        assert!((order - expected).abs() <= 0.06, "{rule:?}: {order}");
+        let expected = f64::from(rule.error_exponent());
+        assert!((order - expected).abs() <= 0.06, "{rule}: {order}");
     }
-    check(LeftEndpoint, d2);
-    check(RightEndpoint, d2);
-    check(Trapezoidal, d2);
-    check(TrueTrapezoid, d2);
-    check(Simpson, d2);
-    check(GaussTwo, d2);
-    check(GaussThree, d2);
+    check(Rule::LEFT_ENDPOINT, d2);
+    check(Rule::RIGHT_ENDPOINT, d2);
+    check(Rule::TRAPEZOIDAL, d2);
+    check(Rule::TRUE_TRAPEZOID, d2);
+    check(Rule::SIMPSON, d2);
+    check(Rule::GAUSS_TWO, d2);
+    check(Rule::GAUSS_THREE, d2);
 }
 
 /// At their minimisers the energies of Simpson and Gauss differ from that of the reconstructed curve
@@ -56,7 +53,7 @@ fn exact_rules_see_the_reconstructed_curve() {
         let (minimum, energy) = rule(n);
         energy - Interpolation::new(&minimum.sequence).energy(&shear()).value
     };
-    fn both<R: Rule>(rule: R) -> impl Fn(usize) -> (Minimum<2>, f64) {
+    fn both(rule: Rule) -> impl Fn(usize) -> (Minimum<2>, f64) {
         move |n| {
             let found = minimum(rule, n);
             let energy = rule.energy(&shear(), &found.sequence);
@@ -68,9 +65,9 @@ fn exact_rules_see_the_reconstructed_curve() {
         (gap(rule, 8).abs() / gap(rule, 16).abs()).log2()
     };
     for (name, order, expected) in [
-        ("Simpson", order(&both(Simpson)), 4.0),
-        ("two nodes", order(&both(GaussTwo)), 4.0),
-        ("three nodes", order(&both(GaussThree)), 6.0),
+        ("Simpson", order(&both(Rule::SIMPSON)), 4.0),
+        ("two nodes", order(&both(Rule::GAUSS_TWO)), 4.0),
+        ("three nodes", order(&both(Rule::GAUSS_THREE)), 6.0),
     ] {
         // The next term is smaller by N⁻², with a factor of about (k d)²/10 for the wave number k.
         assert!((order - expected).abs() <= 0.3, "{name}: {order}");
@@ -85,7 +82,7 @@ fn exact_rules_see_the_reconstructed_curve() {
 fn leading_constants_of_all_rules_follow_from_those_of_the_paper() {
     let d2 = squared_distance();
     let ends = from_to(FROM, TO);
-    let fine = minimum(Trapezoidal, 512);
+    let fine = minimum(Rule::TRAPEZOIDAL, 512);
     let known = leading_constants(&shear(), &ends, &fine).expect("smooth");
     let bent = known.energy_trapezoidal;
     let ends_twice = bent + 2.0 * (bent - known.trapezoidal);
@@ -94,11 +91,11 @@ fn leading_constants_of_all_rules_follow_from_those_of_the_paper() {
     let n = 128.0_f64;
     let scaled = |minimum: Minimum<2>, order: i32| n.powi(order) * (minimum.energy - d2);
     for (name, found, expected, next) in [
-        ("Simpson", scaled(minimum(Simpson, 128), 2), bent, n * n),
-        ("two nodes", scaled(minimum(GaussTwo, 128), 2), bent, n * n),
-        ("three nodes", scaled(minimum(GaussThree, 128), 2), bent, n * n),
-        ("true trapezoid", scaled(minimum(TrueTrapezoid, 128), 2), ends_twice, n * n),
-        ("right", scaled(minimum(RightEndpoint, 128), 1), -known.left, n),
+        ("Simpson", scaled(minimum(Rule::SIMPSON, 128), 2), bent, n * n),
+        ("two nodes", scaled(minimum(Rule::GAUSS_TWO, 128), 2), bent, n * n),
+        ("three nodes", scaled(minimum(Rule::GAUSS_THREE, 128), 2), bent, n * n),
+        ("true trapezoid", scaled(minimum(Rule::TRUE_TRAPEZOID, 128), 2), ends_twice, n * n),
+        ("right", scaled(minimum(Rule::RIGHT_ENDPOINT, 128), 1), -known.left, n),
     ] {
         // The next term of the expansion, with a constant of up to ten times the first.
         assert!(

@@ -2,7 +2,7 @@
 //! block size are.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, TrueTrapezoid};
+use tautline_discretizations::Rule;
 use tautline_formula::{InstructionSet, Prepared};
 use tautline_metrics::{Metric, Scalar};
 use tautline_optimizers::{Minimum, Options, Workspace, minimise_by_batches};
@@ -35,7 +35,7 @@ fn bits_of<const D: usize>(minimum: &Minimum<D>) -> (String, Vec<u64>) {
 
 /// Compares results on a grid with a middle chord and on one without. Both grids are large enough
 /// for two threads, if two are used.
-fn compare<R: Rule, const D: usize>(rule: R) {
+fn compare<const D: usize>(rule: Rule) {
     let at = |x: f64| SVector::<f64, D>::from_fn(|i, _| x + 0.3 * (i as f64).sin());
     let ball = |x: f64| ball(at(x), 0.25);
     for ends in [from_to(at(-1.0), at(1.0)), between(ball(-1.0), ball(1.0))] {
@@ -54,8 +54,8 @@ fn compare<R: Rule, const D: usize>(rule: R) {
                 (InstructionSet::Baseline, 24, 2),
             ] {
                 let found = solve(instruction_set, lanes, threads);
-                assert_eq!(found.0, expected.0, "{rule:?} {n} {instruction_set:?} {lanes}");
-                assert!(found.1 == expected.1, "{rule:?} {n} {instruction_set:?} {lanes}");
+                assert_eq!(found.0, expected.0, "{rule} {n} {instruction_set:?} {lanes}");
+                assert!(found.1 == expected.1, "{rule} {n} {instruction_set:?} {lanes}");
             }
         }
     }
@@ -63,10 +63,10 @@ fn compare<R: Rule, const D: usize>(rule: R) {
 
 #[test]
 fn instructions_lanes_and_threads_change_no_bit_of_a_result() {
-    compare::<_, 1>(Trapezoidal);
-    compare::<_, 2>(Trapezoidal);
-    compare::<_, 2>(LeftEndpoint);
-    compare::<_, 3>(TrueTrapezoid);
-    compare::<_, 4>(Trapezoidal);
-    compare::<_, 8>(LeftEndpoint);
+    compare::<1>(Rule::TRAPEZOIDAL);
+    compare::<2>(Rule::TRAPEZOIDAL);
+    compare::<2>(Rule::LEFT_ENDPOINT);
+    compare::<3>(Rule::TRUE_TRAPEZOID);
+    compare::<4>(Rule::TRAPEZOIDAL);
+    compare::<8>(Rule::LEFT_ENDPOINT);
 }

@@ -5,7 +5,7 @@
 //! a constant metric every discrete energy is exact.
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
-use tautline_discretizations::{LeftEndpoint, Trapezoidal, energy_gradient};
+use tautline_discretizations::{Rule, energy_gradient};
 use tautline_metrics::{
     KnownDistance, Metric,
     gallery::{Constant, Separable, Shear, Valleys},
@@ -26,10 +26,10 @@ fn solve<const D: usize>(
     n: usize,
     condition: f64,
 ) -> Minimum<D> {
-    let minimum = lowest(metric, ends, Trapezoidal, n);
+    let minimum = lowest(metric, ends, Rule::TRAPEZOIDAL, n);
     assert_eq!((minimum.stop, minimum.curvature), (Stop::Converged, Curvature::PositiveDefinite));
     assert!(minimum.decrement <= 1e-18, "decrement {:e}", minimum.decrement);
-    let (_, gradient) = energy_gradient(Trapezoidal, metric, &minimum.sequence);
+    let (_, gradient) = energy_gradient(Rule::TRAPEZOIDAL, metric, &minimum.sequence);
     for (set, x, g) in [
         (ends.first(), minimum.sequence.first(), &gradient[0]),
         (ends.second(), minimum.sequence.last(), &gradient[n]),
@@ -68,7 +68,7 @@ fn valleys_from_a_ball_to_a_half_space_and_back() {
     for ends in [between(ball, wall), between(wall, ball)] {
         let minimum = solve(&Valleys, &ends, 512, 9.0);
         assert_distance(&minimum, d);
-        let left = lowest(&Valleys, &ends, LeftEndpoint, 512);
+        let left = lowest(&Valleys, &ends, Rule::LEFT_ENDPOINT, 512);
         assert_eq!((left.stop, left.curvature), (Stop::Converged, Curvature::PositiveDefinite));
         // The extrapolation is a polynomial in 1/N through the grids 8, 32, 128, 512. The first
         // omitted term is (1/8)(1/32)(1/128)(1/512) = 6e-8 times derivatives of about 100.
@@ -291,7 +291,7 @@ fn residual_and_decrement_of_an_oblique_end() {
         let start = straight([0.0, 0.0], [3.0, 4.0], n);
         let options = Options { iterations: 0, ..only(start) };
         let ends = between(point([0.0, 0.0]), half_space([1.0, 0.0], 3.0));
-        let minimum = minimise(&metric, &ends, Trapezoidal, n, &options).expect("a metric");
+        let minimum = minimise(&metric, &ends, Rule::TRAPEZOIDAL, n, &options).expect("a metric");
         assert_eq!(minimum.stop, Stop::IterationLimit);
         assert_close(minimum.residual, 4.0 / 5.0, 1e-13);
         // The margin of the Newton matrix is 1e-8 times its regulariser.

@@ -72,7 +72,7 @@ pub(crate) fn only<const D: usize>(start: PointSequence<D>) -> Options<D> {
 pub(crate) fn lowest<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
-    rule: impl Rule,
+    rule: Rule,
     n: usize,
 ) -> Minimum<D> {
     minimise(metric, ends, rule, n, &Options::default()).expect("a metric")

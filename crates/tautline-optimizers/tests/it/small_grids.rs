@@ -7,7 +7,7 @@ use std::{
 };
 
 use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal};
+use tautline_discretizations::Rule;
 use tautline_formula::{Batches, Kind, Layout, Prepared, Registers};
 use tautline_metrics::{
     Metric,
@@ -51,12 +51,7 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Counted<M, D> {
 
 /// Returns the work of a solve from all starts. It runs on one thread, so that the work is
 /// reproducible.
-fn work<M: Metric<D>, const D: usize>(
-    metric: &M,
-    ends: &Ends<D>,
-    rule: impl Rule,
-    n: usize,
-) -> usize {
+fn work<M: Metric<D>, const D: usize>(metric: &M, ends: &Ends<D>, rule: Rule, n: usize) -> usize {
     let counted = Counted { metric: Prepared::new(metric), numbers: AtomicUsize::new(0) };
     let options = Options { threads: 1, ..Options::default() };
     let memory = &mut Workspace::default();
@@ -102,8 +97,8 @@ impl Each for Cheap {
                 assert!(5 * small <= 6 * fine, "{name}, N = {n}: {small} and {fine} for N = 512");
             }
         };
-        assert_cheap(&|n| work(metric, ends, Trapezoidal, n));
-        assert_cheap(&|n| work(metric, ends, LeftEndpoint, n));
+        assert_cheap(&|n| work(metric, ends, Rule::TRAPEZOIDAL, n));
+        assert_cheap(&|n| work(metric, ends, Rule::LEFT_ENDPOINT, n));
     }
 }
 
@@ -117,11 +112,11 @@ struct Extrapolated;
 impl Each for Extrapolated {
     #[track_caller]
     fn problem<M: Metric<D>, const D: usize>(&self, name: &str, metric: &M, ends: &Ends<D>) {
-        let solve = |n| minimise(metric, ends, Trapezoidal, n, &Options::default());
+        let solve = |n| minimise(metric, ends, Rule::TRAPEZOIDAL, n, &Options::default());
         let estimate = |n| {
             let minimum = solve(n).expect("a metric");
             assert_eq!(minimum.levels.last().map(|level| level.n), Some(n));
-            (minimum.energy, extrapolate(&minimum.levels, Trapezoidal::ERROR_EXPONENT))
+            (minimum.energy, extrapolate(&minimum.levels, Rule::TRAPEZOIDAL.error_exponent()))
         };
         let (_, Some(fine)) = estimate(4096) else { panic!("{name}: no estimate") };
         for n in [33, 34, 40, 48, 63] {
@@ -152,7 +147,7 @@ fn a_given_start_is_used_in_detail() {
     let ends = from_to([-2.0], [2.5]);
     let solve = |starts| {
         let options = Options { starts, ..Options::default() };
-        minimise(&waves, &ends, Trapezoidal, 64, &options).expect("a metric")
+        minimise(&waves, &ends, Rule::TRAPEZOIDAL, 64, &options).expect("a metric")
     };
     let straight = straight([-2.0], [2.5], 64);
     let only = solve(Starts::Only(vec![straight.clone()]));
@@ -175,7 +170,7 @@ fn leaps_are_found_on_a_grid_that_is_not_the_coarsest() {
     let pieces = between(point(from), members);
     let energy_between = |ends: &Ends<1>, n: usize, starts| {
         let options = Options { starts, ..Options::default() };
-        minimise(&ramp, ends, LeftEndpoint, n, &options).expect("a metric").energy
+        minimise(&ramp, ends, Rule::LEFT_ENDPOINT, n, &options).expect("a metric").energy
     };
     let energy = |n: usize, starts| energy_between(&ends, n, starts);
     for n in [33, 40, 48, 56, 64] {

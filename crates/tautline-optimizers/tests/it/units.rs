@@ -2,7 +2,7 @@
 //! allows.
 
 use nalgebra::{SMatrix, SVector, vector};
-use tautline_discretizations::{PointSequence, Trapezoidal};
+use tautline_discretizations::{PointSequence, Rule};
 use tautline_metrics::{Metric, Scalar};
 use tautline_optimizers::{Curvature, Minimum, Options, Stop, minimise};
 use tautline_sets::Ends;
@@ -56,7 +56,7 @@ impl Units<()> {
 
     fn minimise(self, ends: &Ends<2>, n: usize) -> Minimum<2> {
         let bump = self.of(bump());
-        lowest(&bump, ends, Trapezoidal, n)
+        lowest(&bump, ends, Rule::TRAPEZOIDAL, n)
     }
 }
 
@@ -173,7 +173,7 @@ fn exchanging_the_ends_reverses_the_sequence() {
     let turned = sequence(start.points().iter().rev().copied().collect());
     let solve = |ends: &Ends<2>, start: &PointSequence<2>| {
         let options = only(start.clone());
-        minimise(&bump, ends, Trapezoidal, 100, &options).expect("a metric")
+        minimise(&bump, ends, Rule::TRAPEZOIDAL, 100, &options).expect("a metric")
     };
     let forth = solve(&forth.expect("one bounded"), &start);
     let back = solve(&back.expect("one bounded"), &turned);
@@ -192,7 +192,7 @@ fn the_residual_of_a_sequence_that_is_not_stationary() {
     let options = Options { iterations: 0, ..only(start) };
     let flat = euclidean();
     let ends = between(point([0.0, 0.0]), half_space([1.0, 0.0], 2.0));
-    let minimum = minimise(&flat, &ends, Trapezoidal, 2, &options).expect("a metric");
+    let minimum = minimise(&flat, &ends, Rule::TRAPEZOIDAL, 2, &options).expect("a metric");
     assert_eq!(minimum.stop, Stop::IterationLimit);
     // No minimiser was found.
     assert_eq!(minimum.local_minima, []);

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use tautline_discretizations::Trapezoidal;
+use tautline_discretizations::Rule;
 use tautline_formula::Prepared;
 use tautline_optimizers::{
     Minimum, Options, SolveError, Trace, Watcher, Workspace, minimise_by_batches, minimise_watched,
@@ -21,7 +21,7 @@ fn watched(
     // The watcher is called through a closure, whose lifetime is that of this call.
     let mut watch = |iterate: &tautline_optimizers::Iterate<'_, 2>| watcher(iterate);
     let memory = &mut Workspace::default();
-    minimise_watched(memory, &metric, ends, Trapezoidal, n, options, &mut watch)
+    minimise_watched(memory, &metric, ends, Rule::TRAPEZOIDAL, n, options, &mut watch)
 }
 
 /// A small grid, a grid that takes undamped steps, and one whose finest grid takes none.
@@ -32,7 +32,7 @@ fn a_watcher_sees_every_grid_and_changes_nothing() {
         let options = Options::default();
         let metric = Prepared::new(bump());
         let memory = &mut Workspace::default();
-        let alone = minimise_by_batches(memory, &metric, &ends, Trapezoidal, n, &options);
+        let alone = minimise_by_batches(memory, &metric, &ends, Rule::TRAPEZOIDAL, n, &options);
         let alone = alone.expect("a metric");
         let mut time = 0.0;
         let mut clock = || {

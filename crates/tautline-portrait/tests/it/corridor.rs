@@ -1,6 +1,6 @@
 //! The drawn squares are those of the certificate.
 
-use tautline::{Ends, Problem, Trapezoidal, check, gallery::Bump};
+use tautline::{Ends, Problem, Rule, check, gallery::Bump};
 use tautline_drawing::{Segment, palette::ORANGE};
 use tautline_portrait::{Corridor, Cubes, Field, Portrait};
 
@@ -43,7 +43,7 @@ fn winding(segments: &[Segment], (x, y): (f64, f64)) -> i32 {
 fn the_drawn_squares_are_the_corridor_of_the_certificate() {
     let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("points");
     let hill = Bump::new(4.0, 0.5).expect("a hill");
-    let line = Problem::new(hill, ends).solve(Trapezoidal, 256).expect("a line");
+    let line = Problem::new(hill, ends).solve(Rule::TRAPEZOIDAL, 256).expect("a line");
     let found = line.certificate(1e-2).expect("a certificate");
     let proved = found.certificate.check().expect("a proof");
     let sets = found.certificate.levels.iter().map(|level| level.cubes());

@@ -1,7 +1,8 @@
 //! The sections `[solve]`, `[certify]`, `[audit]` and `[output]` of a file.
 
-use schemars::JsonSchema;
-use serde::Deserialize;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, de::Error};
+use tautline::Rule;
 
 use super::{
     expression::Text,
@@ -13,9 +14,12 @@ use super::{
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SolveFile {
-    /// The rule of numerical integration.
-    #[serde(default)]
-    pub(crate) rule: RuleName,
+    /// The rule of numerical integration, which says where the metric is evaluated: `trapezoidal` in the
+    /// middle of each chord (called the midpoint rule elsewhere), `left_endpoint` at the first point of
+    /// each chord, `true_trapezoid` at both ends.
+    #[serde(default, deserialize_with = "named_rule")]
+    #[schemars(schema_with = "rule_names")]
+    pub(crate) rule: Rule,
     /// The number of chords; 256 unless a tolerance is given.
     pub(crate) n: Option<Placed<usize>>,
     /// The relative error of the length, by extrapolation over several grids. It replaces `n`.
@@ -50,17 +54,15 @@ pub(crate) struct LatticeFile {
     pub(crate) classes: Option<Placed<usize>>,
 }
 
-/// A rule of numerical integration.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum RuleName {
-    /// The metric in the middle of each chord, called the midpoint rule elsewhere.
-    #[default]
-    Trapezoidal,
-    /// The metric at the first point of each chord.
-    LeftEndpoint,
-    /// The mean of the metric at both ends of each chord.
-    TrueTrapezoid,
+/// Reads the name of a rule of the library.
+fn named_rule<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Rule, D::Error> {
+    let name = String::deserialize(deserializer)?;
+    Rule::named(&name).ok_or_else(|| D::Error::unknown_variant(&name, &Rule::NAMES))
+}
+
+/// Describes the names of the rules.
+fn rule_names(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "string", "enum": Rule::NAMES })
 }
 
 /// What is proved.

@@ -1,16 +1,16 @@
 //! What the library found, as the numbers and the words of an answer.
 
-use tautline::{Curvature, Integral, Metric, PointSequence, Rule, Stop, TautLine};
+use tautline::{Curvature, Integral, Metric, PointSequence, Stop, TautLine};
 
-use crate::{Estimated, Search, file::request::RuleName};
+use crate::{Estimated, Search};
 
 pub(crate) fn estimated(Integral { value, error, .. }: Integral) -> Estimated {
     Estimated { value, error }
 }
 
 /// Returns an estimate of the distance.
-pub(crate) fn extrapolated<M: Metric<D>, R: Rule, const D: usize>(
-    line: &TautLine<M, R, D>,
+pub(crate) fn extrapolated<M: Metric<D>, const D: usize>(
+    line: &TautLine<M, D>,
 ) -> Option<Estimated> {
     let square = line.distance_squared_estimate()?;
     let value = square.value.max(0.0).sqrt();
@@ -20,7 +20,7 @@ pub(crate) fn extrapolated<M: Metric<D>, R: Rule, const D: usize>(
 }
 
 /// Returns how the search for a minimum ended.
-pub(crate) fn search<M: Metric<D>, R: Rule, const D: usize>(line: &TautLine<M, R, D>) -> Search {
+pub(crate) fn search<M: Metric<D>, const D: usize>(line: &TautLine<M, D>) -> Search {
     let minimum = line.minimum();
     let is_contact = minimum.stop == Stop::EndsTouch && line.common_point().is_none();
     Search {
@@ -53,16 +53,5 @@ fn hessian(curvature: Curvature) -> String {
         Curvature::Degenerate => "degenerate".to_owned(),
         Curvature::Indefinite { negative } => format!("{negative} negative eigenvalues"),
         _ => "unknown".to_owned(),
-    }
-}
-
-impl RuleName {
-    /// Returns the rule's name in a file.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            RuleName::Trapezoidal => "trapezoidal",
-            RuleName::LeftEndpoint => "left_endpoint",
-            RuleName::TrueTrapezoid => "true_trapezoid",
-        }
     }
 }

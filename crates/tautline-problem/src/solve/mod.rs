@@ -10,8 +10,7 @@ use core::ops::ControlFlow;
 use std::sync::Arc;
 
 use tautline::{
-    Ends, LeftEndpoint, Options, PointSequence, Problem, Rule, SolveError, Starts, TautLine,
-    Trapezoidal, TrueTrapezoid,
+    Ends, Options, PointSequence, Problem, Rule, SolveError, Starts, TautLine,
     certify::{Progress, Watch},
     distance,
 };
@@ -19,10 +18,9 @@ use tautline::{
 use tautline_portrait::Shape;
 
 use crate::{
-    Answer, Bounds, Diagnostic, Failure, Grid, OtherMinimum, Question,
-    bounds::{NO_THEOREM, bounds},
+    Answer, Diagnostic, Failure, Grid, OtherMinimum, Question,
+    bounds::bounds,
     dimension::{InDimension, in_dimension},
-    file::request::RuleName,
     known::Known,
     reading::shape::{Piece, union, vector},
 };
@@ -105,21 +103,8 @@ impl InDimension for Solve<'_> {
             None => Arc::new(Known::Formula(question.formula::<D>()?).prepared()),
         };
         let problem = Problem::with_prepared(prepared, question.pair::<D>()?);
-        match question.rule {
-            RuleName::Trapezoidal => {
-                let line = question.line(&problem, Trapezoidal, &options, solved)?;
-                question.answer(&line, |q, l, o| bounds(q.proving(), l, o, watch, observe), solved)
-            }
-            RuleName::LeftEndpoint => {
-                let line = question.line(&problem, LeftEndpoint, &options, solved)?;
-                question.answer(&line, |q, l, o| bounds(q.proving(), l, o, watch, observe), solved)
-            }
-            RuleName::TrueTrapezoid => {
-                let line = question.line(&problem, TrueTrapezoid, &options, solved)?;
-                let no_theorem = |_: &_, _: &_, _: &[_]| Err(NO_THEOREM.to_owned());
-                question.answer(&line, no_theorem, solved)
-            }
-        }
+        let line = question.line(&problem, question.rule, &options, solved)?;
+        question.answer(&line, watch, observe, solved)
     }
 }
 
@@ -164,13 +149,13 @@ impl Question {
         Ok(Options { starts, iterations: self.steps.unwrap_or(default.iterations), ..default })
     }
 
-    pub(crate) fn line<R: Rule, const D: usize>(
+    pub(crate) fn line<const D: usize>(
         &self,
         problem: &Problem<Known<D>, D>,
-        rule: R,
+        rule: Rule,
         options: &Options<D>,
         solved: &mut dyn FnMut(&Answer),
-    ) -> Result<TautLine<Known<D>, R, D>, Failure> {
+    ) -> Result<TautLine<Known<D>, D>, Failure> {
         let failure = |error: SolveError| self.failure(problem.metric(), &error);
         let first = if let Grid::Chords(n) = self.grid { n } else { FIRST_GRID };
         if let Some(nodes) = &self.lattice {
@@ -197,9 +182,9 @@ impl Question {
     }
 
     /// Returns the answer without other minima and without bounds.
-    fn on_its_own<R: Rule, const D: usize>(
+    fn on_its_own<const D: usize>(
         &self,
-        line: &TautLine<Known<D>, R, D>,
+        line: &TautLine<Known<D>, D>,
     ) -> Result<Answer, Diagnostic> {
         self.check_sign(line.sequence())?;
         let minimum = line.minimum();
@@ -224,14 +209,11 @@ impl Question {
         })
     }
 
-    fn answer<R: Rule, const D: usize>(
+    fn answer<const D: usize>(
         &self,
-        line: &TautLine<Known<D>, R, D>,
-        bounds: impl FnOnce(
-            &Self,
-            &TautLine<Known<D>, R, D>,
-            &[TautLine<Known<D>, R, D>],
-        ) -> Result<Bounds, String>,
+        line: &TautLine<Known<D>, D>,
+        watch: &dyn Watch,
+        observe: &mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
         solved: &mut dyn FnMut(&Answer),
     ) -> Result<Answer, Failure> {
         let mut answer = self.on_its_own(line)?;
@@ -246,7 +228,7 @@ impl Question {
         }
         solved(&answer);
         if self.bound {
-            match bounds(self, line, &others) {
+            match bounds(self.proving(), line, &others, watch, observe) {
                 Ok(bounds) => {
                     if bounds.exceed(&answer.length) {
                         answer.is_not_resolved();

@@ -26,15 +26,15 @@ const OPTIMISM: f64 = 10.0;
 /// Follows a line to finer grids until the relative error of its length is at most `tolerance`, by
 /// extrapolation, or until finer grids do not help. `coarser` is told of each line before the last, and may
 /// end this.
-pub(crate) fn refined<R: Rule, const D: usize>(
+pub(crate) fn refined<const D: usize>(
     problem: &Problem<Known<D>, D>,
-    rule: R,
-    mut line: TautLine<Known<D>, R, D>,
+    rule: Rule,
+    mut line: TautLine<Known<D>, D>,
     tolerance: f64,
     options: &Options<D>,
-    coarser: &mut dyn FnMut(&TautLine<Known<D>, R, D>) -> ControlFlow<()>,
-) -> TautLine<Known<D>, R, D> {
-    let converged = |line: &TautLine<_, _, D>| line.minimum().stop == Stop::Converged;
+    coarser: &mut dyn FnMut(&TautLine<Known<D>, D>) -> ControlFlow<()>,
+) -> TautLine<Known<D>, D> {
+    let converged = |line: &TautLine<_, D>| line.minimum().stop == Stop::Converged;
     let (mut options, mut failures, mut last_converged) = (options.clone(), 0, None);
     loop {
         // A search that fails twice on fine grids fails on finer ones.
@@ -82,8 +82,8 @@ fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Star
 
 /// Returns the next grid, or `None` if the relative error of the length is at most `tolerance`, by
 /// extrapolation.
-pub(crate) fn finer_grid<R: Rule, const D: usize>(
-    line: &TautLine<Known<D>, R, D>,
+pub(crate) fn finer_grid<const D: usize>(
+    line: &TautLine<Known<D>, D>,
     tolerance: f64,
 ) -> Option<usize> {
     let finer = factor(&line.length(), line.distance_squared_estimate(), tolerance)?;

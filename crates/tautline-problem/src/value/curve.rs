@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
-    CertificateError, Interpolation, LeftEndpoint, Rule, TautLine, Trapezoidal, TrueTrapezoid,
+    CertificateError, Interpolation, Rule, TautLine,
     certify::Watch,
     distance::{Progress, Wanted},
 };
@@ -13,8 +13,7 @@ use super::Proofs;
 use crate::{
     Bounds, CertifiedAnswer, Estimated, Search,
     answer::is_shorter,
-    bounds::{NO_THEOREM, Proving, bounds},
-    file::request::RuleName,
+    bounds::bounds,
     known::Known,
     solve::{estimated, extrapolated, finer_grid, search},
 };
@@ -34,7 +33,7 @@ pub trait Curve: Debug + Send + Sync {
     fn dimension(&self) -> usize;
 
     /// Returns the rule.
-    fn rule(&self) -> RuleName;
+    fn rule(&self) -> Rule;
 
     /// Returns the points, one after the other, from the first set to the second, in `ℓ`.
     fn points(&self) -> Vec<f64>;
@@ -105,59 +104,13 @@ pub trait Curve: Debug + Send + Sync {
     ) -> Result<CertifiedAnswer, CertificateError>;
 }
 
-/// A rule with a name in files.
-pub(super) trait NamedRule: Rule + 'static {
-    const NAME: RuleName;
-
-    /// Proves bounds on the distance.
-    fn bounds<const D: usize>(
-        line: &TautLine<Known<D>, Self, D>,
-        proving: Proving,
-        watch: &dyn Watch,
-        observe: Observe<'_>,
-    ) -> Result<Bounds, String>;
-}
-
-macro_rules! of_the_paper {
-    ($rule:ident) => {
-        impl NamedRule for $rule {
-            const NAME: RuleName = RuleName::$rule;
-
-            fn bounds<const D: usize>(
-                line: &TautLine<Known<D>, Self, D>,
-                proving: Proving,
-                watch: &dyn Watch,
-                observe: Observe<'_>,
-            ) -> Result<Bounds, String> {
-                bounds(proving, line, &line.other_minima(), watch, observe)
-            }
-        }
-    };
-}
-
-of_the_paper!(Trapezoidal);
-of_the_paper!(LeftEndpoint);
-
-impl NamedRule for TrueTrapezoid {
-    const NAME: RuleName = RuleName::TrueTrapezoid;
-
-    fn bounds<const D: usize>(
-        _: &TautLine<Known<D>, Self, D>,
-        _: Proving,
-        _: &dyn Watch,
-        _: Observe<'_>,
-    ) -> Result<Bounds, String> {
-        Err(NO_THEOREM.to_owned())
-    }
-}
-
-impl<R: NamedRule, const D: usize> Curve for TautLine<Known<D>, R, D> {
+impl<const D: usize> Curve for TautLine<Known<D>, D> {
     fn dimension(&self) -> usize {
         D
     }
 
-    fn rule(&self) -> RuleName {
-        R::NAME
+    fn rule(&self) -> Rule {
+        TautLine::rule(self)
     }
 
     fn points(&self) -> Vec<f64> {
@@ -241,7 +194,7 @@ impl<R: NamedRule, const D: usize> Curve for TautLine<Known<D>, R, D> {
         observe: Observe<'_>,
     ) -> Result<Bounds, String> {
         self.metric().formula().map_err(|error| error.to_string())?;
-        R::bounds(self, proofs.proving(D), watch, observe)
+        bounds(proofs.proving(D), self, &TautLine::other_minima(self), watch, observe)
     }
 
     fn certificate(

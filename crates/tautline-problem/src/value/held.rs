@@ -4,21 +4,19 @@ use core::ops::ControlFlow::{Break, Continue};
 use std::{fmt::Debug, sync::Arc};
 
 use tautline::{
-    Ends, LeftEndpoint, Metric, Options, PointSequence, Prepared, Problem, SolveError, Table,
-    TautLine, Trapezoidal, TrueTrapezoid, certify::Watch, solve_all,
+    Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SolveError, Table, TautLine,
+    certify::Watch, solve_all,
 };
 use tautline_portrait::Shape;
 
 use super::{
     Found, Given, GivenError, Least, Proofs, Region, Request,
     avoiding::avoiding,
-    curve::NamedRule,
     sets::{check_coordinates, point, set},
 };
 use crate::{
     ConstantsAnswer, Grid, LEAST_TOLERANCE,
     constants::{ConstantsError, constants},
-    file::request::RuleName,
     known::Known,
     reading::shape::vector,
     solve::{FIRST_GRID, least_entry, refined},
@@ -57,13 +55,8 @@ impl<const D: usize> Held<D> {
         Ok(Problem::with_prepared(Arc::clone(&self.0), ends))
     }
 
-    fn by<R: NamedRule>(
-        problem: &Problem<Known<D>, D>,
-        rule: R,
-        request: &Request,
-        goes_on: &dyn Fn() -> bool,
-    ) -> Found {
-        let options = request.options::<D>()?;
+    fn by(problem: &Problem<Known<D>, D>, request: &Request, goes_on: &dyn Fn() -> bool) -> Found {
+        let (rule, options) = (request.rule, request.options::<D>()?);
         let lattice = request.lattice.as_ref();
         let lattice = lattice
             .map(|nodes| nodes.lattice::<D>().map(|lattice| (nodes, lattice)))
@@ -85,9 +78,9 @@ impl<const D: usize> Held<D> {
         })
     }
 
-    fn all_by<R: NamedRule>(
+    fn all_by(
         problems: Vec<Result<Problem<Known<D>, D>, GivenError>>,
-        rule: R,
+        rule: Rule,
         n: usize,
         options: &Options<D>,
     ) -> Vec<Found> {
@@ -101,7 +94,7 @@ impl<const D: usize> Held<D> {
     }
 }
 
-fn held<R: NamedRule, const D: usize>(line: Result<TautLine<Known<D>, R, D>, SolveError>) -> Found {
+fn held<const D: usize>(line: Result<TautLine<Known<D>, D>, SolveError>) -> Found {
     Ok(Arc::new(line?))
 }
 
@@ -151,11 +144,7 @@ impl<const D: usize> AnyDimension for Held<D> {
 
     fn solve(&self, ends: [&[Shape]; 2], request: &Request, goes_on: &dyn Fn() -> bool) -> Found {
         let problem = self.problem(ends)?;
-        match request.rule {
-            RuleName::Trapezoidal => Self::by(&problem, Trapezoidal, request, goes_on),
-            RuleName::LeftEndpoint => Self::by(&problem, LeftEndpoint, request, goes_on),
-            RuleName::TrueTrapezoid => Self::by(&problem, TrueTrapezoid, request, goes_on),
-        }
+        Self::by(&problem, request, goes_on)
     }
 
     fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
@@ -167,10 +156,6 @@ impl<const D: usize> AnyDimension for Held<D> {
             Err(error) => return vec![Err(error); ends.len()],
         };
         let problems = ends.iter().map(|&ends| self.problem(ends)).collect();
-        match request.rule {
-            RuleName::Trapezoidal => Self::all_by(problems, Trapezoidal, n, &options),
-            RuleName::LeftEndpoint => Self::all_by(problems, LeftEndpoint, n, &options),
-            RuleName::TrueTrapezoid => Self::all_by(problems, TrueTrapezoid, n, &options),
-        }
+        Self::all_by(problems, request.rule, n, &options)
     }
 }

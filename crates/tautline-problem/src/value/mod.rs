@@ -27,6 +27,6 @@ pub use given::{Found, Given, Least};
 pub use given_error::GivenError;
 pub use request::{Nodes, Proofs, Request};
 
-pub use crate::{Grid, file::request::RuleName};
+pub use crate::Grid;
 pub use tautline::{TextError, Values};
 pub use tautline_portrait::Shape;

@@ -9,7 +9,6 @@ use super::GivenError;
 use crate::{
     Grid,
     bounds::Proving,
-    file::request::RuleName,
     known::Known,
     question::{ACCURACY, CHORDS, default_boxes},
     reading::shape::vector,
@@ -19,7 +18,7 @@ use crate::{
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// The rule of numerical integration.
-    pub rule: RuleName,
+    pub rule: Rule,
     /// The number of chords, or the relative error of the length.
     pub grid: Grid,
     /// Polygons from which a search starts, in addition to the automatic starts.
@@ -40,7 +39,7 @@ impl Default for Request {
     fn default() -> Self {
         let Options { iterations, threads, .. } = Options::<1>::default();
         Self {
-            rule: RuleName::default(),
+            rule: Rule::default(),
             grid: Grid::Chords(CHORDS),
             starts: Vec::new(),
             only_these_starts: false,
@@ -87,14 +86,14 @@ impl Nodes {
     }
 
     /// Solves a problem from the shortest path along a lattice of these nodes, or from those of the classes.
-    pub(crate) fn solve<R: Rule, const D: usize>(
+    pub(crate) fn solve<const D: usize>(
         &self,
         problem: &Problem<Known<D>, D>,
-        rule: R,
+        rule: Rule,
         n: usize,
         lattice: &Lattice<D>,
         options: &Options<D>,
-    ) -> Result<TautLine<Known<D>, R, D>, SolveError> {
+    ) -> Result<TautLine<Known<D>, D>, SolveError> {
         if self.classes <= 1 {
             problem.solve_on_lattice(rule, n, lattice, options)
         } else {

@@ -1,6 +1,6 @@
 //! The numbers of an answer are those of the line and of the proof in Rust, each under its own name.
 
-use tautline::{Ends, Formula, Integral, Problem, TautLine, Trapezoidal, certify::Accuracy};
+use tautline::{Ends, Formula, Integral, Problem, Rule, TautLine, certify::Accuracy};
 use tautline_problem::{Estimated, GlobalMinimum, Question};
 
 /// A hill has two ways round it, and so another minimum.
@@ -11,7 +11,7 @@ fn each_number_of_an_answer_is_that_of_the_line() {
     let answer = Question::read(file).expect("a file").solve(&mut |_| ()).expect("solved");
     let metric = Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
     let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let minimum = line.minimum();
     let estimated = |it: Integral| Estimated { value: it.value, error: it.error };
     assert_eq!((answer.dimension, answer.rule, answer.n), (2, "trapezoidal", 64));
@@ -33,7 +33,7 @@ fn each_number_of_an_answer_is_that_of_the_line() {
     assert_eq!(search.newton_steps, minimum.iterations);
     assert_eq!((answer.resolved, answer.within_tolerance), (line.is_resolved(), None));
     assert_eq!((answer.bounds, answer.no_bounds), (None, None));
-    let points = |line: &TautLine<Formula<2>, Trapezoidal, 2>| -> Vec<Vec<f64>> {
+    let points = |line: &TautLine<Formula<2>, 2>| -> Vec<Vec<f64>> {
         line.sequence().points().iter().map(|x| x.as_slice().to_vec()).collect()
     };
     assert_eq!(answer.curve, points(&line));
@@ -99,7 +99,7 @@ fn the_bounds_of_an_answer_are_those_of_the_proof() {
     let answer = Question::read(file).expect("a file").solve(&mut |_| ()).expect("solved");
     let metric = Formula::<2>::parse("phi(4/(1 + x1^2 + x2^2)^2)", &[]).expect("a formula");
     let ends = Ends::points([0.3, 0.1], [0.45, 0.2]).expect("finite");
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 256).expect("solved");
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 256).expect("solved");
     let accuracy = Accuracy { tolerance: 1e-3, budget: 100_000 };
     let proof = line.prove(accuracy).expect("proved");
     let bounds = answer.bounds.expect("proved");

@@ -2,7 +2,7 @@
 
 use core::ops::ControlFlow;
 
-use tautline::{Ends, Formula, Problem, Trapezoidal, certify::Accuracy, distance::Ended};
+use tautline::{Ends, Formula, Problem, Rule, certify::Accuracy, distance::Ended};
 use tautline_problem::{Failure, GlobalMinimum, Question, distance::Wanted};
 
 /// The channel below is the shorter one. From the one above no certificate reaches its gap, and the bounds
@@ -51,7 +51,7 @@ fn the_certificate_of_bounds_is_that_of_the_library() {
     let bounds = answer.bounds.expect("proved");
     let metric = Formula::<1>::parse("cost(1.6 - cos(x1))", &[]).expect("a formula");
     let ends = Ends::points([0.0], [3.0]).expect("finite");
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 2).expect("solved");
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 2).expect("solved");
     let accuracy = Accuracy { tolerance: 1e-3, budget: 100_000 };
     let proof = line.prove(accuracy).expect("proved");
     let found = proof.found.as_ref().expect("a certificate");

@@ -1,6 +1,6 @@
 //! Certificates of random metrics.
 
-use tautline::{Ends, Formula, Problem, SVector, Trapezoidal};
+use tautline::{Ends, Formula, Problem, Rule, SVector};
 use tautline_chance::{Random, cases, seed};
 
 /// A metric as text, and its distance between two points, if it is known.
@@ -74,7 +74,7 @@ fn check<const D: usize>(case: &Case<D>, gap: f64) -> f64 {
     let Case { text, ends: [a, b], distance } = case;
     let formula = Formula::<D>::parse(text, &[]).unwrap_or_else(|error| panic!("{text}: {error}"));
     let ends = Ends::points(*a, *b).expect("finite");
-    let line = Problem::new(formula.clone(), ends).solve(Trapezoidal, 32).expect("solved");
+    let line = Problem::new(formula.clone(), ends).solve(Rule::TRAPEZOIDAL, 32).expect("solved");
     let found = line.certificate(gap).unwrap_or_else(|error| panic!("{text}: {error}"));
     let proved = found.certificate.check().unwrap_or_else(|error| panic!("{text}: {error}"));
     let (lower, upper) = (proved.lower, proved.upper.expect("a curve"));

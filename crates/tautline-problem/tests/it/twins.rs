@@ -1,8 +1,8 @@
 //! A problem in a file and the same problem in Rust have the same result, bit by bit.
 
 use tautline::{
-    AxisBox, Ball, Ends, FiniteSet, HalfSpace, LeftEndpoint, Metric, Options, PointSequence,
-    Problem, Rule, SMatrix, SVector, Scalar, Segment, Starts, Trapezoidal, Union, gallery,
+    AxisBox, Ball, Ends, FiniteSet, HalfSpace, Metric, Options, PointSequence, Problem, Rule,
+    SMatrix, SVector, Scalar, Segment, Starts, Union, gallery,
 };
 use tautline_problem::{Answer, Example, Question};
 
@@ -20,11 +20,11 @@ fn answer(name: &str, change: impl Fn(String) -> String) -> Answer {
 }
 
 #[track_caller]
-fn assert_twins<M: Metric<D>, R: Rule, const D: usize>(
+fn assert_twins<M: Metric<D>, const D: usize>(
     name: &str,
     metric: M,
     ends: Ends<D>,
-    rule: R,
+    rule: Rule,
     n: usize,
     options: &Options<D>,
 ) {
@@ -105,16 +105,37 @@ fn a_file_gives_the_bits_of_the_problem_in_rust() {
     let ball = Ball::new([0.0, 0.0], 0.5).expect("a ball");
     let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a wall");
     let ends = Ends::new(ball, wall).expect("bounded");
-    assert_twins("valleys", Cost, ends, Trapezoidal, 256, &plane);
+    assert_twins("valleys", Cost, ends, Rule::TRAPEZOIDAL, 256, &plane);
     let half_pi = std::f64::consts::PI / 2.0;
-    assert_twins("robot_arm", Arm, points([0.0, 0.2], [half_pi, 2.4]), Trapezoidal, 256, &plane);
-    assert_twins("refraction", Layer, points([-1.0, 1.0], [1.0, -1.0]), Trapezoidal, 1024, &plane);
+    assert_twins(
+        "robot_arm",
+        Arm,
+        points([0.0, 0.2], [half_pi, 2.4]),
+        Rule::TRAPEZOIDAL,
+        256,
+        &plane,
+    );
+    assert_twins(
+        "refraction",
+        Layer,
+        points([-1.0, 1.0], [1.0, -1.0]),
+        Rule::TRAPEZOIDAL,
+        1024,
+        &plane,
+    );
     let ends = points([0.0, 0.0], [0.25, 0.125]);
-    assert_twins("normal_distributions", Distributions, ends, Trapezoidal, 512, &plane);
+    assert_twins("normal_distributions", Distributions, ends, Rule::TRAPEZOIDAL, 512, &plane);
     let obstacle = |x: [f64; 2]| gallery::Obstacle { centre: x.into(), height: 12.0, width: 0.5 };
     let obstacles = [[1.0, 0.2], [2.6, 1.3], [2.9, -0.9], [4.3, 0.3]].map(obstacle);
     let obstacles = gallery::SoftObstacles::<2>::new(obstacles.into()).expect("obstacles");
-    assert_twins("obstacles", obstacles, points([-0.5, 0.0], [5.5, 0.4]), Trapezoidal, 256, &plane);
+    assert_twins(
+        "obstacles",
+        obstacles,
+        points([-0.5, 0.0], [5.5, 0.4]),
+        Rule::TRAPEZOIDAL,
+        256,
+        &plane,
+    );
     let far: Vec<std::sync::Arc<dyn tautline::ClosedSet<2>>> = vec![
         std::sync::Arc::new(Ball::new([3.0, 2.0], 0.7).expect("a ball")),
         std::sync::Arc::new(Segment::new([-2.0, 2.5], [0.5, 3.0]).expect("a segment")),
@@ -122,31 +143,52 @@ fn a_file_gives_the_bits_of_the_problem_in_rust() {
     ];
     let near = AxisBox::from_corners([-1.0, -1.0], [0.0, 0.0]).expect("a box");
     let ends = Ends::new(near, Union::new(far).expect("sets")).expect("bounded");
-    assert_twins("sets", Leaning, ends, Trapezoidal, 256, &plane);
+    assert_twins("sets", Leaning, ends, Rule::TRAPEZOIDAL, 256, &plane);
     assert_twins(
         "two_channels",
         Channels,
         points([-3.0, 0.0], [3.0, 0.0]),
-        Trapezoidal,
+        Rule::TRAPEZOIDAL,
         256,
         &plane,
     );
-    assert_twins("tie", Hill, points([-2.0, 0.0], [2.0, 0.0]), Trapezoidal, 256, &plane);
+    assert_twins("tie", Hill, points([-2.0, 0.0], [2.0, 0.0]), Rule::TRAPEZOIDAL, 256, &plane);
     let start = [[-3.0, 0.0], [0.0, 1.0], [3.0, 0.0]].map(SVector::from);
     let start = PointSequence::new(start.into()).expect("finite");
     let only = Options { starts: Starts::Only(vec![start]), ..Options::default() };
-    assert_twins("wrong_start", Channels, points([-3.0, 0.0], [3.0, 0.0]), Trapezoidal, 256, &only);
-    assert_twins("wrong_constants", Cost, points([0.0, 0.0], [1.0, 1.0]), Trapezoidal, 256, &plane);
+    assert_twins(
+        "wrong_start",
+        Channels,
+        points([-3.0, 0.0], [3.0, 0.0]),
+        Rule::TRAPEZOIDAL,
+        256,
+        &only,
+    );
+    assert_twins(
+        "wrong_constants",
+        Cost,
+        points([0.0, 0.0], [1.0, 1.0]),
+        Rule::TRAPEZOIDAL,
+        256,
+        &plane,
+    );
     let four_pi = 4.0 * std::f64::consts::PI;
     let ends = points([0.0], [four_pi]);
-    assert_twins("counterexample", gallery::Valleys, ends, Trapezoidal, 256, &Options::default());
+    assert_twins(
+        "counterexample",
+        gallery::Valleys,
+        ends,
+        Rule::TRAPEZOIDAL,
+        256,
+        &Options::default(),
+    );
     let mut from = [0.0; 12];
     (from[0], from[1]) = (-2.0, 0.1);
     let mut to = [0.0; 12];
     (to[0], to[6]) = (2.0, 1.0);
     let ball = Ball::new(to, 0.25).expect("a ball");
     let ends = Ends::new(tautline::Point::new(from).expect("finite"), ball).expect("bounded");
-    assert_twins("twelve_coordinates", Wide, ends, Trapezoidal, 64, &Options::default());
+    assert_twins("twelve_coordinates", Wide, ends, Rule::TRAPEZOIDAL, 64, &Options::default());
 }
 
 /// In Rust, a pullback is written with its derivatives; the values agree up to rounding.
@@ -174,7 +216,8 @@ fn a_file_chooses_rule_and_tolerance() {
     let solve = |section| solve_example("counterexample", section);
     let left = solve("rule = \"left_endpoint\"\nn = 100");
     let ends = points([0.0], [4.0 * std::f64::consts::PI]);
-    let line = Problem::new(gallery::Valleys, ends).solve(LeftEndpoint, 100).expect("solved");
+    let line =
+        Problem::new(gallery::Valleys, ends).solve(Rule::LEFT_ENDPOINT, 100).expect("solved");
     assert_eq!(left.discrete_energy.to_bits(), line.discrete_energy().to_bits());
     // On this curve the error is 3·10⁻⁶ for 256 chords, and falls like N⁻².
     let fine = solve_example("two_channels", "tolerance = 1e-7");

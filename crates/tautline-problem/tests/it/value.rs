@@ -2,10 +2,10 @@
 
 use std::{ops::ControlFlow, sync::Arc};
 
-use tautline::{CertificateError, Constants, RecordError, certify, distance::Wanted};
+use tautline::{CertificateError, Constants, RecordError, Rule, certify, distance::Wanted};
 use tautline_problem::{
     Question,
-    value::{Given, GivenError, Grid, Nodes, Proofs, Region, Request, RuleName, Shape, Values},
+    value::{Given, GivenError, Grid, Nodes, Proofs, Region, Request, Shape, Values},
 };
 
 const HILL: &str = "cost(1 + 4*exp(-2*(x1^2 + x2^2)))";
@@ -21,12 +21,8 @@ fn hill() -> Given {
 /// Bit for bit, for each rule.
 #[test]
 fn a_curve_of_values_is_that_of_a_file() {
-    let rules = [
-        ("trapezoidal", RuleName::Trapezoidal),
-        ("left_endpoint", RuleName::LeftEndpoint),
-        ("true_trapezoid", RuleName::TrueTrapezoid),
-    ];
-    for (name, rule) in rules {
+    for &rule in Rule::ALL {
+        let name = rule.name();
         let file = format!(
             "[metric]\ncost = \"1 + 4*exp(-2*(x1^2 + x2^2))\"\n[from]\npoint = [-1.5, 0.05]\n[to]\n\
              ball = {{ centre = [1.5, -0.1], radius = 0.25 }}\n[solve]\nrule = \"{name}\"\nn = 64\n\
@@ -225,7 +221,7 @@ fn what_cannot_be_proved_is_said() {
     let curve = black_box.solve(ends, &Request::default()).expect("solved");
     let said = curve.bounds(&proofs, &watch, go_on).expect_err("refused");
     assert!(said.contains("by its values only"), "{said}");
-    let request = Request { rule: RuleName::TrueTrapezoid, ..Request::default() };
+    let request = Request { rule: Rule::TRUE_TRAPEZOID, ..Request::default() };
     let curve = hill().solve(ends, &request).expect("solved");
     let said = curve.bounds(&proofs, &watch, go_on).expect_err("refused");
     assert!(said.contains("no theorem on the true trapezoid"), "{said}");

@@ -3,9 +3,21 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{Jet1, Metric, MetricError, PointSequence, Rule, check_gram};
 
+use super::Mutant;
+
+/// Returns the rule that a mutant takes for this one.
+pub(crate) fn mistaken_rule(mutant: Mutant, rule: Rule) -> Rule {
+    match (mutant, rule == Rule::TRAPEZOIDAL) {
+        (Mutant::RulesExchanged, true) => Rule::LEFT_ENDPOINT,
+        (Mutant::RulesExchanged, false) => Rule::TRAPEZOIDAL,
+        (Mutant::TrueTrapezoid, true) => Rule::TRUE_TRAPEZOID,
+        _ => rule,
+    }
+}
+
 /// Returns the discrete energy without the last chord.
-pub(crate) fn without_last_chord<R: Rule, const D: usize>(
-    rule: R,
+pub(crate) fn without_last_chord<const D: usize>(
+    rule: Rule,
     metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
 ) -> f64 {
@@ -17,14 +29,15 @@ pub(crate) fn without_last_chord<R: Rule, const D: usize>(
 }
 
 /// Returns the gradient of the discrete energy as if `H` did not depend on the point.
-pub(crate) fn frozen_gradient<R: Rule, const D: usize>(
+pub(crate) fn frozen_gradient<const D: usize>(
+    rule: Rule,
     metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
 ) -> Vec<SVector<f64, D>> {
     let n = sequence.n().get() as f64;
     let mut gradient = vec![SVector::zeros(); sequence.points().len()];
     for (k, (x, chord)) in sequence.chords().enumerate() {
-        for node in R::NODES {
+        for node in rule.nodes() {
             let gram: SMatrix<f64, D, D> = metric.gram(&(x + chord * node.fraction));
             let force = gram * chord * (2.0 * n * node.weight);
             gradient[k] -= force;

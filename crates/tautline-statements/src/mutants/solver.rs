@@ -5,12 +5,11 @@ use tautline::{
     Starts, Stop, Workspace, minimise, minimise_by_batches,
 };
 
-use super::{Mutant, formula};
-use crate::with_rule::with_mistaken_rule;
+use super::{Mutant, formula, programs::mistaken_rule};
 
-pub(crate) fn minimise_with<R: Rule, const D: usize>(
+pub(crate) fn minimise_with<const D: usize>(
     mutant: Mutant,
-    rule: R,
+    rule: Rule,
     metric: &impl Metric<D>,
     ends: &Ends<D>,
     n: usize,
@@ -28,7 +27,7 @@ pub(crate) fn minimise_with<R: Rule, const D: usize>(
     };
     match mutant {
         Mutant::RulesExchanged | Mutant::TrueTrapezoid => {
-            with_mistaken_rule!(mutant, rule: R => minimise(metric, ends, rule, n, options))
+            minimise(metric, ends, mistaken_rule(mutant, rule), n, options)
         }
         Mutant::StopsEarly => {
             let once = Options { iterations: 1, ..options.clone() };

@@ -5,7 +5,7 @@ use tautline::{Bounded, ClosedSet, PointSequence};
 
 use crate::{
     Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
-    discrete_energy, reconstruction::nodes, with_rule::with_rule,
+    discrete_energy, reconstruction::nodes,
 };
 
 /// Evaluates Proposition 7.1 on two admissible sequences, the first of which claims to be a
@@ -98,8 +98,8 @@ pub fn critical_point<M: Bounded<D>, const D: usize>(
     seen: &Reconstruction<D>,
 ) -> Evidence {
     let (metric, sequence) = (&known.metric, &seen.minimum.sequence);
-    let gradient = with_rule!(seen.rule, rule => subject.energy_gradient(rule, metric, sequence));
-    let speeds = with_rule!(seen.rule, rule => subject.discrete_speeds(rule, metric, sequence));
+    let gradient = subject.energy_gradient(seen.rule.into(), metric, sequence);
+    let speeds = subject.discrete_speeds(seen.rule.into(), metric, sequence);
     let weight = match seen.rule {
         PaperRule::Trapezoidal => 0.5,
         PaperRule::LeftEndpoint => 0.625,

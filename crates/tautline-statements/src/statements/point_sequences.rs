@@ -1,6 +1,6 @@
 //! Propositions 7.8, 7.9, 8.1 and 8.2, and Lemma S.2, which hold for any point sequence.
 
-use tautline::{Bounded, Constants, LeftEndpoint, MetricError, PointSequence, Trapezoidal};
+use tautline::{Bounded, Constants, MetricError, PointSequence, Rule};
 
 use crate::{
     Evidence, GramRange, PaperRule, Statement, Subject, Unit,
@@ -45,8 +45,8 @@ impl Energies {
         metric: &impl Bounded<D>,
         sequence: &PointSequence<D>,
     ) -> Result<Self, MetricError> {
-        let trapezoidal = subject.discrete_energy(Trapezoidal, metric, sequence);
-        let left = subject.discrete_energy(LeftEndpoint, metric, sequence);
+        let trapezoidal = subject.discrete_energy(Rule::TRAPEZOIDAL, metric, sequence);
+        let left = subject.discrete_energy(Rule::LEFT_ENDPOINT, metric, sequence);
         let curve = subject.curve_energy(metric, sequence);
         Ok(Self {
             trapezoidal,

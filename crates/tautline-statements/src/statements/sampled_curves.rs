@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 
 use tautline::{
-    Bounded, Constants, Integral, LeftEndpoint, Trapezoidal,
+    Bounded, Constants, Integral, Rule,
     bounds::{PaperRule, pointwise_fall, pointwise_rise, sampling_fall, sampling_rise},
 };
 
@@ -34,8 +34,8 @@ impl Sampled {
         n: NonZeroUsize,
     ) -> Result<Self, VerifyError> {
         let sequence = curve.sample(n.get())?;
-        let trapezoidal = subject.discrete_energy(Trapezoidal, metric, &sequence);
-        let left = subject.discrete_energy(LeftEndpoint, metric, &sequence);
+        let trapezoidal = subject.discrete_energy(Rule::TRAPEZOIDAL, metric, &sequence);
+        let left = subject.discrete_energy(Rule::LEFT_ENDPOINT, metric, &sequence);
         let energy = curve_energy(metric, curve, 2 * n.get());
         let upper = |norm: Integral| norm.value + norm.error;
         let constants = subject.constants(metric);

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use nalgebra::SVector;
-use tautline::{LeftEndpoint, PointSequence, Rule, Trapezoidal, gallery::Valleys};
+use tautline::{PointSequence, Rule, gallery::Valleys};
 
 use crate::{Evidence, Statement, Subject, Unit, Units, VerifyError, witnesses::valley_jump};
 
@@ -30,7 +30,7 @@ pub fn section_5_left(
     let claims = ["4π ≤ L_l,N(γᵖ)", "min L_l,N ≤ 4π"];
     let minimiser = valley_jump(n, n.div_ceil(2), n);
     let begun = Evidence::of(Statement::Section5Left);
-    evaluate(begun, subject, LeftEndpoint, units, [sequence, &minimiser], claims)
+    evaluate(begun, subject, Rule::LEFT_ENDPOINT, units, [sequence, &minimiser], claims)
 }
 
 /// Evaluates the claim of Section 5 on the trapezoidal rule, as [`section_5_left`] does.
@@ -51,13 +51,13 @@ pub fn section_5_trapezoidal(
     let claims = ["4π ≤ L_tra,N(γᵖ)", "min L_tra,N ≤ 4π"];
     let minimiser = valley_jump(n, n.div_ceil(2), n.div_ceil(2));
     let begun = Evidence::of(Statement::Section5Trapezoidal);
-    evaluate(begun, subject, Trapezoidal, units, [sequence, &minimiser], claims)
+    evaluate(begun, subject, Rule::TRAPEZOIDAL, units, [sequence, &minimiser], claims)
 }
 
 fn evaluate(
     evidence: Evidence,
     subject: &Subject,
-    rule: impl Rule,
+    rule: Rule,
     units: Units,
     [sequence, minimiser]: [&PointSequence<2>; 2],
     [above, attained]: [&'static str; 2],

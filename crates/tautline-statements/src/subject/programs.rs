@@ -8,7 +8,7 @@ use std::num::NonZeroUsize;
 use nalgebra::{SMatrix, SVector};
 use tautline::{
     AnyMetric, Bounded, ClosedSet, Constants, Ends, Integral, Interpolation, Metric, MetricError,
-    Minimum, Options, PointSequence, Rule, SolveError, Trapezoidal, TrueTrapezoid,
+    Minimum, Options, PointSequence, Rule, SolveError,
     bounds::{LocalityError, PaperRule, Region, competitors},
     christoffel, energy_gradient, minimise,
 };
@@ -17,18 +17,19 @@ use super::Subject;
 use crate::{
     mutants::{
         Mutant,
-        programs::{christoffel_with_wrong_sign, frozen_gradient, without_last_chord},
+        programs::{
+            christoffel_with_wrong_sign, frozen_gradient, mistaken_rule, without_last_chord,
+        },
         solver, with_l_h,
     },
     replaceable::Program,
-    with_rule::with_mistaken_rule,
 };
 
 impl Subject {
     /// Returns the discrete energy of a sequence, in `m²`.
-    pub fn discrete_energy<R: Rule, const D: usize>(
+    pub fn discrete_energy<const D: usize>(
         &self,
-        rule: R,
+        rule: Rule,
         metric: &impl Metric<D>,
         sequence: &PointSequence<D>,
     ) -> f64 {
@@ -39,14 +40,14 @@ impl Subject {
         match mutant {
             Mutant::EnergyHalved => 0.5 * rule.energy(metric, sequence),
             Mutant::LastChordLost => without_last_chord(rule, metric, sequence),
-            _ => with_mistaken_rule!(mutant, rule: R => rule.energy(metric, sequence)),
+            _ => mistaken_rule(mutant, rule).energy(metric, sequence),
         }
     }
 
     /// Returns the discrete length of a sequence, in `m`.
-    pub fn discrete_length<R: Rule, const D: usize>(
+    pub fn discrete_length<const D: usize>(
         &self,
-        rule: R,
+        rule: Rule,
         metric: &impl Metric<D>,
         sequence: &PointSequence<D>,
     ) -> f64 {
@@ -57,14 +58,14 @@ impl Subject {
         match mutant {
             // This is Σ dᵀHd over the chords d.
             Mutant::RootLost => rule.energy(metric, sequence) / sequence.n().get() as f64,
-            _ => with_mistaken_rule!(mutant, rule: R => rule.length(metric, sequence)),
+            _ => mistaken_rule(mutant, rule).length(metric, sequence),
         }
     }
 
     /// Returns the discrete speeds of the chords, in `m`.
-    pub fn discrete_speeds<R: Rule, const D: usize>(
+    pub fn discrete_speeds<const D: usize>(
         &self,
-        rule: R,
+        rule: Rule,
         metric: &impl Metric<D>,
         sequence: &PointSequence<D>,
     ) -> Vec<f64> {
@@ -73,9 +74,9 @@ impl Subject {
     }
 
     /// Returns `∂E_N/∂xₙ` for all `N + 1` points, in `m²/ℓ`.
-    pub fn energy_gradient<R: Rule, const D: usize>(
+    pub fn energy_gradient<const D: usize>(
         &self,
-        rule: R,
+        rule: Rule,
         metric: &impl Metric<D>,
         sequence: &PointSequence<D>,
     ) -> Vec<SVector<f64, D>> {
@@ -87,8 +88,8 @@ impl Subject {
             Mutant::GradientReversed => {
                 energy_gradient(rule, metric, sequence).1.into_iter().map(|slope| -slope).collect()
             }
-            Mutant::MetricFrozen => frozen_gradient::<R, D>(metric, sequence),
-            _ => with_mistaken_rule!(mutant, rule: R => energy_gradient(rule, metric, sequence).1),
+            Mutant::MetricFrozen => frozen_gradient(rule, metric, sequence),
+            _ => energy_gradient(mistaken_rule(mutant, rule), metric, sequence).1,
         }
     }
 
@@ -103,8 +104,8 @@ impl Subject {
         };
         let metric = &AnyMetric::new(metric);
         let value = match mutant {
-            Mutant::QuadratureOfOneNode => Trapezoidal.energy(metric, sequence),
-            _ => TrueTrapezoid.energy(metric, sequence),
+            Mutant::QuadratureOfOneNode => Rule::TRAPEZOIDAL.energy(metric, sequence),
+            _ => Rule::TRUE_TRAPEZOID.energy(metric, sequence),
         };
         Integral { value, error: 0.0 }
     }
@@ -167,9 +168,9 @@ impl Subject {
     /// # Errors
     ///
     /// The errors of [`minimise`].
-    pub fn minimise<R: Rule, const D: usize>(
+    pub fn minimise<const D: usize>(
         &self,
-        rule: R,
+        rule: Rule,
         metric: &impl Metric<D>,
         ends: &Ends<D>,
         n: usize,
@@ -182,9 +183,9 @@ impl Subject {
     /// # Errors
     ///
     /// The errors of [`minimise`].
-    pub fn minimise_with<R: Rule, const D: usize>(
+    pub fn minimise_with<const D: usize>(
         &self,
-        rule: R,
+        rule: Rule,
         metric: &impl Metric<D>,
         ends: &Ends<D>,
         n: usize,

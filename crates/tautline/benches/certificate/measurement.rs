@@ -7,7 +7,7 @@ use std::{
 };
 
 use tautline::{
-    Ends, Metric, Options, PointSequence, Problem, Trapezoidal,
+    Ends, Metric, Options, PointSequence, Problem, Rule,
     check::AnyCertificate,
     distance::{Ended, Found, Progress, Wanted},
 };
@@ -62,7 +62,8 @@ fn search<M: Metric<D>, const D: usize>(
         if begun.elapsed() > PATIENCE { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let options = Options { threads: 1, ..Options::default() };
-    let line = Problem::new(metric, ends.clone()).solve_with(Trapezoidal, CHORDS, &options)?;
+    let line =
+        Problem::new(metric, ends.clone()).solve_with(Rule::TRAPEZOIDAL, CHORDS, &options)?;
     let wanted = Wanted { gap, cubes: CUBES[usize::from(D > 2)] };
     Ok(line.certificate_with(wanted, &mut patience)?)
 }

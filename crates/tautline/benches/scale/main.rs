@@ -14,8 +14,7 @@ use cost::{Cost, cost};
 use problems::{Peer, pose};
 use rayon::ThreadPoolBuilder;
 use tautline::{
-    Ends, Metric, Options, PointSequence, Problem, SVector, SolveError, Starts, TautLine,
-    Trapezoidal,
+    Ends, Metric, Options, PointSequence, Problem, Rule, SVector, SolveError, Starts, TautLine,
     gallery::{Bump, SineProjection, SineProjections},
     solve_all,
 };
@@ -59,7 +58,7 @@ fn efficiency<T>(first: &mut Option<f64>, cost: &Cost<T>, threads: usize) -> f64
 impl Row {
     fn print<M: Metric<D>, const D: usize>(
         &self,
-        cost: Cost<Vec<Result<TautLine<M, Trapezoidal, D>, SolveError>>>,
+        cost: Cost<Vec<Result<TautLine<M, D>, SolveError>>>,
     ) -> Result<(), Box<dyn Error>> {
         let Cost { seconds, bytes, result } = cost;
         let count = result.len();
@@ -106,7 +105,7 @@ impl Peer for Single {
             let posed = Problem::new(&metric, ends.clone());
             let starts = Starts::Only(vec![start.clone()]);
             let options = Options { starts, threads, ..Options::default() };
-            let cost = cost(|| vec![posed.solve_with(Trapezoidal, n, &options)]);
+            let cost = cost(|| vec![posed.solve_with(Rule::TRAPEZOIDAL, n, &options)]);
             Row { problem, n, threads, efficiency: efficiency(&mut single, &cost, threads) }
                 .print(cost)?;
         }
@@ -145,7 +144,7 @@ fn batch(problem: &'static str) -> Result<(), Box<dyn Error>> {
     let mut single = None;
     for threads in [1, processors()] {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
-        let cost = cost(|| pool.install(|| solve_all(&posed, Trapezoidal, SHORT, &options)));
+        let cost = cost(|| pool.install(|| solve_all(&posed, Rule::TRAPEZOIDAL, SHORT, &options)));
         let efficiency = efficiency(&mut single, &cost, threads);
         Row { problem, n: SHORT, threads, efficiency }.print(cost)?;
     }

@@ -17,8 +17,8 @@ use limit_space::Space;
 use problems::{Peer, pose};
 use race::Race;
 use tautline::{
-    Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SVector, Starts, Trapezoidal,
-    Workspace, newton_step,
+    Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SVector, Starts, Workspace,
+    newton_step,
 };
 use tautline_discretizations::{LinearModel, QuadraticModel, admissible_energy};
 use tautline_formula::{Formula, InstructionSet};
@@ -54,7 +54,7 @@ impl Peer for Timing {
         let problem = Problem::new(metric, ends);
         let metric = problem.metric();
         let prepared = Prepared::new(metric);
-        let line = bent(problem.solve_with(Trapezoidal, n, &options)?.sequence())?;
+        let line = bent(problem.solve_with(Rule::TRAPEZOIDAL, n, &options)?.sequence())?;
         let (first, second) = problem.ends().pairs().next().ok_or("ends have pieces")?;
         let (mut model, mut workspace) = (QuadraticModel::default(), Workspace::default());
         // This is how a processor without wider instructions computes.
@@ -65,32 +65,40 @@ impl Peer for Timing {
         let mut race = Race::default();
         by_hand(self.name, &mut race, line.points());
         race.add("energy", || {
-            admissible_energy(Trapezoidal::NODES, &prepared, black_box(&line).points())
+            admissible_energy(Rule::TRAPEZOIDAL.nodes(), &prepared, black_box(&line).points())
         });
         race.add("gradient", || {
-            LinearModel::by_batches(Trapezoidal::NODES, &prepared, black_box(&line))
+            LinearModel::by_batches(Rule::TRAPEZOIDAL.nodes(), &prepared, black_box(&line))
         });
         race.add("assembly", || {
-            model.expand_by_batches(Trapezoidal::NODES, &prepared, black_box(&line));
+            model.expand_by_batches(Rule::TRAPEZOIDAL.nodes(), &prepared, black_box(&line));
             model.energy
         });
         race.add("newton step", || {
             let ends = [&*first, &*second];
-            let step = newton_step(&mut workspace, &prepared, ends, Trapezoidal, black_box(&line));
+            let step =
+                newton_step(&mut workspace, &prepared, ends, Rule::TRAPEZOIDAL, black_box(&line));
             step.expect("the Hessian is positive definite near a minimiser")
         });
         race.add("newton step by the instructions that all processors have", || {
             let (ends, line) = ([&*first, &*second], black_box(&line));
-            let step = newton_step(&mut other_workspace, &baseline, ends, Trapezoidal, line);
+            let step = newton_step(&mut other_workspace, &baseline, ends, Rule::TRAPEZOIDAL, line);
             step.expect("the Hessian is positive definite near a minimiser")
         });
-        race.add("solve", || problem.solve_with(Trapezoidal, black_box(n), &options));
+        race.add("solve", || problem.solve_with(Rule::TRAPEZOIDAL, black_box(n), &options));
         race.add("solve by the instructions that all processors have", || {
             let (workspace, ends) = (&mut Workspace::default(), problem.ends());
-            minimise_by_batches(workspace, &baseline, ends, Trapezoidal, black_box(n), &options)
+            minimise_by_batches(
+                workspace,
+                &baseline,
+                ends,
+                Rule::TRAPEZOIDAL,
+                black_box(n),
+                &options,
+            )
         });
         race.add("solve of the formula as text", || {
-            from_text.solve_with(Trapezoidal, black_box(n), &options)
+            from_text.solve_with(Rule::TRAPEZOIDAL, black_box(n), &options)
         });
         let times = race.run();
         for (what, time) in &times {

@@ -14,7 +14,7 @@ use std::{env, path::PathBuf};
 
 use measurement::{cpu_time, report, time};
 use problems::{Peer, pose};
-use tautline::{Ends, Metric, Options, PointSequence, Problem, SolveError, Starts, Trapezoidal};
+use tautline::{Ends, Metric, Options, PointSequence, Problem, Rule, SolveError, Starts};
 
 /// Solves with Tautline from the straight line alone, like every other program.
 struct Tautline {
@@ -32,7 +32,7 @@ impl Peer for Tautline {
         let problem = Problem::new(metric, ends);
         let options = options(start);
         println!("version={}\nset_up={}", env!("CARGO_PKG_VERSION"), cpu_time());
-        let timed = time(|| problem.solve_with(Trapezoidal, n, &options));
+        let timed = time(|| problem.solve_with(Rule::TRAPEZOIDAL, n, &options));
         let line = timed.result.as_ref().map_err(ToString::to_string)?;
         let minimum = line.minimum();
         let stop = format!("{:?}, {:?}", minimum.stop, minimum.curvature);
@@ -61,7 +61,7 @@ impl Peer for Distance {
         let problem = Problem::new(metric, ends);
         let options = options(start);
         let estimate = |n| {
-            let line = problem.solve_with(Trapezoidal, n, &options)?;
+            let line = problem.solve_with(Rule::TRAPEZOIDAL, n, &options)?;
             Ok::<_, SolveError>(line.distance_squared_estimate())
         };
         println!("version={}\nset_up={}", env!("CARGO_PKG_VERSION"), cpu_time());

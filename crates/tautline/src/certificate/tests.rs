@@ -12,22 +12,22 @@ use tautline_metrics::gallery::{Constant, Separable, Shear, Valleys};
 use tautline_metrics::{Bounded, KnownDistance, Metric};
 use tautline_sets::{Ball, ClosedSet, Ends, Point};
 
-use super::{Extent, RuleOfThePaper, gap};
+use super::{Extent, gap};
 use crate::{
-    Interval, LeftEndpoint, Level, Options, Problem, SMatrix, SVector, Scalar, Starts, TautLine,
-    Trapezoidal,
+    Interval, Level, Options, Problem, ProofError, Rule, SMatrix, SVector, Scalar, Starts,
+    TautLine, certify::Accuracy,
 };
 
 #[test]
 fn the_line_between_near_points_is_proven_to_be_the_shortest() {
-    fn widths<M: Bounded<2>, R: RuleOfThePaper>(line: &TautLine<M, R, 2>, d2: f64) -> [f64; 2] {
+    fn widths<M: Bounded<2>>(line: &TautLine<M, 2>, d2: f64) -> [f64; 2] {
         let enclosure = line.enclosure().expect("finite");
         let (lower, upper) = (enclosure.lower, enclosure.upper);
         assert!(lower <= d2 && d2 <= upper * (1.0 + 1e-14), "{enclosure:?}");
         assert!(!enclosure.assumes_global_minimum, "{enclosure:?}");
         assert_eq!(enclosure.from_below, FromBelow::Convexity);
         let computed = Computed {
-            rule: R::OF_THE_PAPER,
+            rule: line.rule().paper_rule().expect("a rule of the paper"),
             n: line.sequence().n(),
             discrete_energy: line.discrete_energy(),
             energy: line.energy().value,
@@ -42,8 +42,8 @@ fn the_line_between_near_points_is_proven_to_be_the_shortest() {
         let d2 = metric.distance(&[0.0; 2].into(), &b.into()).expect("known").powi(2);
         let problem = Problem::new(metric, Ends::points([0.0, 0.0], b).expect("finite"));
         let at = |n| {
-            let tra = widths(&problem.solve(Trapezoidal, n).expect("solved"), d2);
-            [tra, widths(&problem.solve(LeftEndpoint, n).expect("solved"), d2)]
+            let tra = widths(&problem.solve(Rule::TRAPEZOIDAL, n).expect("solved"), d2);
+            [tra, widths(&problem.solve(Rule::LEFT_ENDPOINT, n).expect("solved"), d2)]
         };
         // Both rules are of second order. By the discrete minimum alone the left one is of
         // first order.
@@ -61,14 +61,14 @@ fn the_line_between_near_points_is_proven_to_be_the_shortest() {
 #[test]
 fn far_points_and_sets_need_an_assumption() {
     let ends = Ends::points([0.0, 0.0], [4.0 * std::f64::consts::PI, 0.0]).expect("finite");
-    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 256).expect("solved");
+    let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 256).expect("solved");
     let enclosure = line.enclosure().expect("finite");
     let d2 = (8.0 * std::f64::consts::PI).powi(2);
     assert!(enclosure.lower <= d2 && d2 <= enclosure.upper * (1.0 + 1e-13), "{enclosure:?}");
     assert!(enclosure.assumes_global_minimum);
     let ball = |x| Ball::new([x, 0.0], 0.01).expect("finite");
     let ends = Ends::new(ball(0.0), ball(0.1)).expect("bounded");
-    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     assert!(line.enclosure().expect("finite").assumes_global_minimum);
 }
 
@@ -80,14 +80,14 @@ fn suggested_grids_reach_the_tolerance() {
     let d2 = metric.distance(&a.into(), &b.into()).expect("known").powi(2);
     let problem = Problem::new(metric, Ends::points(a, b).expect("finite"));
     let tolerance = 1e-6;
-    let coarse = problem.solve(Trapezoidal, 512).expect("solved");
+    let coarse = problem.solve(Rule::TRAPEZOIDAL, 512).expect("solved");
     let suggested = coarse.suggest_n(tolerance).expect("finite");
     let estimate = coarse.distance_squared_estimate();
     let expected = suggested.expected.unwrap_or_else(|| panic!("{estimate:?} of {d2}")).get();
     let (proven, _) = suggested.proven.expect("of second order");
     assert!(expected < proven.get() && proven.get() < 100_000, "{suggested:?}");
     for n in [expected, proven.get()] {
-        let line = problem.solve(Trapezoidal, n).expect("solved");
+        let line = problem.solve(Rule::TRAPEZOIDAL, n).expect("solved");
         let excess = line.length().value.powi(2) - d2;
         // The expectation is correct up to the next order, which is a few percent here.
         assert!(excess <= 1.1 * tolerance, "N = {n}: {excess}");
@@ -106,16 +106,16 @@ fn suggested_grids_reach_the_tolerance() {
 /// Returns a line under `f = 1 + a sin kx` on `[0, 1]`, with waves that no quadrature resolves,
 /// so that the quadrature error matters. Its levels are those of two grids that were
 /// extrapolated to `excess` below the squared length, with this `error`.
-fn extrapolated(excess: f64, error: f64) -> TautLine<Separable<1>, Trapezoidal, 1> {
+fn extrapolated(excess: f64, error: f64) -> TautLine<Separable<1>, 1> {
     let metric = Separable::new([1e-3], [1e5]).expect("valid");
     let ends = Ends::points([0.0], [1.0]).expect("finite");
-    let line = Problem::new(metric, ends.clone()).solve(Trapezoidal, 1).expect("one chord");
+    let line = Problem::new(metric, ends.clone()).solve(Rule::TRAPEZOIDAL, 1).expect("one chord");
     let mut minimum = line.minimum().clone();
     // From N = 1 to N = 2, extrapolation adds a third of the change.
     let fine = line.length().value.powi(2) - excess + error;
     minimum.levels =
         [(1, fine + 3.0 * error), (2, fine)].map(|(n, energy)| Level { n, energy }).to_vec();
-    TautLine::new(Arc::new(Prepared::new(metric)), Trapezoidal, ends, minimum)
+    TautLine::new(Arc::new(Prepared::new(metric)), Rule::TRAPEZOIDAL, ends, minimum)
 }
 
 /// An excess counts only if it is larger than the sum of both errors.
@@ -159,7 +159,7 @@ fn an_expected_grid_is_enough_and_one_less_is_not() {
 fn the_proven_grid_is_that_for_a_proved_length() {
     let metric = Separable::new([0.5], [1e5]).expect("valid");
     let ends = Ends::points([0.0], [1.0]).expect("finite");
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 1).expect("one chord");
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 1).expect("one chord");
     let (length, proved) = (line.length(), line.admissible_curve().expect("a curve").length().hi());
     let proven = |d: f64, tolerance: f64| {
         let setting = Setting::new(line.metric().constants(), d, 1).expect("a distance");
@@ -180,7 +180,7 @@ fn a_line_without_an_excess_suggests_nothing() {
     let metric = Constant::<2>::new([[2.0, 1.0], [1.0, 2.0]].into());
     let ends = Ends::points([0.0, 0.0], [3.0, 4.0]).expect("finite");
     let problem = Problem::new(metric.expect("positive definite"), ends);
-    let line = problem.solve(Trapezoidal, 512).expect("solved");
+    let line = problem.solve(Rule::TRAPEZOIDAL, 512).expect("solved");
     let suggested = line.suggest_n(1e-20).expect("finite");
     assert_eq!(suggested.expected, None);
     assert_eq!(suggested.proven.map(|(n, _)| n.get()), Some(1));
@@ -203,7 +203,7 @@ fn without_a_proved_length_no_grid_is_proved() {
         }
     }
     let ends = Ends::points([0.0], [1.0]).expect("finite");
-    let line = Problem::new(Branch, ends).solve(Trapezoidal, 8).expect("solved");
+    let line = Problem::new(Branch, ends).solve(Rule::TRAPEZOIDAL, 8).expect("solved");
     assert!(line.admissible_curve().is_err());
     assert_eq!(line.suggest_n(1e-3).expect("constants").proven, None);
 }
@@ -226,7 +226,7 @@ impl Bounded<2> for OnARegion {
 #[test]
 fn constants_on_a_region_are_refused() {
     let ends = Ends::points([0.0, 0.0], [0.1, 0.0]).expect("finite");
-    let line = Problem::new(OnARegion, ends).solve(Trapezoidal, 16).expect("solved");
+    let line = Problem::new(OnARegion, ends).solve(Rule::TRAPEZOIDAL, 16).expect("solved");
     assert_eq!(line.enclosure(), Err(BoundError::LocalConstants));
     assert_eq!(line.suggest_n(1.0), Err(BoundError::LocalConstants));
     // Nor does a claim make them hold elsewhere.
@@ -235,10 +235,23 @@ fn constants_on_a_region_are_refused() {
     assert!(line.enclosure_given(claim, None).is_ok());
 }
 
+/// Without a theorem there is no bound, neither by constants of the metric nor by proved ones.
 #[test]
-fn both_rules_have_their_name_in_the_paper() {
-    assert_eq!(Trapezoidal::OF_THE_PAPER, PaperRule::Trapezoidal);
-    assert_eq!(LeftEndpoint::OF_THE_PAPER, PaperRule::LeftEndpoint);
+fn other_rules_have_no_bounds() {
+    for rule in Rule::ALL.iter().copied().filter(|rule| rule.paper_rule().is_err()) {
+        let ends = Ends::points([0.3, 0.1], [0.45, 0.2]).expect("finite");
+        let line = Problem::new(Valleys, ends).solve(rule, 8).expect("solved");
+        let other = BoundError::OtherRule { rule: rule.name() };
+        assert_eq!(line.enclosure(), Err(other));
+        assert_eq!(line.suggest_n(1e-3), Err(other));
+        assert_eq!(line.enclosure_given(Bounded::<2>::constants(&Valleys), None), Err(other));
+        let proof = line.prove(Accuracy::default());
+        assert_eq!(proof.expect_err("no theorem"), ProofError::Bound(other));
+    }
+}
+
+#[test]
+fn the_valleys_are_isotropic() {
     assert!(Bounded::<2>::constants(&Valleys).is_isotropic());
 }
 
@@ -247,7 +260,7 @@ fn both_rules_have_their_name_in_the_paper() {
 #[test]
 fn claimed_constants_count_as_much_as_proved_ones() {
     let ends = Ends::points([0.0, 0.0], [1.0, 1.0]).expect("finite");
-    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 256).expect("solved");
+    let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 256).expect("solved");
     let proof = line.prove(tautline_certify::Accuracy::default()).expect("proved");
     let claim = Constants::new(proof.constants.c1(), proof.constants.c2(), proof.constants.l_h());
     let claim = claim.and_then(|claim| claim.with_m_h(proof.constants.m_h().expect("proved")));
@@ -265,7 +278,7 @@ fn claimed_constants_count_as_much_as_proved_ones() {
 fn claimed_constants_of_an_anisotropic_metric_stay_anisotropic() {
     let shear = Shear::new(0.5, 1.0).expect("valid");
     let ends = Ends::points([0.0, 0.0], [1.0, 2.0]).expect("finite");
-    let line = Problem::new(shear, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(shear, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     assert!(!shear.constants().is_isotropic());
     let [claimed, isotropic] = [shear.constants(), shear.constants().isotropic()]
         .map(|constants| line.enclosure_given(constants, None).expect("bounds"));
@@ -287,10 +300,11 @@ fn convexity_needs_the_longest_chord_and_every_residual() {
         let options =
             Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
         let ends = Ends::points([0.0], [2.25]).expect("finite");
-        let line = Problem::new(metric, ends).solve_with(Trapezoidal, 4, &options).expect("a line");
+        let line =
+            Problem::new(metric, ends).solve_with(Rule::TRAPEZOIDAL, 4, &options).expect("a line");
         let curve = line.admissible_curve().expect("a curve");
         let extent = line.proved_extent(&curve);
-        let between = line.between_points(extent).expect("two points");
+        let between = line.between_points(PaperRule::Trapezoidal, extent).expect("two points");
         let greatest = between.greatest_difference;
         assert!((6.0..6.0 * (1.0 + 1e-15)).contains(&greatest), "{greatest}");
         assert_eq!(between.length, extent.length);
@@ -325,7 +339,7 @@ impl Draws {
 fn the_errors_of_the_quadratures_are_in_the_numbers_of_a_curve() {
     let metric = Separable::new([1e-3], [1e5]).expect("valid");
     let ends = Ends::points([0.0], [1.0]).expect("finite");
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 1).expect("one chord");
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 1).expect("one chord");
     let (length, energy, extent) = (line.length(), line.energy(), line.extent());
     assert!(length.error > 1e-7 && energy.error > 1e-7, "{length:?} {energy:?}");
     assert!(extent.length >= length.value + length.error);
@@ -354,7 +368,8 @@ fn the_numbers_of_a_polygon_are_on_their_side_of_the_roots() {
         let ends = Ends::points(*sequence.first(), *sequence.last()).expect("finite");
         let options =
             Options { starts: Starts::Only(vec![sequence]), iterations: 0, ..Options::default() };
-        let line = Problem::new(metric, ends).solve_with(Trapezoidal, 4, &options).expect("a line");
+        let line =
+            Problem::new(metric, ends).solve_with(Rule::TRAPEZOIDAL, 4, &options).expect("a line");
         let square = |x: [i64; 2]| (x[0] * x[0] + x[1] * x[1]) as u64;
         let minus = |a: [i64; 2], b: [i64; 2]| [a[0] - b[0], a[1] - b[1]];
         // β = 4 Δ: in quarters of Δ, whole numbers.
@@ -367,13 +382,15 @@ fn the_numbers_of_a_polygon_are_on_their_side_of_the_roots() {
         let curve = line.admissible_curve().expect("a curve");
         let close = |x: f64, k: u64| (x * x / k as f64 - 1.0).abs() < 1e-13;
         for extent in [line.extent(), line.proved_extent(&curve)] {
-            let between = line.between_points(extent).expect("two points");
+            let between = line.between_points(PaperRule::Trapezoidal, extent).expect("two points");
             assert!(close(between.greatest_difference, greatest), "{quarters:?} {between:?}");
             assert!(residual == 0 || close(between.residual, residual), "{quarters:?} {between:?}");
             assert!(close(4.0 * extent.gap_at_least, apart), "{quarters:?} {extent:?}");
             assert!(against_root(extent.gap_at_least, apart, 2).is_le(), "{quarters:?} {extent:?}");
         }
-        let between = line.between_points(line.proved_extent(&curve)).expect("two points");
+        let between = line
+            .between_points(PaperRule::Trapezoidal, line.proved_extent(&curve))
+            .expect("two points");
         assert!(against_root(between.greatest_difference, greatest, 0).is_ge(), "{quarters:?}");
         assert!(residual == 0 || against_root(between.residual, residual, 0).is_ge());
         let nearest = (greatest as f64).sqrt();
@@ -429,7 +446,7 @@ fn the_points_before_they_were_moved_count_as_well_as_those_after() {
     let metric = Constant::<1>::new([[1.0]].into()).expect("positive definite");
     for (by, least, most) in [(-0.25, 1.0, 1.625), (0.25, 0.625, 1.0)] {
         let ends = Ends::new(Beside(by), Point::new([1.0]).expect("finite")).expect("bounded");
-        let line = Problem::new(metric, ends).solve(Trapezoidal, 2).expect("solved");
+        let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 2).expect("solved");
         let curve = line.admissible_curve().expect("a curve");
         let extent = line.proved_extent(&curve);
         // The middle is known up to rounding.
@@ -448,7 +465,7 @@ fn the_points_before_they_were_moved_count_as_well_as_those_after() {
 #[test]
 fn each_number_of_a_curve_bounds_its_own_side() {
     let ends = Ends::points([0.0, 0.0], [0.1, 0.1]).expect("finite");
-    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let constants = Bounded::<2>::constants(&Valleys);
     let of = |extent: Extent| line.enclosure_by(constants, extent).expect("bounds");
     let extent = line.extent();
@@ -483,10 +500,10 @@ fn each_number_of_a_curve_bounds_its_own_side() {
 #[test]
 fn a_bound_by_convexity_is_rounded_down() {
     let ends = Ends::points([0.0, 0.0], [0.1, 0.1]).expect("finite");
-    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let constants = Bounded::<2>::constants(&Valleys);
     let extent = line.extent();
-    let between = line.between_points(extent).expect("two points");
+    let between = line.between_points(PaperRule::Trapezoidal, extent).expect("two points");
     let excess = convex_excess_outward(constants, 2, &between).expect("convex");
     let mut inexact = 0;
     for k in 0..40 {

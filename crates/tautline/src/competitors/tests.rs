@@ -10,16 +10,11 @@ use tautline_metrics::{KnownDistance, LocalError, LocallyBounded};
 use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
 
 use super::{BoundedEnds, Competitors, Extent, upper};
-use crate::{LeftEndpoint, Options, Problem, SVector, Starts, TautLine, Trapezoidal};
+use crate::{Options, Problem, Rule, SVector, Starts, TautLine};
 
-fn line<M: LocallyBounded<2>>(
-    metric: M,
-    a: [f64; 2],
-    b: [f64; 2],
-    n: usize,
-) -> TautLine<M, Trapezoidal, 2> {
+fn line<M: LocallyBounded<2>>(metric: M, a: [f64; 2], b: [f64; 2], n: usize) -> TautLine<M, 2> {
     let ends = Ends::points(a, b).expect("finite");
-    Problem::new(metric, ends).solve(Trapezoidal, n).expect("solved")
+    Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, n).expect("solved")
 }
 
 /// The radius exceeds `L/2√c₁`, where `c₁` is that of the ball, by a few percent: by the margin
@@ -41,7 +36,7 @@ fn the_ball_is_as_large_as_a_competitor_may_reach() {
 /// on the length falls by these factors, and longer lines have a ball.
 #[test]
 fn the_second_stage_narrows_the_bounds() {
-    fn by_one_ball(line: &TautLine<Sphere, Trapezoidal, 2>) -> Option<f64> {
+    fn by_one_ball(line: &TautLine<Sphere, 2>) -> Option<f64> {
         let (n, upper) = (line.sequence().n(), super::upper(line.extent()));
         let ends = [line.sequence().first(), line.sequence().last()];
         let balls = ends.map(|end| {
@@ -51,7 +46,7 @@ fn the_second_stage_narrows_the_bounds() {
         let smallest = balls.into_iter().flatten().min_by(|a, b| a.radius.total_cmp(&b.radius));
         smallest.map(|ball| bound(line, ball.constants))
     }
-    fn bound(line: &TautLine<Sphere, Trapezoidal, 2>, constants: Constants) -> f64 {
+    fn bound(line: &TautLine<Sphere, 2>, constants: Constants) -> f64 {
         let setting = Setting::new(constants, line.length().value, 2).expect("valid");
         theorem_d_length_excess(setting, line.sequence().n()).expect("M_H")
     }
@@ -125,7 +120,7 @@ fn the_ball_is_about_a_bounded_end() {
     let disc = |x: f64, r: f64| Ball::new([x, 0.2], r).expect("finite");
     let wall = HalfSpace::at_least([1.0, 0.0], 0.5).expect("a normal");
     let ends = Ends::new(wall, disc(0.3, 0.05)).expect("bounded");
-    let line = Problem::new(Sphere, ends).solve(LeftEndpoint, 16).expect("solved");
+    let line = Problem::new(Sphere, ends).solve(Rule::LEFT_ENDPOINT, 16).expect("solved");
     let ball = line.competitors().expect("near").within;
     assert_eq!(*ball.centre(), SVector::from([0.3, 0.2]));
     assert!(ball.r() > 0.2);
@@ -138,7 +133,7 @@ fn the_ball_is_about_a_bounded_end() {
         let (near, far) = (disc(0.3, r), disc(0.3 + r + gap + s, s));
         for ends in [Ends::new(near, far), Ends::new(far, near)] {
             let problem = Problem::new(Sphere, ends.expect("bounded"));
-            let line = problem.solve(Trapezoidal, 16).expect("solved");
+            let line = problem.solve(Rule::TRAPEZOIDAL, 16).expect("solved");
             let competitors = line.competitors().expect("near");
             let ball = competitors.within;
             assert!((ball.centre()[0] - at).abs() < 1e-15, "{ball:?}");
@@ -152,7 +147,7 @@ fn the_ball_is_about_a_bounded_end() {
 fn the_ball_contains_the_bounded_end() {
     let disc = |x: f64| Ball::new([x, 0.2], 0.02).expect("finite");
     let ends = Ends::new(disc(0.3), disc(0.36)).expect("bounded");
-    let line = Problem::new(Sphere, ends).solve(Trapezoidal, 16).expect("solved");
+    let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 16).expect("solved");
     let Competitors { constants, within, .. } = line.competitors().expect("near");
     assert_eq!(Ok(constants), Sphere.constants_within(within.centre(), within.r()));
     let reach = 0.5 * (line.length().value / constants.c1().sqrt() + 0.04);
@@ -165,7 +160,7 @@ fn the_ball_contains_the_bounded_end() {
 #[test]
 fn the_energy_allowed_to_a_sequence_counts() {
     let ends = || Ends::points([0.3, 0.0], [0.32, 0.0]).expect("finite");
-    let left = Problem::new(Hyperbolic, ends()).solve(LeftEndpoint, 1).expect("solved");
+    let left = Problem::new(Hyperbolic, ends()).solve(Rule::LEFT_ENDPOINT, 1).expect("solved");
     let Competitors { constants, within, .. } = left.competitors().expect("near");
     let length = left.length().value;
     let delta = constants.l_h() * length / constants.c1().powf(1.5);
@@ -177,7 +172,7 @@ fn the_energy_allowed_to_a_sequence_counts() {
     let options =
         Options { starts: Starts::Only(vec![uneven]), iterations: 0, ..Options::default() };
     let problem = Problem::new(Hyperbolic, ends());
-    let uneven = problem.solve_with(Trapezoidal, 2, &options).expect("finite");
+    let uneven = problem.solve_with(Rule::TRAPEZOIDAL, 2, &options).expect("finite");
     let energy = uneven.discrete_energy();
     assert!(energy > 1.5 * uneven.length().value.powi(2), "{energy}");
     let Competitors { constants, within, .. } = uneven.competitors().expect("near");
@@ -210,7 +205,7 @@ fn a_ball_that_is_a_little_off_is_refused() {
     let wall = HalfSpace::at_least([1.0, 0.0], 0.45).expect("a normal");
     for ends in [Ends::new(ball, wall), Ends::new(wall, ball)] {
         let ends = ends.expect("one bounded");
-        let line = Problem::new(Sphere, ends).solve(Trapezoidal, 32).expect("solved");
+        let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 32).expect("solved");
         let own = line.competitors().expect("near");
         assert!(line.enclosure_among(&own).is_ok());
         let with = |away: f64, larger: f64| {
@@ -317,7 +312,7 @@ fn radii_are_rounded_up_from_the_exact_ones() {
 #[test]
 fn the_root_of_the_discrete_energy_is_rounded_up() {
     let ends = Ends::points([0.3, 0.1], [0.5, 0.2]).expect("finite");
-    let line = Problem::new(Sphere, ends).solve(Trapezoidal, 16).expect("solved");
+    let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 16).expect("solved");
     let extent = line.extent();
     let of =
         |length: f64, discrete_energy: f64| upper(Extent { length, discrete_energy, ..extent });

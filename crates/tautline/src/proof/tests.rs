@@ -10,9 +10,7 @@ use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
 use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
 
 use super::ProofError;
-use crate::{
-    Interval, LeftEndpoint, Problem, RuleOfThePaper, SMatrix, SVector, Scalar, Trapezoidal,
-};
+use crate::{Interval, Problem, Rule, SMatrix, SVector, Scalar};
 
 /// Every known distance lies between the bounds.
 #[test]
@@ -20,7 +18,7 @@ fn distances_are_enclosed_by_the_formula_alone() {
     fn check<M: KnownDistance<2>>(metric: M, a: [f64; 2], b: [f64; 2], width: f64) {
         let d = metric.distance(&a.into(), &b.into()).expect("known");
         let ends = Ends::points(a, b).expect("finite");
-        let line = Problem::new(metric, ends).solve(Trapezoidal, 256).expect("solved");
+        let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 256).expect("solved");
         let proof = line.prove(Accuracy::default()).expect("proved");
         let (lower, upper) = (proof.enclosure.lower, proof.enclosure.upper);
         assert!(lower <= d * d && d * d <= upper, "{lower} {} {upper}", d * d);
@@ -42,7 +40,7 @@ fn the_upper_bound_is_that_of_the_curve() {
     let ball = Ball::new([0.0, 0.0], 0.5).expect("a radius");
     let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
     let ends = Ends::new(ball, wall).expect("bounded");
-    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let proof = line.prove(Accuracy::default()).expect("proved");
     let length = line.length().value;
     assert!((proof.enclosure.upper / (length * length) - 1.0).abs() < 1e-12);
@@ -59,7 +57,7 @@ fn a_line_from_a_point_where_the_derivative_vanishes_is_proved() {
     let pole = Ball::new([0.0, 0.0], 0.0).expect("a radius");
     let wall = HalfSpace::at_least([1.0, 0.0], 0.1).expect("a normal");
     let ends = Ends::new(pole, wall).expect("bounded");
-    let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let proof = line.prove(Accuracy::default()).expect("proved");
     let (lower, upper) = (proof.enclosure.lower, proof.enclosure.upper);
     // H = 4 / (1 + |x|²)², so d = 2 arctan 0.1, attained by the straight line along x₁.
@@ -81,7 +79,7 @@ fn the_ball_reaches_as_far_as_the_curve_is_long() {
         }
     }
     let ends = Ends::points([0.0], [1.0]).expect("finite");
-    let line = Problem::new(Ridges, ends).solve(Trapezoidal, 2).expect("solved");
+    let line = Problem::new(Ridges, ends).solve(Rule::TRAPEZOIDAL, 2).expect("solved");
     let proof = line.prove(Accuracy::default()).expect("proved");
     let ball = proof.within.expect("no constants on all of space");
     let length = proof.curve.length().hi();
@@ -116,7 +114,7 @@ fn the_longest_possible_curve_counts() {
     let points = [[0.3, 0.1], [0.45, 0.1]].map(|x| About(x.into()));
     let [first, second] = points;
     let ends = Ends::new(first, second).expect("bounded");
-    let line = Problem::new(Sphere, ends).solve(Trapezoidal, 16).expect("solved");
+    let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 16).expect("solved");
     let proof = line.prove(Accuracy::default()).expect("proved");
     let length = proof.curve.length();
     assert!(length.hi() > 1.5 * length.lo() && length.contains(line.length().value));
@@ -134,14 +132,14 @@ fn the_longest_possible_curve_counts() {
 #[test]
 fn an_impossible_proof_is_an_error() {
     let ends = Ends::points([0.1, 0.0], [0.2, 0.1]).expect("finite");
-    let near = Problem::new(Sphere, ends).solve(Trapezoidal, 8).expect("solved");
+    let near = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 8).expect("solved");
     let error = near.prove(Accuracy { budget: 0, ..Accuracy::default() }).expect_err("no boxes");
     assert!(error.to_string().contains("after 0 boxes"), "{error}");
     let error = near.prove(Accuracy { tolerance: 0.0, ..Accuracy::default() }).expect_err("exact");
     assert!(error.to_string().contains("tolerance of 0"), "{error}");
     // Across the sphere, competitors may pass through infinity.
     let ends = Ends::points([1.0, 0.0], [-1.5, 0.3]).expect("finite");
-    let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let accuracy = Accuracy { budget: 2_000, ..Accuracy::default() };
     let error = line.prove(accuracy).expect_err("no ball");
     let expected = matches!(
@@ -163,7 +161,7 @@ fn an_impossible_proof_is_an_error() {
         }
     }
     let ends = Ends::points([0.0], [1.0]).expect("finite");
-    let line = Problem::new(Left, ends).solve(Trapezoidal, 2).expect("solved");
+    let line = Problem::new(Left, ends).solve(Rule::TRAPEZOIDAL, 2).expect("solved");
     let error = line.prove(accuracy).expect_err("undefined");
     assert!(matches!(error, ProofError::Curve(CurveError::Undefined { .. })), "{error}");
 }
@@ -178,7 +176,7 @@ fn a_formula_with_branches_has_no_proof() {
         }
     }
     let ends = Ends::points([0.1], [1.0]).expect("finite");
-    let line = Problem::new(Branch, ends).solve(Trapezoidal, 8).expect("solved");
+    let line = Problem::new(Branch, ends).solve(Rule::TRAPEZOIDAL, 8).expect("solved");
     let refused = ProofError::Curve(CurveError::NotRecorded(RecordError::Compares));
     assert_eq!(line.prove(Accuracy::default()).map(|_| ()), Err(refused));
 }
@@ -187,7 +185,7 @@ fn a_formula_with_branches_has_no_proof() {
 /// bounds are the same.
 #[test]
 fn m_h_is_proved_only_where_it_is_used() {
-    fn check<M: Metric<2>, R: RuleOfThePaper>(metric: M, ends: Ends<2>, rule: R, needs_m_h: bool) {
+    fn check<M: Metric<2>>(metric: M, ends: Ends<2>, rule: Rule, needs_m_h: bool) {
         let line = Problem::new(metric, ends).solve(rule, 64).expect("solved");
         let seen = Mutex::new(Vec::new());
         let watch = |progress: Progress| {
@@ -213,18 +211,18 @@ fn m_h_is_proved_only_where_it_is_used() {
     let sets = || Ends::new(ball(0.3), ball(0.45)).expect("bounded");
     let points = || Ends::points([0.3, 0.1], [0.4, 0.1]).expect("finite");
     let shear = || Shear::new(0.3, 1.0).expect("a wave number");
-    check(Sphere, sets(), LeftEndpoint, false);
-    check(Sphere, sets(), Trapezoidal, true);
-    check(Sphere, points(), LeftEndpoint, true);
-    check(shear(), sets(), LeftEndpoint, false);
-    check(Valleys, sets(), LeftEndpoint, false);
+    check(Sphere, sets(), Rule::LEFT_ENDPOINT, false);
+    check(Sphere, sets(), Rule::TRAPEZOIDAL, true);
+    check(Sphere, points(), Rule::LEFT_ENDPOINT, true);
+    check(shear(), sets(), Rule::LEFT_ENDPOINT, false);
+    check(Valleys, sets(), Rule::LEFT_ENDPOINT, false);
 }
 
 /// A search that is ended counts with what it has found.
 #[test]
 fn a_proof_that_is_ended_has_wider_bounds() {
     let ends = Ends::points([0.0, 0.0], [1.0, 1.0]).expect("finite");
-    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let accuracy = Accuracy { tolerance: 1e-9, budget: 100_000 };
     let stop = &mut |_| ControlFlow::Break(());
     let ended = line.prove_watched(accuracy, &|_: Progress| false, stop).expect("proved");
@@ -249,10 +247,10 @@ fn a_small_budget_gives_wider_bounds() {
     };
     let few = Accuracy { tolerance: 1e-9, budget: 300 };
     let ends = Ends::points([0.3, 0.1], [0.45, 0.2]).expect("finite");
-    let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     check(line.prove(few), line.prove(Accuracy::default()));
     let ends = Ends::points([0.0, 0.0], [1.0, 1.0]).expect("finite");
-    let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let few = Accuracy { tolerance: 1e-9, budget: 30 };
     check(line.prove(few), line.prove(Accuracy::default()));
 }

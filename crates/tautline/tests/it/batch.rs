@@ -4,33 +4,33 @@ use std::{collections::HashSet, sync::Mutex, thread};
 
 use rayon::ThreadPoolBuilder;
 use tautline::{
-    Ball, Ends, HalfSpace, LeftEndpoint, Metric, Options, Problem, Rule, SMatrix, SVector, Scalar,
-    SolveError, TautLine, Trapezoidal,
+    Ball, Ends, HalfSpace, Metric, Options, Problem, Rule, SMatrix, SVector, Scalar, SolveError,
+    TautLine,
     gallery::{Bump, Hyperbolic},
     solve_all,
 };
 
-type Lines<M, R> = Vec<Result<TautLine<M, R, 2>, SolveError>>;
+type Lines<M> = Vec<Result<TautLine<M, 2>, SolveError>>;
 
-fn on_threads<M: Metric<2> + Send, R: Rule>(
+fn on_threads<M: Metric<2> + Send>(
     threads: usize,
     problems: &[Problem<M, 2>],
-    rule: R,
+    rule: Rule,
     n: usize,
-) -> Lines<M, R> {
+) -> Lines<M> {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     pool.install(|| solve_all(problems, rule, n, &Options::default()))
 }
 
 /// Everything that a search returns, printed: numbers print alike only if they have the same bits,
 /// while equal ones may differ in the sign of a zero.
-fn printed<M: Metric<2>, R: Rule>(lines: &Lines<M, R>) -> Vec<String> {
+fn printed<M: Metric<2>>(lines: &Lines<M>) -> Vec<String> {
     let minima = lines.iter().map(|line| line.as_ref().map(TautLine::minimum));
     minima.map(|minimum| format!("{minimum:?}")).collect()
 }
 
 #[track_caller]
-fn compare<R: Rule>(rule: R, n: usize) {
+fn compare(rule: Rule, n: usize) {
     let bumps = [1.0, 2.0, 4.0].map(|height| Bump::new(height, 0.5).expect("valid"));
     let wall = HalfSpace::at_least([1.0, 0.0], 2.0).expect("a normal");
     let mut problems = Vec::new();
@@ -43,7 +43,7 @@ fn compare<R: Rule>(rule: R, n: usize) {
             problems.extend([points, sets].map(|ends| Problem::new(bump, ends)));
         }
     }
-    let one_by_one: Lines<_, _> = problems.iter().map(|problem| problem.solve(rule, n)).collect();
+    let one_by_one: Lines<_> = problems.iter().map(|problem| problem.solve(rule, n)).collect();
     let expected = printed(&one_by_one);
     assert!(
         one_by_one.iter().all(|line| line.as_ref().is_ok_and(|l| l.minimum().is_local_minimum()))
@@ -64,9 +64,9 @@ fn compare<R: Rule>(rule: R, n: usize) {
 /// On a single grid, and on grids that are refined in the memory of the previous problem.
 #[test]
 fn a_batch_has_the_results_of_its_problems_one_by_one() {
-    compare(Trapezoidal, 32);
-    compare(Trapezoidal, 1000);
-    compare(LeftEndpoint, 300);
+    compare(Rule::TRAPEZOIDAL, 32);
+    compare(Rule::TRAPEZOIDAL, 1000);
+    compare(Rule::LEFT_ENDPOINT, 300);
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn an_error_stays_in_its_place() {
     let pose = |k| Problem::new(&Hyperbolic, Ends::points([-0.5, 0.0], end(k)).expect("finite"));
     let problems: Vec<_> = (0..20).map(pose).collect();
     for threads in [1, 2] {
-        let lines = on_threads(threads, &problems, Trapezoidal, 80);
+        let lines = on_threads(threads, &problems, Rule::TRAPEZOIDAL, 80);
         assert_eq!(lines.len(), problems.len());
         for (k, line) in lines.into_iter().enumerate() {
             match line {
@@ -97,9 +97,9 @@ fn an_error_stays_in_its_place() {
 fn without_chords_every_problem_is_refused_and_no_problems_are_fine() {
     let ends = Ends::points([-0.5, 0.0], [0.5, 0.1]).expect("finite");
     let problems = vec![Problem::new(Hyperbolic, ends); 3];
-    let lines = on_threads(2, &problems, Trapezoidal, 0);
+    let lines = on_threads(2, &problems, Rule::TRAPEZOIDAL, 0);
     assert!(lines.len() == 3 && lines.iter().all(|l| matches!(l, Err(SolveError::NoSubinterval))));
-    assert!(on_threads(2, &problems[..0], Trapezoidal, 10).is_empty());
+    assert!(on_threads(2, &problems[..0], Rule::TRAPEZOIDAL, 10).is_empty());
 }
 
 /// The Euclidean metric, with a record of the threads that evaluate it: it compares numbers, so
@@ -129,11 +129,11 @@ fn each_problem_of_a_batch_has_one_thread() {
     };
     let batch = threads_of(|problems| {
         let pool = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-        pool.install(|| solve_all(problems, Trapezoidal, 5000, &Options::default()));
+        pool.install(|| solve_all(problems, Rule::TRAPEZOIDAL, 5000, &Options::default()));
     });
     assert_eq!(batch, 1);
     let alone = threads_of(|problems| {
-        problems[0].solve(Trapezoidal, 5000).expect("a metric");
+        problems[0].solve(Rule::TRAPEZOIDAL, 5000).expect("a metric");
     });
     let processors = thread::available_parallelism().map_or(1, usize::from);
     assert_eq!(alone > 1, processors > 1);

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use tautline::{
     Ball, CertificateError, Ends, Formula, HalfSpace, KnownDistance, Metric, Options, Point,
-    PointSequence, Problem, Sphere, Starts, Trapezoidal,
+    PointSequence, Problem, Rule, Sphere, Starts,
     certify::Accuracy,
     check::{AnyCertificate, CheckError},
     distance::{DistanceError, Ended, Found, Wanted},
@@ -21,7 +21,7 @@ fn bounds<const D: usize>(
     gap: f64,
 ) -> (f64, f64) {
     let ends = Ends::points(a, b).expect("finite");
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 256).expect("solved");
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 256).expect("solved");
     let found = line.certificate(gap).expect("a certificate");
     assert_eq!(found.ended, Ended::Reached);
     let read = AnyCertificate::read(&found.certificate.to_string()).expect("readable");
@@ -71,7 +71,7 @@ fn a_longer_local_minimum_is_never_certified() {
     let points = [[-1.5, 0.05], [0.0, 1.2], [1.5, -0.1]].map(Into::into).to_vec();
     let start = PointSequence::new(points).expect("finite");
     let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
-    let line = problem.solve_with(Trapezoidal, 512, &options).expect("solved");
+    let line = problem.solve_with(Rule::TRAPEZOIDAL, 512, &options).expect("solved");
     assert!((line.length().value - 4.773024).abs() < 1e-4);
     let wanted = Wanted { gap: 1e-3, cubes: 60_000 };
     let found = line.certificate_with(wanted, &mut |_| ControlFlow::Continue(()));
@@ -90,7 +90,7 @@ fn the_curve_of_a_certificate_is_the_shortest_minimum() {
                 cost(1 + hill + ridge)";
     let metric = Formula::<2>::parse(text, &[]).expect("a formula");
     let ends = Ends::points([-1.5, 0.1], [1.5, 0.1]).expect("finite");
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 8).expect("solved");
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 8).expect("solved");
     let shortest = line.other_minima()[0].length().value;
     assert!(shortest < 0.99 * line.length().value, "{shortest} {}", line.length().value);
     // The chords are few enough for so large a gap.
@@ -107,7 +107,7 @@ fn a_ball_and_a_half_space_are_ends() {
     let hill = || Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
     let mut lowers = Vec::new();
     for ends in [Ends::new(ball, wall), Ends::new(wall, ball)] {
-        let line = Problem::new(hill(), ends.expect("bounded")).solve(Trapezoidal, 256);
+        let line = Problem::new(hill(), ends.expect("bounded")).solve(Rule::TRAPEZOIDAL, 256);
         let found = line.expect("solved").certificate(1e-4).expect("a certificate");
         let proved = found.certificate.check().expect("proved");
         assert!(proved.upper.is_some_and(|upper| proved.lower > 0.9999 * upper));
@@ -121,17 +121,17 @@ fn a_ball_and_a_half_space_are_ends() {
 fn a_line_without_a_certificate_is_an_error() {
     let flat = || Formula::<2>::parse("1 I", &[]).expect("a formula");
     let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).expect("finite");
-    let line = Problem::new(flat(), ends).solve(Trapezoidal, 8).expect("solved");
+    let line = Problem::new(flat(), ends).solve(Rule::TRAPEZOIDAL, 8).expect("solved");
     for gap in [0.0, 1.0, f64::NAN] {
         let error = line.certificate(gap).expect_err("no such gap");
         assert!(matches!(error, CertificateError::Gap { .. }), "{error}");
     }
     let touching = Ends::points([1.0, 0.0], [1.0, 0.0]).expect("finite");
-    let line = Problem::new(flat(), touching).solve(Trapezoidal, 8).expect("solved");
+    let line = Problem::new(flat(), touching).solve(Rule::TRAPEZOIDAL, 8).expect("solved");
     assert_eq!(line.certificate(0.1).map(|_| ()), Err(CertificateError::Touching));
     let sphere = Sphere::new([3.0, 0.0], 1.0).expect("a radius");
     let ends = Ends::new(Ball::new([0.0, 0.0], 0.5).expect("a radius"), sphere).expect("bounded");
-    let line = Problem::new(flat(), ends).solve(Trapezoidal, 8).expect("solved");
+    let line = Problem::new(flat(), ends).solve(Rule::TRAPEZOIDAL, 8).expect("solved");
     assert_eq!(line.certificate(0.1).map(|_| ()), Err(CertificateError::NoShape { end: "second" }));
 }
 
@@ -139,7 +139,7 @@ fn a_line_without_a_certificate_is_an_error() {
 fn searched(gap: f64, cubes: usize, stop: bool) -> Found<2> {
     let metric = Formula::<2>::parse("sqr(2 - cos(x1)) I", &[]).expect("a formula");
     let ends = Ends::points([0.0, 0.0], [2.0, 1.0]).expect("finite");
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let flow = if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     line.certificate_with(Wanted { gap, cubes }, &mut |_| flow).expect("a certificate")
 }
@@ -166,7 +166,7 @@ fn a_search_ends_with_the_reason() {
 fn a_search_far_from_the_origin_returns_what_it_has() {
     let ends = Ends::points([1e6], [1e6 + 1.0]).expect("finite");
     let metric = Formula::<1>::parse("sqr(2 - cos(x1)) I", &[]).expect("a formula");
-    let line = Problem::new(metric, ends).solve(Trapezoidal, 64).expect("solved");
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let found = line.certificate(1e-9).expect("a certificate");
     assert_eq!(found.ended, Ended::TooFar);
     let proved = found.certificate.check().expect("proved");
@@ -180,7 +180,7 @@ fn a_small_gap_is_reached_under_an_anisotropic_metric() {
     let (a, b) = ([-0.5, -0.3], [0.5, 0.4]);
     let d = shear.distance(&a.into(), &b.into()).expect("known");
     let line = Problem::new(shear, Ends::points(a, b).expect("finite"));
-    let found = line.solve(Trapezoidal, 256).expect("solved").certificate(1e-6);
+    let found = line.solve(Rule::TRAPEZOIDAL, 256).expect("solved").certificate(1e-6);
     let found = found.expect("a certificate");
     assert_eq!(found.ended, Ended::Reached);
     let (lower, upper) = (found.proved.lower, found.proved.upper.expect("a curve"));
@@ -198,7 +198,9 @@ fn sets_that_touch_up_to_rounding_are_not_said_to_touch() {
             let [first, second] = balls;
             let ends = Ends::new(first, second).expect("bounded");
             let metric = Formula::<2>::parse(&format!("{:?} I", scale * scale), &[]);
-            Problem::new(metric.expect("a formula"), ends).solve(Trapezoidal, 8).expect("solved")
+            Problem::new(metric.expect("a formula"), ends)
+                .solve(Rule::TRAPEZOIDAL, 8)
+                .expect("solved")
         };
         // The square of the scale is rounded by less than one part in 10¹⁵.
         let d = apart * scale * (1.0 - 1e-15);
@@ -234,7 +236,7 @@ fn a_matrix_with_two_halves_has_no_certificate() {
     for to in [1.0, 1.0_f64.next_up(), 1.5] {
         let metric = Formula::<2>::parse("[2, 0; x2, 2]", &[]).expect("a formula");
         let ends = Ends::points([1.0, 0.0], [to, 0.0]).expect("finite");
-        let line = Problem::new(metric, ends).solve(Trapezoidal, 8).expect("solved");
+        let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 8).expect("solved");
         let halves = RecordError::Halves { row: 0, column: 1 };
         let refused = line.certificate(0.1).map(|_| ());
         assert_eq!(refused, Err(CertificateError::NotRecorded(halves)), "{to}");
@@ -248,7 +250,7 @@ fn points_an_ulp_apart_do_not_touch() {
     let metric = Formula::<1>::parse("1e30 I", &[]).expect("a formula");
     let line = |b: f64| {
         let ends = Ends::points([1.0], [b]).expect("finite");
-        Problem::new(metric.clone(), ends).solve(Trapezoidal, 4).expect("solved")
+        Problem::new(metric.clone(), ends).solve(Rule::TRAPEZOIDAL, 4).expect("solved")
     };
     let d = 1e15 * f64::EPSILON;
     let near = line(next);
@@ -271,7 +273,7 @@ fn a_common_point_without_a_metric_is_no_proof() {
     let line = |text: &str| {
         let ball = Ball::new([-1.0], 0.5).expect("a ball");
         let ends = Ends::new(Point::new([-0.9]).expect("finite"), ball).expect("bounded");
-        Problem::new(formula(text), ends).solve(Trapezoidal, 4).expect("solved")
+        Problem::new(formula(text), ends).solve(Rule::TRAPEZOIDAL, 4).expect("solved")
     };
     assert_eq!(line("0.5 I").common_point(), Some([-0.9].into()));
     let no_metric = line("(((x1 + 1e16) - 1e16) + 0.5) I");

@@ -3,18 +3,18 @@
 use std::f64::consts::PI;
 
 use tautline::{
-    Ball, Bounded, Ends, HalfSpace, KnownDistance, LeftEndpoint, Options, PointSequence, Problem,
-    Rule, RuleOfThePaper, Starts, TautLine, Trapezoidal,
+    Ball, Bounded, Ends, HalfSpace, KnownDistance, Options, PointSequence, Problem, Rule, Starts,
+    TautLine,
     bounds::{Enclosure, FromAbove, FromBelow},
     gallery::{Constant, Separable, Shear, Valleys},
 };
 
 /// `f = 1 + a sin kx` on `[0, 1]`, with far more waves than a quadrature resolves.
-fn unresolved(a: f64) -> (TautLine<Separable<1>, Trapezoidal, 1>, f64) {
+fn unresolved(a: f64) -> (TautLine<Separable<1>, 1>, f64) {
     let metric = Separable::new([a], [1e5]).expect("valid");
     let d = metric.distance(&[0.0].into(), &[1.0].into()).expect("known");
     let ends = Ends::points([0.0], [1.0]).expect("finite");
-    (Problem::new(metric, ends).solve(Trapezoidal, 1).expect("nothing to solve"), d * d)
+    (Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 1).expect("nothing to solve"), d * d)
 }
 
 /// `upper` is `min(E + its error, (L + its error)²)`: without either error it would be smaller by
@@ -41,12 +41,12 @@ fn the_errors_of_both_quadratures_are_in_the_upper_bound() {
 }
 
 /// A line through the given points, without a search.
-fn given<M: Bounded<D>, R: RuleOfThePaper, const D: usize>(
+fn given<M: Bounded<D>, const D: usize>(
     metric: M,
-    rule: R,
+    rule: Rule,
     ends: Ends<D>,
     points: Vec<[f64; D]>,
-) -> TautLine<M, R, D> {
+) -> TautLine<M, D> {
     let n = points.len() - 1;
     let start = PointSequence::new(points.into_iter().map(Into::into).collect()).expect("finite");
     let options =
@@ -55,12 +55,12 @@ fn given<M: Bounded<D>, R: RuleOfThePaper, const D: usize>(
 }
 
 /// A straight line between `a` and `b` plus half a sine wave, without a search.
-fn waved<M: Bounded<D>, R: RuleOfThePaper, const D: usize>(
+fn waved<M: Bounded<D>, const D: usize>(
     metric: M,
-    rule: R,
+    rule: Rule,
     n: usize,
     [a, b, by]: [[f64; D]; 3],
-) -> TautLine<M, R, D> {
+) -> TautLine<M, D> {
     let at = |k: usize| {
         let t = k as f64 / n as f64;
         let sine = if k == 0 || k == n { 0.0 } else { (PI * t).sin() };
@@ -73,13 +73,13 @@ fn waved<M: Bounded<D>, R: RuleOfThePaper, const D: usize>(
 /// `R²/(4σ N² sin²(π/2N))` with the residual `R² = (1/N) Σ |½N ∂E/∂xₙ|²`.
 #[test]
 fn the_residual_is_the_excess_of_a_wave_under_a_constant_metric() {
-    fn lower<R: RuleOfThePaper + Rule>(rule: R, n: usize) -> (Enclosure, f64) {
+    fn lower(rule: Rule, n: usize) -> (Enclosure, f64) {
         let metric = Constant::<2>::new([[4.0, 0.0], [0.0, 4.0]].into()).expect("definite");
         let line = waved(metric, rule, n, [[0.0, 0.0], [3.0, 4.0], [0.0, 0.5]]);
         (line.enclosure().expect("finite"), line.discrete_energy())
     }
     for n in [2, 5, 32] {
-        for (enclosure, energy) in [lower(Trapezoidal, n), lower(LeftEndpoint, n)] {
+        for (enclosure, energy) in [lower(Rule::TRAPEZOIDAL, n), lower(Rule::LEFT_ENDPOINT, n)] {
             // d² = 4·25, and the wave adds 4 (π/2)²/2 or a little less.
             assert!(energy > 103.0, "N = {n}: {energy}");
             assert!((enclosure.lower - 100.0).abs() < 1e-11, "N = {n}: {enclosure:?}");
@@ -96,13 +96,13 @@ fn the_residual_of_a_line_that_is_not_optimised_enters_the_lower_bound() {
     let metric = Shear::new(0.5, 1.0).expect("valid");
     let (a, b) = ([0.0, 0.0], [0.2, 0.1]);
     let d2 = metric.distance(&a.into(), &b.into()).expect("known").powi(2);
-    let line = waved(metric, Trapezoidal, 64, [a, b, [0.0, 0.02]]);
+    let line = waved(metric, Rule::TRAPEZOIDAL, 64, [a, b, [0.0, 0.02]]);
     let enclosure = line.enclosure().expect("finite");
     assert!(!enclosure.assumes_global_minimum, "{enclosure:?}");
     assert!(enclosure.lower <= d2 && d2 <= enclosure.upper, "{enclosure:?} of {d2}");
     // If an optimised line had this energy, its lower bound would exceed d².
     let converged = Problem::new(metric, Ends::points(a, b).expect("finite"));
-    let converged = converged.solve(Trapezoidal, 64).expect("solved");
+    let converged = converged.solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let left = converged.enclosure().expect("finite");
     let lost = converged.discrete_energy() - left.lower;
     assert!(line.discrete_energy() - lost > d2, "{enclosure:?}, {left:?}");
@@ -130,7 +130,7 @@ fn a_line_and_its_reverse_have_the_same_enclosure() {
     for points in lines {
         let enclosure = |points: Vec<[f64; 2]>| {
             let ends = Ends::points(points[0], points[points.len() - 1]).expect("finite");
-            given(shear, Trapezoidal, ends, points).enclosure().expect("finite")
+            given(shear, Rule::TRAPEZOIDAL, ends, points).enclosure().expect("finite")
         };
         let there = enclosure(points.clone());
         let back = enclosure(points.into_iter().rev().collect());
@@ -152,14 +152,14 @@ fn the_gap_between_the_ends_of_a_line_is_not_the_gap_of_its_sets() {
     let ball = Ball::new([0.0, 0.0], 1.0).expect("a radius");
     let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
     let ends = Ends::new(ball, wall).expect("one bounded");
-    let line = given(flat, Trapezoidal, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
+    let line = given(flat, Rule::TRAPEZOIDAL, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
     let enclosure = line.enclosure().expect("finite");
     assert!(enclosure.upper > 24.0, "{enclosure:?}");
     assert_ne!(enclosure.from_below, FromBelow::Euclidean);
     assert!(enclosure.lower <= 4.0 || enclosure.assumes_global_minimum, "{enclosure:?}");
     // Between two points it bounds d².
     let ends = Ends::points([0.0, 1.0], [3.0, 5.0]).expect("finite");
-    let line = given(flat, Trapezoidal, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
+    let line = given(flat, Rule::TRAPEZOIDAL, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
     assert!(line.enclosure().expect("finite").lower >= 25.0 * (1.0 - 1e-14));
 }
 
@@ -167,14 +167,14 @@ fn the_gap_between_the_ends_of_a_line_is_not_the_gap_of_its_sets() {
 /// energies.
 #[test]
 fn each_rule_is_extrapolated_by_its_own_order() {
-    fn off<R: Rule>(rule: R) -> (f64, f64) {
+    fn off(rule: Rule) -> (f64, f64) {
         let d2 = Valleys.distance(&[0.0].into(), &[2.5].into()).expect("known").powi(2);
         let ends = Ends::points([0.0], [2.5]).expect("finite");
         let line = Problem::new(Valleys, ends).solve(rule, 512).expect("solved");
         let estimate = line.distance_squared_estimate().expect("four grids");
         ((line.discrete_energy() / d2 - 1.0).abs(), (estimate.value / d2 - 1.0).abs())
     }
-    for (energy, estimate) in [off(Trapezoidal), off(LeftEndpoint)] {
+    for (energy, estimate) in [off(Rule::TRAPEZOIDAL), off(Rule::LEFT_ENDPOINT)] {
         // Three grids before this one: 1e-3 for each would be more.
         assert!(energy > 1e-7 && estimate < 1e-3 * energy, "{energy:e}, {estimate:e}");
     }

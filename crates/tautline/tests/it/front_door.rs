@@ -1,9 +1,8 @@
 //! What a new user meets first: a formula as on paper, and errors for bad input.
 
 use tautline::{
-    Ends, LARGEST_N, LeftEndpoint, Metric, MetricError, Options, PointSequence, Problem, Rule,
-    SMatrix, SVector, Scalar, SequenceError, SolveError, Starts, Trapezoidal, gallery::Valleys,
-    solve_all,
+    Ends, LARGEST_N, Metric, MetricError, Options, PointSequence, Problem, Rule, SMatrix, SVector,
+    Scalar, SequenceError, SolveError, Starts, gallery::Valleys, solve_all,
 };
 
 /// `f² I` with `f = 2 − cos x₁`, like [`Valleys`] of the gallery, with numbers on the left.
@@ -23,8 +22,8 @@ impl Metric<2> for OnPaper {
 fn a_formula_may_have_numbers_on_the_left() {
     let ends = || Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
     let energy = |n| {
-        let own = Problem::new(OnPaper, ends()).solve(Trapezoidal, n).expect("a metric");
-        let gallery = Problem::new(Valleys, ends()).solve(Trapezoidal, n).expect("a metric");
+        let own = Problem::new(OnPaper, ends()).solve(Rule::TRAPEZOIDAL, n).expect("a metric");
+        let gallery = Problem::new(Valleys, ends()).solve(Rule::TRAPEZOIDAL, n).expect("a metric");
         (own.discrete_energy(), gallery.discrete_energy())
     };
     for n in [8, 512] {
@@ -39,9 +38,9 @@ fn a_formula_may_have_numbers_on_the_left() {
 #[test]
 fn a_line_is_resampled_at_constant_speed() {
     let ends = Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
-    let line = Problem::new(Valleys, ends).solve(LeftEndpoint, 8).expect("a metric");
+    let line = Problem::new(Valleys, ends).solve(Rule::LEFT_ENDPOINT, 8).expect("a metric");
     let spread = |sequence: &PointSequence<2>| {
-        let speeds = Trapezoidal.speeds(&Valleys, sequence);
+        let speeds = Rule::TRAPEZOIDAL.speeds(&Valleys, sequence);
         let slowest = speeds.iter().copied().fold(f64::INFINITY, f64::min);
         speeds.iter().copied().fold(0.0, f64::max) / slowest - 1.0
     };
@@ -59,9 +58,9 @@ fn too_many_subintervals_are_an_error() {
         let flat = tautline::gallery::Constant::<D>::new(SMatrix::identity()).expect("definite");
         let problem = Problem::new(flat, Ends::points([0.0; D], [1.0; D]).expect("finite"));
         let too_many = SolveError::TooManySubintervals { n };
-        assert_eq!(problem.solve(Trapezoidal, n).map(|_| ()), Err(too_many.clone()));
+        assert_eq!(problem.solve(Rule::TRAPEZOIDAL, n).map(|_| ()), Err(too_many.clone()));
         let problems = vec![problem.clone(), problem];
-        for line in solve_all(&problems, LeftEndpoint, n, &Options::default()) {
+        for line in solve_all(&problems, Rule::LEFT_ENDPOINT, n, &Options::default()) {
             assert_eq!(line.map(|_| ()), Err(too_many.clone()));
         }
         let line = PointSequence::straight([0.0; D], [1.0; D], n);
@@ -79,7 +78,7 @@ fn sixty_four_chords_suffice_for_an_estimate_of_the_distance() {
     let ends = Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
     let problem = Problem::new(Valleys, ends);
     let estimate = |n| {
-        let line = problem.solve(Trapezoidal, n).expect("a metric");
+        let line = problem.solve(Rule::TRAPEZOIDAL, n).expect("a metric");
         line.distance_squared_estimate().expect("several grids")
     };
     let (small, fine) = (estimate(64), estimate(2048));
@@ -107,12 +106,14 @@ fn a_metric_that_is_negative_between_nodes_is_an_error_with_the_point() {
     for centre in [0.22, 0.53, 0.97] {
         let line = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 4).expect("finite");
         // The nearest node is 0.095 away from the centre: (3/2) e^(−4.75²) = 2.4e-10.
-        assert!((Trapezoidal.energy(&Dip { centre }, &line) - 1.0).abs() < 2.4e-10);
+        assert!((Rule::TRAPEZOIDAL.energy(&Dip { centre }, &line) - 1.0).abs() < 2.4e-10);
         let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).expect("finite");
         let options = Options { starts: Starts::Only(vec![line]), ..Options::default() };
         let problem = Problem::new(Dip { centre }, ends);
-        for result in [problem.solve_with(Trapezoidal, 4, &options), problem.solve(Trapezoidal, 4)]
-        {
+        for result in [
+            problem.solve_with(Rule::TRAPEZOIDAL, 4, &options),
+            problem.solve(Rule::TRAPEZOIDAL, 4),
+        ] {
             match result.map(|line| line.length()) {
                 Err(SolveError::Metric(MetricError::NotPositiveDefinite { point, eigenvalue })) => {
                     assert!((point[0] - centre).abs() < 0.02 && eigenvalue <= 0.0, "{point:?}");

@@ -1,8 +1,6 @@
 //! Proved bounds hold to the last digit: distances that are known exactly.
 
-use tautline::{
-    Ends, Formula, LeftEndpoint, Problem, RuleOfThePaper, Trapezoidal, certify::Accuracy,
-};
+use tautline::{Ends, Formula, Problem, Rule, certify::Accuracy};
 
 /// A sequence of pseudorandom numbers (Knuth's MMIX).
 struct Draws(u64);
@@ -30,7 +28,7 @@ fn at_least(x: f64, n: i128) -> bool {
 }
 
 /// Under a constant metric `d²` is `dᵀHd`.
-fn check<R: RuleOfThePaper, const D: usize>(rule: R, draws: &mut Draws) {
+fn check<const D: usize>(rule: Rule, draws: &mut Draws) {
     let most = 1 << 24;
     // Diagonally dominant, hence positive definite.
     let mut h = [[0_i64; D]; D];
@@ -67,10 +65,10 @@ fn check<R: RuleOfThePaper, const D: usize>(rule: R, draws: &mut Draws) {
 fn constant_metrics_are_bounded_to_the_last_digit() {
     let mut draws = Draws(5);
     for _ in 0..100 {
-        check::<_, 1>(Trapezoidal, &mut draws);
-        check::<_, 2>(Trapezoidal, &mut draws);
-        check::<_, 3>(Trapezoidal, &mut draws);
-        check::<_, 4>(Trapezoidal, &mut draws);
-        check::<_, 2>(LeftEndpoint, &mut draws);
+        check::<1>(Rule::TRAPEZOIDAL, &mut draws);
+        check::<2>(Rule::TRAPEZOIDAL, &mut draws);
+        check::<3>(Rule::TRAPEZOIDAL, &mut draws);
+        check::<4>(Rule::TRAPEZOIDAL, &mut draws);
+        check::<2>(Rule::LEFT_ENDPOINT, &mut draws);
     }
 }

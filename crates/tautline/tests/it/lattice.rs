@@ -1,8 +1,8 @@
 //! Searches that also start from a shortest path along a lattice.
 
 use tautline::{
-    Ends, GraphPathError, Lattice, Metric, Options, PointSequence, Prepared, Problem, SMatrix,
-    SVector, Scalar, SolveError, Starts, TautLine, Trapezoidal,
+    Ends, GraphPathError, Lattice, Metric, Options, PointSequence, Prepared, Problem, Rule,
+    SMatrix, SVector, Scalar, SolveError, Starts, TautLine,
     gallery::{Obstacle, SoftObstacles},
     graph_path, minimise,
 };
@@ -32,7 +32,7 @@ fn a_path_leads_through_the_gap_and_a_search_on_the_grid_stays_there() {
     assert!((crosses(&path) - 3.0).abs() < 0.3, "{}", crosses(&path));
     let energy = |starts| {
         let options = Options { starts, ..Options::default() };
-        let minimum = minimise(&Wall, &ends, Trapezoidal, 600, &options).expect("a minimum");
+        let minimum = minimise(&Wall, &ends, Rule::TRAPEZOIDAL, 600, &options).expect("a minimum");
         assert!(minimum.is_local_minimum());
         (minimum.energy, crosses(&minimum.sequence))
     };
@@ -44,24 +44,20 @@ fn a_path_leads_through_the_gap_and_a_search_on_the_grid_stays_there() {
 }
 
 /// Returns the energy on a finer grid, from the same line.
-fn on_a_grid_of(
-    n: usize,
-    problem: &Problem<Wall, 2>,
-    line: &TautLine<Wall, Trapezoidal, 2>,
-) -> f64 {
+fn on_a_grid_of(n: usize, problem: &Problem<Wall, 2>, line: &TautLine<Wall, 2>) -> f64 {
     let starts = Starts::OnTheGrid(vec![line.sequence().clone()]);
     let options = Options { starts, ..Options::default() };
-    problem.solve_with(Trapezoidal, n, &options).expect("a line").discrete_energy()
+    problem.solve_with(Rule::TRAPEZOIDAL, n, &options).expect("a line").discrete_energy()
 }
 
 #[test]
 fn the_shorter_of_both_lines_is_returned() {
     let problem = Problem::new(Wall, Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite"));
     let options = Options::default();
-    let automatic = problem.solve(Trapezoidal, 512).expect("a line").length().value;
+    let automatic = problem.solve(Rule::TRAPEZOIDAL, 512).expect("a line").length().value;
     let on = |lower: [f64; 2], upper, spacing| {
         let lattice = Lattice::new(lower, upper, spacing).expect("a lattice");
-        problem.solve_on_lattice(Trapezoidal, 512, &lattice, &options)
+        problem.solve_on_lattice(Rule::TRAPEZOIDAL, 512, &lattice, &options)
     };
     // √40 is the way to the gap and back, without the wall.
     let found = on([-2.0, -1.0], [2.0, 4.0], 0.05).expect("a line");
@@ -80,7 +76,7 @@ fn the_shorter_of_both_lines_is_returned() {
     assert!((estimate.value - fine).abs() <= estimate.error + off, "{estimate:?} beside {fine}");
     assert!(estimate.error < off, "{estimate:?} beside {off:e}");
     // Both searches took steps, and the grids for the extrapolation.
-    let first = problem.solve(Trapezoidal, 512).expect("a line");
+    let first = problem.solve(Rule::TRAPEZOIDAL, 512).expect("a line");
     assert!(
         found.minimum().iterations > first.minimum().iterations + found.minimum().own_iterations
     );
@@ -90,10 +86,10 @@ fn the_shorter_of_both_lines_is_returned() {
     assert!(low <= automatic && low > 15.0, "{low} beside {automatic}");
     for n in [0, usize::MAX] {
         let lattice = Lattice::new([-2.0, -1.0], [2.0, 4.0], 0.5).expect("a lattice");
-        let refused = problem.solve_on_lattice(Trapezoidal, n, &lattice, &options);
+        let refused = problem.solve_on_lattice(Rule::TRAPEZOIDAL, n, &lattice, &options);
         assert_eq!(
             refused.expect_err("no grid"),
-            problem.solve(Trapezoidal, n).expect_err("no grid")
+            problem.solve(Rule::TRAPEZOIDAL, n).expect_err("no grid")
         );
     }
     let far = on([4.0, 4.0], [5.0, 5.0], 0.1).expect_err("no path");
@@ -118,10 +114,11 @@ fn a_path_along_the_lattice_is_enough() {
     let problem = Problem::new(Disc, Ends::points([-3.0, 0.1], [3.0, -0.1]).expect("finite"));
     let straight = PointSequence::straight([-3.0, 0.1], [3.0, -0.1], 64).expect("finite");
     let options = Options { starts: Starts::Only(vec![straight]), ..Options::default() };
-    let alone = problem.solve_with(Trapezoidal, 512, &options);
+    let alone = problem.solve_with(Rule::TRAPEZOIDAL, 512, &options);
     assert!(matches!(alone, Err(SolveError::Metric(_))), "{alone:?}");
     let lattice = Lattice::new([-3.5, -2.0], [3.5, 2.0], 0.1).expect("a lattice");
-    let line = problem.solve_on_lattice(Trapezoidal, 512, &lattice, &options).expect("a line");
+    let line =
+        problem.solve_on_lattice(Rule::TRAPEZOIDAL, 512, &lattice, &options).expect("a line");
     // Two tangents and an arc are 6.34 long.
     assert!((6.34..7.5).contains(&line.length().value), "{}", line.length().value);
     assert!(line.distance_squared_estimate().is_some() && line.minimum().levels.len() == 3);
@@ -137,7 +134,8 @@ fn the_longer_line_is_another_minimum() {
         Options { starts: Starts::OnTheGrid(vec![through_the_gap]), ..Options::default() };
     // The lattice ends below the gap.
     let lattice = Lattice::new([-2.0, -1.0], [2.0, 1.0], 0.05).expect("a lattice");
-    let line = problem.solve_on_lattice(Trapezoidal, 512, &lattice, &options).expect("a line");
+    let line =
+        problem.solve_on_lattice(Rule::TRAPEZOIDAL, 512, &lattice, &options).expect("a line");
     assert!((6.3..7.0).contains(&line.length().value));
     let others = line.other_minima();
     let [other] = &others[..] else { panic!("{} others", others.len()) };
@@ -158,7 +156,7 @@ fn the_other_minima_of_both_searches_are_in_their_order() {
         let start = [a, [0.0, through], b].map(SVector::from).to_vec();
         let start = PointSequence::new(start).expect("finite");
         let options = Options { starts: Starts::OnTheGrid(vec![start]), ..Options::default() };
-        let line = problem.solve_by_classes(Trapezoidal, 64, &lattice, 4, &options);
+        let line = problem.solve_by_classes(Rule::TRAPEZOIDAL, 64, &lattice, 4, &options);
         let line = line.expect("a line");
         let others = line.minimum().others.iter().map(|other| other.energy);
         let energies: Vec<f64> = std::iter::once(line.discrete_energy()).chain(others).collect();

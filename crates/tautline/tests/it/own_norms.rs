@@ -1,8 +1,7 @@
 //! S.11 on computed minimisers: bounds by constants in the metric's own norms.
 
 use tautline::{
-    Bounded, Ends, Jet2, KnownDistance, LeftEndpoint, Metric, Problem, RuleOfThePaper, SVector,
-    Trapezoidal,
+    Bounded, Ends, Jet2, KnownDistance, Metric, Problem, Rule, SVector,
     bounds::{OwnNorms, Setting, least_length_excess},
     gallery::{Shear, Valleys},
     norm_squared,
@@ -51,10 +50,9 @@ fn the_constants_in_own_norms_are_those_of_the_metrics() {
 
 /// Returns the excess of the squared length, the bound by own norms, and the least of all other
 /// bounds.
-fn compare<M, R>(metric: M, rule: R, b: [f64; 2], n: usize, own: [f64; 2]) -> [f64; 3]
+fn compare<M>(metric: M, rule: Rule, b: [f64; 2], n: usize, own: [f64; 2]) -> [f64; 3]
 where
     M: Bounded<2> + KnownDistance<2> + Copy,
-    R: RuleOfThePaper,
 {
     let d = metric.distance(&[0.0; 2].into(), &b.into()).expect("known");
     let ends = Ends::points([0.0, 0.0], b).expect("finite");
@@ -63,7 +61,7 @@ where
     let is_isotropic = metric.constants().is_isotropic();
     let norms = if is_isotropic { norms.isotropic() } else { norms };
     let setting = Setting::new(metric.constants(), d, 2).expect("valid");
-    let (rule, n) = (R::OF_THE_PAPER, line.sequence().n());
+    let (rule, n) = (rule.paper_rule().expect("a rule of the paper"), line.sequence().n());
     [
         line.length().value.powi(2) - d * d,
         norms.length_excess(rule, n),
@@ -77,10 +75,14 @@ fn own_norms_give_smaller_bounds() {
     let shear = Shear::new(0.5, 1.0).expect("valid");
     for n in [16, 64, 256, 1024] {
         for (name, [excess, own, plain], factor) in [
-            ("shear", compare(shear, Trapezoidal, [1.0, 2.0], n, [0.5, 0.5]), 4.8),
-            ("shear, left", compare(shear, LeftEndpoint, [1.0, 2.0], n, [0.5, 0.5]), 2.1),
-            ("valleys", compare(Valleys, Trapezoidal, [0.7, 0.7], n, [0.848, 2.0]), 2.5),
-            ("valleys, left", compare(Valleys, LeftEndpoint, [0.7, 0.7], n, [0.848, 2.0]), 5.1),
+            ("shear", compare(shear, Rule::TRAPEZOIDAL, [1.0, 2.0], n, [0.5, 0.5]), 4.8),
+            ("shear, left", compare(shear, Rule::LEFT_ENDPOINT, [1.0, 2.0], n, [0.5, 0.5]), 2.1),
+            ("valleys", compare(Valleys, Rule::TRAPEZOIDAL, [0.7, 0.7], n, [0.848, 2.0]), 2.5),
+            (
+                "valleys, left",
+                compare(Valleys, Rule::LEFT_ENDPOINT, [0.7, 0.7], n, [0.848, 2.0]),
+                5.1,
+            ),
         ] {
             assert!(excess <= own, "{name}, N = {n}: {excess:e} above {own:e}");
             assert!(plain > factor * own, "{name}, N = {n}: {plain:e} and {own:e}");
@@ -92,6 +94,6 @@ fn own_norms_give_smaller_bounds() {
 #[test]
 fn an_understated_constant_in_own_norms_is_noticed() {
     let shear = Shear::new(0.5, 1.0).expect("valid");
-    let [excess, own, _] = compare(shear, Trapezoidal, [1.0, 2.0], 64, [0.025, 0.025]);
+    let [excess, own, _] = compare(shear, Rule::TRAPEZOIDAL, [1.0, 2.0], 64, [0.025, 0.025]);
     assert!(own < excess, "{own:e} {excess:e}");
 }

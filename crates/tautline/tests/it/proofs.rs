@@ -2,8 +2,8 @@
 //! minimum.
 
 use tautline::{
-    Ball, Constants, Ends, Formula, HalfSpace, Options, PointSequence, Problem, Proof, Sphere,
-    Starts, TautLine, Trapezoidal,
+    Ball, Constants, Ends, Formula, HalfSpace, Options, PointSequence, Problem, Proof, Rule,
+    Sphere, Starts, TautLine,
     bounds::{Enclosure, FromBelow},
     certify::Accuracy,
     distance::Ended,
@@ -14,23 +14,23 @@ fn line(
     metric: &str,
     [from, to]: [[f64; 2]; 2],
     through: Option<[f64; 2]>,
-) -> TautLine<Formula<2>, Trapezoidal, 2> {
+) -> TautLine<Formula<2>, 2> {
     let ends = Ends::points(from, to).expect("finite");
     let start = |x| PointSequence::new([from, x, to].map(Into::into).to_vec()).expect("finite");
     let only = |x| Options { starts: Starts::Only(vec![start(x)]), ..Options::default() };
     let options = through.map_or_else(Options::default, only);
     let metric = Formula::parse(metric, &[]).expect("a formula");
-    Problem::new(metric, ends).solve_with(Trapezoidal, 256, &options).expect("solved")
+    Problem::new(metric, ends).solve_with(Rule::TRAPEZOIDAL, 256, &options).expect("solved")
 }
 
 /// Returns the bounds on the distance that a certificate proves of a line.
-fn certified(line: &TautLine<Formula<2>, Trapezoidal, 2>, gap: f64) -> [f64; 2] {
+fn certified(line: &TautLine<Formula<2>, 2>, gap: f64) -> [f64; 2] {
     let proved = line.certificate(gap).expect("found").certificate.check().expect("proved");
     [proved.lower, proved.upper.expect("a curve")]
 }
 
 /// Returns the bounds that the theorems give with the constants of a proof.
-fn by_theorems(line: &TautLine<Formula<2>, Trapezoidal, 2>, proof: &Proof<'_, 2>) -> Enclosure {
+fn by_theorems(line: &TautLine<Formula<2>, 2>, proof: &Proof<'_, 2>) -> Enclosure {
     let proved = proof.constants;
     let claimed = Constants::new(proved.c1(), proved.c2(), proved.l_h());
     let claimed = claimed.and_then(|claimed| claimed.with_m_h(proved.m_h().expect("proved")));
@@ -95,7 +95,7 @@ fn a_proof_without_an_assumption_has_no_certificate() {
 fn a_trivial_bound_is_replaced() {
     let ends = Ends::points([0.0, 0.0], [3.0, 1.0]).expect("finite");
     let metric = Formula::<2>::parse("cost(1.6 - cos(x1))", &[]).expect("a formula");
-    let coarse = Problem::new(metric, ends).solve(Trapezoidal, 2).expect("solved");
+    let coarse = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 2).expect("solved");
     let proof = coarse.prove(Accuracy::default()).expect("proved");
     is_checked(&proof);
     assert!(proof.enclosure.lower > 2.0 * 0.36 * 10.0, "{:?}", proof.enclosure);
@@ -107,7 +107,7 @@ fn without_a_certificate_the_assumption_is_said() {
     let ball = Ball::new([0.0, 0.0], 0.5).expect("a radius");
     let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
     let around = Sphere::new([0.0, 0.0], 3.0).expect("a radius");
-    let solved = |ends| Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+    let solved = |ends| Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
     let sets = solved(Ends::new(ball, wall).expect("bounded"));
     is_checked(&sets.prove(Accuracy::default()).expect("proved"));
     let sphere = solved(Ends::new(ball, around).expect("bounded"));
@@ -128,7 +128,7 @@ fn a_minimum_that_is_not_global_is_so_beside_a_certificate() {
     let problem = Problem::new(metric, ends);
     let solved = |starts, iterations| {
         let options = Options { starts, iterations, ..Options::default() };
-        problem.solve_with(Trapezoidal, 64, &options).expect("solved")
+        problem.solve_with(Rule::TRAPEZOIDAL, 64, &options).expect("solved")
     };
     let uneven = solved(Starts::OnTheGrid(vec![uneven]), 0);
     let even = solved(Starts::Automatic, Options::<2>::default().iterations);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tautline::{
-    CertifiedConstants, Domain, Ends, Formula, Problem, SVector, Spline, Table, Trapezoidal,
+    CertifiedConstants, Domain, Ends, Formula, Problem, Rule, SVector, Spline, Table,
     certify::Accuracy, check::AnyCertificate,
 };
 
@@ -32,7 +32,7 @@ fn bits<const D: usize>(found: &tautline::distance::Found<D>) -> [u64; 2] {
 #[test]
 fn the_distance_over_a_table_is_the_integral_of_the_spline() {
     let ends = Ends::points([0.0, 0.5], [7.0, 0.5]).expect("finite");
-    let line = Problem::new(formula::<2>(), ends).solve(Trapezoidal, 448).expect("solved");
+    let line = Problem::new(formula::<2>(), ends).solve(Rule::TRAPEZOIDAL, 448).expect("solved");
     // The midpoint rule with 64 chords a cell is off by |f″|/24 · 64⁻² in each of 7 cells, where
     // |f″| ≤ |1 − 2·4 + 2| = 5. Twice that, since the chords are not equally long.
     let (found, error) = (line.length().value, 10.0 / 24.0 / 64_f64.powi(2) * 7.0);
@@ -73,7 +73,7 @@ fn constants_of_a_table_hold_on_all_of_space() {
 #[test]
 fn a_certificate_over_a_table_is_checked_from_its_text() {
     let ends = Ends::points([0.0, 0.5], [7.0, 0.5]).expect("finite");
-    let line = Problem::new(formula::<2>(), ends).solve(Trapezoidal, 448).expect("solved");
+    let line = Problem::new(formula::<2>(), ends).solve(Rule::TRAPEZOIDAL, 448).expect("solved");
     let found = line.certificate(2e-2).expect("found");
     let [lower, upper] = [found.proved.lower, found.proved.upper.expect("a curve")];
     assert!(lower <= exact() && exact() <= upper && upper - lower <= 2e-2 * upper);
@@ -122,7 +122,7 @@ fn proved_lengths_over_tables_are_those_of_the_quadrature() {
     for text in ["cost(p(x1, x2))", "cost(s(x1, x2, x1 + 0.5*x2))"] {
         let formula = Formula::<2>::parse_with(text, &[], &tables).expect("a formula");
         let ends = Ends::points([-0.5, 0.25], [2.5, 3.0]).expect("finite");
-        let line = Problem::new(formula, ends).solve(Trapezoidal, 16).expect("solved");
+        let line = Problem::new(formula, ends).solve(Rule::TRAPEZOIDAL, 16).expect("solved");
         let proved = line.admissible_curve().expect("a curve").length();
         let found = line.length();
         let slack = found.error + 1e-10 * found.value;
@@ -140,7 +140,7 @@ fn a_way_round_the_end_of_a_table_is_found() {
     let hill: Arc<dyn Table> = Arc::new(hill.expect("nine numbers"));
     let formula = Formula::<2>::parse_with("cost(hill(x1, x2))", &[], &[("hill", hill)]);
     let ends = Ends::points([-1.0, 1.0], [3.0, 1.125]).expect("finite");
-    let line = Problem::new(formula.expect("a formula"), ends).solve(Trapezoidal, 128);
+    let line = Problem::new(formula.expect("a formula"), ends).solve(Rule::TRAPEZOIDAL, 128);
     let line = line.expect("solved");
     let middle: SVector<f64, 2> = line.curve().at(0.5);
     // Over the top it would cost 4 + 8 (2/3) on the line x₂ = 1; around it, where the cost is 1, it is

@@ -1,7 +1,7 @@
 //! `Augmented`: the primal-dual augmented Lagrangian, and a step that lowers it.
 
 use nalgebra::SVector;
-use tautline::{ChordModel, LinearModel, PointSequence, Rule};
+use tautline::{ChordModel, LinearModel, PointSequence};
 
 use crate::descent::{
     chord_models::chord_models,
@@ -80,11 +80,7 @@ impl Augmented {
 
     /// Returns the residuals with the multipliers `λ` and with `π`, in one unit: both are small where
     /// `M` is stationary.
-    pub(crate) fn residuals<R: Rule, const D: usize>(
-        &self,
-        search: &Search<'_, R, D>,
-        at: &At<D>,
-    ) -> [f64; 2] {
+    pub(crate) fn residuals<const D: usize>(&self, search: &Search<'_, D>, at: &At<D>) -> [f64; 2] {
         let Here { sequence, model } = &at.here;
         let mut other = Here { sequence: sequence.clone(), model: model.clone() };
         push(&mut other.model, &at.contacts, &self.gaps(at));
@@ -94,13 +90,13 @@ impl Augmented {
     /// Returns the models of the chords of `M` once the multipliers are eliminated, point by point:
     /// the gradient is that with `π`, and the second derivatives are those of the Lagrangian at `λ`
     /// with `∇cₙ∇cₙᵀ/μ` added. `None` if there is no metric at a node.
-    pub(crate) fn chords<R: Rule, const D: usize>(
+    pub(crate) fn chords<const D: usize>(
         &self,
-        search: &mut Search<'_, R, D>,
+        search: &mut Search<'_, D>,
         at: &At<D>,
     ) -> Option<Vec<ChordModel<D>>> {
         search.evaluations += 1;
-        let mut chords = chord_models(search.metric, R::NODES, &at.here.sequence)?;
+        let mut chords = chord_models(search.metric, search.rule.nodes(), &at.here.sequence)?;
         for (chord, (contact, (multiplier, gap))) in
             chords.iter_mut().zip(at.contacts.iter().zip(at.multipliers.iter().zip(self.gaps(at))))
         {
@@ -161,9 +157,9 @@ impl Augmented {
     }
 
     /// Takes a step, all of it or less, until `M` falls enough.
-    pub(crate) fn follow<R: Rule, const D: usize>(
+    pub(crate) fn follow<const D: usize>(
         &self,
-        search: &mut Search<'_, R, D>,
+        search: &mut Search<'_, D>,
         constraint: &impl Equality<D>,
         at: &At<D>,
         step: &Step<D>,
@@ -205,7 +201,7 @@ mod tests {
     use std::ops::ControlFlow;
 
     use nalgebra::vector;
-    use tautline::{Iterate, PointSequence, Prepared, Trapezoidal, gallery::Valleys};
+    use tautline::{Iterate, PointSequence, Prepared, Rule, gallery::Valleys};
 
     use super::{At, Augmented};
     use crate::descent::{
@@ -226,7 +222,7 @@ mod tests {
         let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
         let limits = Limits::default();
         let (mut search, here) =
-            Search::begin(&metric, Trapezoidal, start, &limits, watch).expect("a metric");
+            Search::begin(&metric, Rule::TRAPEZOIDAL, start, &limits, watch).expect("a metric");
         let at = At::new(&Circle, here, vec![0.7, -0.4]);
         let augmented = Augmented { centre: vec![-0.2, 0.5], parameter: 0.3 };
         let chords = augmented.chords(&mut search, &at).expect("a metric");
@@ -257,7 +253,7 @@ mod tests {
         let watch = &mut |_: &Iterate<'_, 2>| ControlFlow::Continue(());
         let limits = Limits::default();
         let (mut search, here) =
-            Search::begin(&metric, Trapezoidal, start, &limits, watch).expect("a metric");
+            Search::begin(&metric, Rule::TRAPEZOIDAL, start, &limits, watch).expect("a metric");
         let at = At::new(&Circle, here, vec![0.0]);
         let augmented = Augmented { centre: vec![0.0], parameter: 0.3 };
         let chords = augmented.chords(&mut search, &at).expect("a metric");

@@ -72,7 +72,7 @@ const FAR: f64 = 1e4;
 /// ```
 /// # use std::ops::ControlFlow;
 /// # use nalgebra::{SMatrix, SVector};
-/// # use tautline::{Iterate, PointSequence, Prepared, Scalar, Trapezoidal, gallery::Constant};
+/// # use tautline::{Iterate, PointSequence, Prepared, Rule, Scalar, gallery::Constant};
 /// # use tautline_baselines::descent::{Equality, Limits, constrained_dynamic_programming};
 /// struct UnitSphere;
 /// impl Equality<3> for UnitSphere {
@@ -86,7 +86,7 @@ const FAR: f64 = 1e4;
 /// let watch = &mut |_: &Iterate<'_, 3>| ControlFlow::Continue(());
 /// let limits = Limits::default();
 /// let found = constrained_dynamic_programming(
-///     &flat, Trapezoidal, start, &UnitSphere, 1e-10, &limits, watch,
+///     &flat, Rule::TRAPEZOIDAL, start, &UnitSphere, 1e-10, &limits, watch,
 /// )?;
 /// let length = found.descended.energy.sqrt();
 /// assert!((length - std::f64::consts::FRAC_PI_2).abs() < 1e-4);
@@ -105,9 +105,9 @@ const FAR: f64 = 1e4;
 /// D. P. Robinson, Comput. Optim. Appl. 51 (2012), and the rule for `μ` and the multipliers is
 /// after that of A. R. Conn, N. I. M. Gould, P. L. Toint, SIAM J. Numer. Anal. 28 (1991), with a tenth
 /// of the last violation in place of a power of `μ`.
-pub fn constrained_dynamic_programming<'a, const D: usize, R: Rule>(
+pub fn constrained_dynamic_programming<'a, const D: usize>(
     metric: &'a dyn Batches<D>,
-    rule: R,
+    rule: Rule,
     start: PointSequence<D>,
     constraint: &impl Equality<D>,
     feasibility: f64,
@@ -163,8 +163,8 @@ pub fn constrained_dynamic_programming<'a, const D: usize, R: Rule>(
 
 /// Takes a step that lowers `M`, with a shift that starts at `shift`. Returns the next iterate, and
 /// whether rounding hides the decrease of `M`; `None` if no step lowers it.
-fn newton<R: Rule, const D: usize>(
-    search: &mut Search<'_, R, D>,
+fn newton<const D: usize>(
+    search: &mut Search<'_, D>,
     constraint: &impl Equality<D>,
     augmented: &Augmented,
     at: &At<D>,
@@ -284,7 +284,7 @@ mod tests {
     use std::ops::ControlFlow;
 
     use nalgebra::{SVector, vector};
-    use tautline::{Iterate, PointSequence, Prepared, Trapezoidal, gallery::Bump};
+    use tautline::{Iterate, PointSequence, Prepared, Rule, gallery::Bump};
 
     use super::{constrained_dynamic_programming, size};
     use crate::descent::{Ended, Limits, constrained::equality::tests::Circle};
@@ -312,7 +312,7 @@ mod tests {
         let limits = Limits { tolerance: 1e-7, iterations: 500 };
         let found = constrained_dynamic_programming(
             &bump,
-            Trapezoidal,
+            Rule::TRAPEZOIDAL,
             start,
             &Circle,
             1e-11,

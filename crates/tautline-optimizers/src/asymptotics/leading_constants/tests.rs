@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use nalgebra::matrix;
-use tautline_discretizations::{Interpolation, LeftEndpoint, Rule, Trapezoidal};
+use tautline_discretizations::{Interpolation, Rule};
 use tautline_metrics::{
     KnownDistance, Metric,
     gallery::{Constant, Lens, Ramp, Shear, Valleys},
@@ -21,17 +21,17 @@ const N: usize = 4096;
 /// metric.
 const SECOND_ORDER: f64 = 1e-5;
 
-fn solve<R: Rule, const D: usize>(
+fn solve<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
-    rule: R,
+    rule: Rule,
     n: usize,
 ) -> Minimum<D> {
     minimise(metric, ends, rule, n, &Options::default()).expect("a metric")
 }
 
 fn constants<const D: usize>(metric: &impl Metric<D>, ends: &Ends<D>) -> LeadingConstants {
-    let minimum = solve(metric, ends, Trapezoidal, N);
+    let minimum = solve(metric, ends, Rule::TRAPEZOIDAL, N);
     leading_constants(metric, ends, &minimum).expect("a minimum")
 }
 
@@ -161,10 +161,10 @@ fn between_curved_sets_the_left_curve_is_as_predicted() {
     let lens = Lens::new(1.0, 1.0).expect("a lens");
     let ball = |x: [f64; 2], r: f64| Ball::new(x, r).expect("a radius");
     let ends = Ends::new(ball([-1.5, 0.4], 0.5), ball([1.5, 0.9], 0.25)).expect("bounded");
-    let fine = solve(&lens, &ends, Trapezoidal, N);
+    let fine = solve(&lens, &ends, Rule::TRAPEZOIDAL, N);
     let d2 = extrapolate(&fine.levels, 2).expect("five grids").value;
     let scaled = |n: usize| {
-        let line = solve(&lens, &ends, LeftEndpoint, n).sequence;
+        let line = solve(&lens, &ends, Rule::LEFT_ENDPOINT, n).sequence;
         (n * n) as f64 * (Interpolation::new(&line).energy(&lens).value - d2)
     };
     let measured = 2.0 * scaled(1024) - scaled(512);
@@ -183,7 +183,7 @@ fn only_the_pieces_that_the_curve_joins_count() {
     let points = Ends::points(a, b).expect("finite");
     let several = |x| FiniteSet::new([[9.0, 9.0], x, [-7.0, 3.0]]).expect("finite");
     let [start, goal] = [a, b].map(|x| Point::new(x).expect("finite"));
-    let minimum = solve(&Valleys, &points, Trapezoidal, 256);
+    let minimum = solve(&Valleys, &points, Rule::TRAPEZOIDAL, 256);
     let computed = |ends: &Ends<2>| leading_constants(&Valleys, ends, &minimum).expect("a minimum");
     for ends in [
         Ends::new(start, several(b)),
@@ -199,8 +199,8 @@ fn only_the_pieces_that_the_curve_joins_count() {
 fn a_minimiser_of_another_problem_is_refused() {
     let ends = Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
     let elsewhere = Ends::points([0.1, 0.0], [2.0, 1.5]).expect("finite");
-    let left = solve(&Valleys, &ends, LeftEndpoint, 256);
-    let right = solve(&Valleys, &ends, Trapezoidal, 256);
+    let left = solve(&Valleys, &ends, Rule::LEFT_ENDPOINT, 256);
+    let right = solve(&Valleys, &ends, Rule::TRAPEZOIDAL, 256);
     for (ends, minimum) in [(&ends, &left), (&elsewhere, &right)] {
         let refused = leading_constants(&Valleys, ends, minimum);
         let Err(AsymptoticsError::NotStationary { decrement }) = refused else {
@@ -215,7 +215,7 @@ fn a_minimiser_in_a_continuum_is_refused() {
     let metric = Constant::new(matrix![1.0, 0.0; 0.0, 1.0]).expect("definite");
     let sphere = |r: f64| Sphere::new([0.0, 0.0], r).expect("a radius");
     let ends = Ends::new(sphere(1.0), sphere(2.0)).expect("bounded");
-    let minimum = solve(&metric, &ends, Trapezoidal, 64);
+    let minimum = solve(&metric, &ends, Rule::TRAPEZOIDAL, 64);
     let refused = leading_constants(&metric, &ends, &minimum);
     assert_eq!(refused, Err(AsymptoticsError::Degenerate));
 }

@@ -1,6 +1,6 @@
 //! The order of candidates, and their extrapolation to the next grid.
 
-use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
+use tautline_discretizations::{PointSequence, Rule};
 use tautline_formula::Prepared;
 use tautline_metrics::gallery::Valleys;
 use tautline_sets::{Ball, ClosedSet, Point};
@@ -15,7 +15,7 @@ use crate::{
 
 /// Returns the distance between the start with 3200 chords and the minimiser, after a search on
 /// these grids.
-fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
+fn distance(rule: Rule, grids: &[usize]) -> f64 {
     let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
     let ends: [&dyn ClosedSet<2>; 2] = [&ends[0], &ends[1]];
     let batches = Prepared::new(&Valleys);
@@ -46,8 +46,8 @@ fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
 fn the_points_are_extrapolated_to_the_next_grid() {
     let one_by_one = [[800].as_slice(), &[200, 800], &[100, 200, 800], &[100, 100, 200, 800]];
     for [one, two, three, again] in [
-        one_by_one.map(|grids| distance(Trapezoidal, grids)),
-        one_by_one.map(|grids| distance(LeftEndpoint, grids)),
+        one_by_one.map(|grids| distance(Rule::TRAPEZOIDAL, grids)),
+        one_by_one.map(|grids| distance(Rule::LEFT_ENDPOINT, grids)),
     ] {
         assert!(two < 0.1 * one, "{two:e} {one:e}");
         assert!(three < 0.1 * two, "{three:e} {two:e}");
@@ -62,7 +62,7 @@ fn the_ends_of_an_extrapolated_start_lie_in_their_sets() {
     let [a, b] = [[0.0, 0.3], [3.0, 1.5]].map(|x| Ball::new(x, 0.5).expect("a radius"));
     let ends: [&dyn ClosedSet<2>; 2] = [&a, &b];
     let batches = Prepared::new(&Valleys);
-    let energy = &DiscreteEnergy::new(LeftEndpoint, &batches);
+    let energy = &DiscreteEnergy::new(Rule::LEFT_ENDPOINT, &batches);
     let search = LocalSearch { energy, ends, iterations: 50, threads: 1, watch: &Unwatched };
     let solve = |n| {
         let line = PointSequence::straight([0.3, 0.3], [2.7, 1.5], n).expect("finite");

@@ -9,7 +9,7 @@ use tautline::{
 use crate::statements::section_1::{GLOBAL, admitted};
 use crate::{
     Evidence, GramRange, Known, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
-    discrete_energy, reconstruction::nodes, with_rule::with_rule,
+    discrete_energy, reconstruction::nodes,
 };
 
 /// Evaluates Proposition S.6 on a computed minimiser, which is assumed to be global. `gap` is a
@@ -194,7 +194,7 @@ fn residual<const D: usize>(
     rule: PaperRule,
     sequence: &PointSequence<D>,
 ) -> f64 {
-    let gradient = with_rule!(rule, rule => subject.energy_gradient(rule, metric, sequence));
+    let gradient = subject.energy_gradient(rule.into(), metric, sequence);
     let n = sequence.n().get();
     let squares: f64 = gradient[1..n].iter().map(|g| g.norm_squared()).sum();
     0.5 * (n as f64 * squares).sqrt()

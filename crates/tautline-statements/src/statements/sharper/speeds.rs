@@ -5,7 +5,7 @@ use tautline::{Bounded, MetricError, PointSequence};
 use crate::statements::section_1::admitted;
 use crate::{
     Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, discrete_energy,
-    reconstruction::nodes, with_rule::with_rule,
+    reconstruction::nodes,
 };
 
 /// Evaluates Lemma S.3 on any point sequence, with its residual `ρ`.
@@ -30,8 +30,8 @@ pub fn lemma_s_3<const D: usize>(
     rule: PaperRule,
     sequence: &PointSequence<D>,
 ) -> Result<Evidence, MetricError> {
-    let gradient = with_rule!(rule, rule => subject.energy_gradient(rule, metric, sequence));
-    let speeds = with_rule!(rule, rule => subject.discrete_speeds(rule, metric, sequence));
+    let gradient = subject.energy_gradient(rule.into(), metric, sequence);
+    let speeds = subject.discrete_speeds(rule.into(), metric, sequence);
     let (n, constants) = (sequence.n(), subject.constants(metric));
     let (count, c1, c2) = (n.get() as f64, constants.c1(), constants.c2());
     let energy = discrete_energy(subject, rule, metric, sequence);

@@ -1,6 +1,6 @@
 //! Computed minimisers of either rule.
 
-use tautline::{Ends, LeftEndpoint, Metric, Minimum, Trapezoidal};
+use tautline::{Ends, Metric, Minimum, Rule};
 use tautline_statements::{PaperRule, Subject, VerifyError};
 
 /// Returns the minimiser that the subject computes for a rule.
@@ -12,7 +12,7 @@ pub(crate) fn minimum<const D: usize>(
     n: usize,
 ) -> Result<Minimum<D>, VerifyError> {
     Ok(match rule {
-        PaperRule::Trapezoidal => subject.minimise(Trapezoidal, metric, ends, n)?,
-        PaperRule::LeftEndpoint => subject.minimise(LeftEndpoint, metric, ends, n)?,
+        PaperRule::Trapezoidal => subject.minimise(Rule::TRAPEZOIDAL, metric, ends, n)?,
+        PaperRule::LeftEndpoint => subject.minimise(Rule::LEFT_ENDPOINT, metric, ends, n)?,
     })
 }

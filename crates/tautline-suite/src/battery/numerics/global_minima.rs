@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use tautline::{
-    Bounded, Ends, LeftEndpoint, Metric, Options, PointSequence, Rule, Starts, Trapezoidal,
+    Bounded, Ends, Metric, Options, PointSequence, Rule, Starts,
     gallery::{Ramp, Valleys},
 };
 use tautline_statements::Statement::{self, Proposition7_1, Theorem1_1, Theorem1_3};
@@ -17,12 +17,12 @@ pub(crate) const CHECKS: &[Check] = &[
     Reference.check(
         "section_5_the_solver_finds_the_global_minimum_of_the_trapezoidal_energy",
         TRAPEZOIDAL,
-        |trial| over_the_valleys(trial, Trapezoidal, 0.5),
+        |trial| over_the_valleys(trial, Rule::TRAPEZOIDAL, 0.5),
     ),
     Reference.check(
         "section_5_the_solver_finds_the_global_minimum_of_the_left_endpoint_energy",
         LEFT,
-        |trial| over_the_valleys(trial, LeftEndpoint, 0.0),
+        |trial| over_the_valleys(trial, Rule::LEFT_ENDPOINT, 0.0),
     ),
     Reference.check(
         "the_solver_finds_the_global_minimum_on_a_ramp",
@@ -43,10 +43,10 @@ const GRIDS: [usize; 16] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 18, 24, 33, 48, 64, 96
 /// - `E_N` is at least the minimum on the grid minus the error of the grid.
 ///
 /// The check tries all grids before it fails, so that its message lists all misses.
-fn is_global<M: Metric<D>, R: Rule, const D: usize>(
+fn is_global<M: Metric<D>, const D: usize>(
     trial: &Trial<'_>,
     (metric, ends): (&M, &Ends<D>),
-    rule: R,
+    rule: Rule,
     line: &GridLine<'_>,
     embed: impl Fn(f64) -> SVector<f64, D>,
 ) -> Outcome {
@@ -92,7 +92,7 @@ fn is_global<M: Metric<D>, R: Rule, const D: usize>(
     }
 }
 
-fn over_the_valleys(trial: &Trial<'_>, rule: impl Rule, theta: f64) -> Outcome {
+fn over_the_valleys(trial: &Trial<'_>, rule: Rule, theta: f64) -> Outcome {
     let line = GridLine::over_the_valleys(theta);
     let ends = Ends::points([line.ends[0], 0.0], [line.ends[1], 0.0])?;
     is_global(trial, (&Valleys, &ends), rule, &line, |x| SVector::from([x, 0.0]))
@@ -113,8 +113,8 @@ fn on_a_ramp(trial: &Trial<'_>) -> Outcome {
         let ends = Ends::points([-1.0], [2.0])?;
         let embed = |x: f64| SVector::from([x]);
         all([
-            is_global(trial, (&ramp, &ends), Trapezoidal, &line(0.5), embed),
-            is_global(trial, (&ramp, &ends), LeftEndpoint, &line(0.0), embed),
+            is_global(trial, (&ramp, &ends), Rule::TRAPEZOIDAL, &line(0.5), embed),
+            is_global(trial, (&ramp, &ends), Rule::LEFT_ENDPOINT, &line(0.0), embed),
         ])
     }))
 }

@@ -9,7 +9,7 @@ use std::{
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Ball, Bounded, Ends, HalfSpace, KnownDistance, LeftEndpoint, Metric, Rule, Trapezoidal,
+    Ball, Bounded, Ends, HalfSpace, KnownDistance, Metric, Rule,
     bounds::Setting,
     composition::Product,
     extrapolate,
@@ -90,7 +90,7 @@ fn between(
 /// distance.
 fn from_ball(subject: &Subject, metric: &impl Metric<2>) -> Result<f64, VerifyError> {
     let ends = Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::at_least([1.0, 0.0], 3.0)?)?;
-    let line = subject.minimise(Trapezoidal, metric, &ends, 1024)?;
+    let line = subject.minimise(Rule::TRAPEZOIDAL, metric, &ends, 1024)?;
     // Both reconstructions are straight lines along which the length is exact.
     Ok(subject.curve_length(metric, &line.sequence).value)
 }
@@ -134,21 +134,21 @@ pub(crate) fn corrugated_beside_line() -> (impl Bounded<2> + KnownDistance<2>, [
 /// roundings.
 fn corrugated(trial: &Trial<'_>) -> Outcome {
     let (metric, [a, b]) = corrugated_beside_line();
-    let distance = extrapolated(trial.subject, Trapezoidal, &metric, [a, b], 1000)?;
+    let distance = extrapolated(trial.subject, Rule::TRAPEZOIDAL, &metric, [a, b], 1000)?;
     check(trial.subject, "elliptic", &metric, distance)?;
     let known = metric.distance(&a.into(), &b.into()).unwrap_or(f64::NAN);
     golden("elliptic").agrees(&[("d", known)], 1e-14)
 }
 
-fn extrapolated<R: Rule>(
+fn extrapolated(
     subject: &Subject,
-    rule: R,
+    rule: Rule,
     metric: &impl Metric<2>,
     [a, b]: [[f64; 2]; 2],
     n: usize,
 ) -> Result<f64, VerifyError> {
     let minimum = subject.minimise(rule, metric, &Ends::points(a, b)?, n)?;
-    let estimate = extrapolate(&minimum.levels, R::ERROR_EXPONENT);
+    let estimate = extrapolate(&minimum.levels, rule.error_exponent());
     // A single grid gives no estimate.
     Ok(estimate.map_or(f64::NAN, |estimate| estimate.value.sqrt()))
 }
@@ -159,9 +159,9 @@ fn extrapolated<R: Rule>(
 /// at the product of the grids, with constants up to 10³, plus rounding.
 fn distances(trial: &Trial<'_>) -> Outcome {
     fn one(trial: &Trial<'_>, name: &str, metric: &impl Metric<2>, ends: [[f64; 2]; 2]) -> Outcome {
-        let trapezoidal = extrapolated(trial.subject, Trapezoidal, metric, ends, 2048)?;
+        let trapezoidal = extrapolated(trial.subject, Rule::TRAPEZOIDAL, metric, ends, 2048)?;
         golden(name).agrees(&[("d", trapezoidal)], 1e-11)?;
-        let left = extrapolated(trial.subject, LeftEndpoint, metric, ends, 2048)?;
+        let left = extrapolated(trial.subject, Rule::LEFT_ENDPOINT, metric, ends, 2048)?;
         golden(name).agrees(&[("d", left)], 1e-7)
     }
     one(trial, "oblique", &oblique(), [[0.0, 0.0], [3.0, 4.0]])?;

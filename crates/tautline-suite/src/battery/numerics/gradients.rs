@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 use tautline::{
-    LeftEndpoint, Metric, PointSequence, Rule, Trapezoidal,
+    Metric, PointSequence, Rule,
     gallery::{CoupledCosines, Separable, Shear, Valleys},
 };
 use tautline_statements::{
@@ -47,15 +47,11 @@ fn direction<const D: usize>(k: usize) -> Vec<SVector<f64, D>> {
 }
 
 fn metric<M: Metric<D>, const D: usize>(trial: &Trial<'_>, metric: &M) -> Outcome {
-    slopes(trial.subject, metric, Trapezoidal)?;
-    slopes(trial.subject, metric, LeftEndpoint)
+    slopes(trial.subject, metric, Rule::TRAPEZOIDAL)?;
+    slopes(trial.subject, metric, Rule::LEFT_ENDPOINT)
 }
 
-fn slopes<M: Metric<D>, R: Rule, const D: usize>(
-    subject: &Subject,
-    metric: &M,
-    rule: R,
-) -> Outcome {
+fn slopes<M: Metric<D>, const D: usize>(subject: &Subject, metric: &M, rule: Rule) -> Outcome {
     let sequence = zigzag::<D>()?;
     let gradient = subject.energy_gradient(rule, metric, &sequence);
     let energy = |along: &[SVector<f64, D>], step: f64| -> Result<f64, VerifyError> {
@@ -74,5 +70,5 @@ fn slopes<M: Metric<D>, R: Rule, const D: usize>(
         }
         errors.push((step, squares.sqrt()));
     }
-    has_slope(&format!("{rule:?} in {D} dimensions"), &errors, 2.0, 0.1)
+    has_slope(&format!("{rule} in {D} dimensions"), &errors, 2.0, 0.1)
 }

@@ -14,7 +14,7 @@
 //! tolerance.
 
 use tautline::{
-    Ends, LeftEndpoint, Metric, Rule, Trapezoidal,
+    Ends, Metric, Rule,
     gallery::{Shear, Valleys},
 };
 use tautline_statements::{
@@ -49,10 +49,10 @@ struct Case<M, const D: usize> {
 
 /// Returns `N^q (E_N − d²)`, `N² (E(γᵖˡ) − d²)` and `N² (L(γᵖˡ)² − d²)`, where `q` is the order of
 /// the rule. Also returns how much incomplete convergence may change the last two.
-fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
+fn scaled_errors<M: Metric<D>, const D: usize>(
     subject: &Subject,
     case: &Case<M, D>,
-    rule: R,
+    rule: Rule,
     n: usize,
 ) -> Result<([f64; 3], f64), VerifyError> {
     let ends = Ends::points(case.ends[0], case.ends[1])?;
@@ -63,7 +63,7 @@ fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
     let excess = subject.curve_energy(&case.metric, line).value - case.d2;
     let length = subject.curve_length(&case.metric, line).value;
     let errors = [
-        count.powi(R::ERROR_EXPONENT) * (discrete_energy - case.d2),
+        count.powi(rule.error_exponent()) * (discrete_energy - case.d2),
         count * count * excess,
         count * count * (length.powi(2) - case.d2),
     ];
@@ -76,8 +76,8 @@ fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
 
 fn check<M: Metric<D>, const D: usize>(subject: &Subject, case: &Case<M, D>) -> Outcome {
     const NAMES: [&str; 3] = ["N^q (E_N − d²)", "N² (E(γᵖˡ) − d²)", "N² (L(γᵖˡ)² − d²)"];
-    let trapezoidal = |n| scaled_errors(subject, case, Trapezoidal, n);
-    let left = |n| scaled_errors(subject, case, LeftEndpoint, n);
+    let trapezoidal = |n| scaled_errors(subject, case, Rule::TRAPEZOIDAL, n);
+    let left = |n| scaled_errors(subject, case, Rule::LEFT_ENDPOINT, n);
     for ((values, left_over), measured) in
         [trapezoidal(256)?, left(256)?].into_iter().zip(case.measured)
     {

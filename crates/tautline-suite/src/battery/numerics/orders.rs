@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 use tautline::{
-    Bounded, Ends, KnownDistance, LeftEndpoint, Rule, Trapezoidal,
+    Bounded, Ends, KnownDistance, Rule,
     gallery::{Ramp, Separable, Shear, Valleys},
 };
 use tautline_statements::{
@@ -55,7 +55,7 @@ fn have_orders<M, const D: usize>(
     name: &str,
     metric: &M,
     [a, b]: [[f64; D]; 2],
-    rule: impl Rule,
+    rule: Rule,
     orders: [f64; 2],
 ) -> Outcome
 where
@@ -69,8 +69,8 @@ where
         discrete.push((n as f64, (subject.discrete_energy(rule, metric, &line) - d2).abs()));
         curve.push((n as f64, subject.curve_energy(metric, &line).value - d2));
     }
-    has_slope(&format!("{name}, {rule:?}: |E_N − d²|"), &discrete, -orders[0], TILT)?;
-    has_slope(&format!("{name}, {rule:?}: E(γᵖˡ) − d²"), &curve, -orders[1], TILT)
+    has_slope(&format!("{name}, {rule}: |E_N − d²|"), &discrete, -orders[0], TILT)?;
+    has_slope(&format!("{name}, {rule}: E(γᵖˡ) − d²"), &curve, -orders[1], TILT)
 }
 
 fn orders<M, const D: usize>(
@@ -82,12 +82,12 @@ fn orders<M, const D: usize>(
 where
     M: Bounded<D> + KnownDistance<D>,
 {
-    have_orders(trial.subject, name, metric, ends, Trapezoidal, [2.0, 2.0])?;
-    have_orders(trial.subject, name, metric, ends, LeftEndpoint, [1.0, 2.0])
+    have_orders(trial.subject, name, metric, ends, Rule::TRAPEZOIDAL, [2.0, 2.0])?;
+    have_orders(trial.subject, name, metric, ends, Rule::LEFT_ENDPOINT, [1.0, 2.0])
 }
 
 /// Along the axis of Section 5 the first-order term of the left rule is zero by symmetry.
 fn even(trial: &Trial<'_>) -> Outcome {
     let ends = [[0.0, 0.0], [4.0 * std::f64::consts::PI, 0.0]];
-    have_orders(trial.subject, "valleys, even", &Valleys, ends, LeftEndpoint, [2.0, 2.0])
+    have_orders(trial.subject, "valleys, even", &Valleys, ends, Rule::LEFT_ENDPOINT, [2.0, 2.0])
 }

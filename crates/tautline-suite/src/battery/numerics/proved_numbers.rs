@@ -4,8 +4,7 @@
 use nalgebra::SVector;
 use proptest::prelude::*;
 use tautline::{
-    CertifyError, Interval, Jet1, LeftEndpoint, Metric, PointSequence, Polygon, Quantity, Scalar,
-    Trapezoidal,
+    CertifyError, Interval, Jet1, Metric, PointSequence, Polygon, Quantity, Rule, Scalar,
     certify::{Accuracy, Domain, certify},
     gallery::Valleys,
 };
@@ -77,8 +76,8 @@ fn evidence<const D: usize>(
     let n = points.n().get() as f64;
     let polygon = Polygon::new(points);
     let (energy, length) = polygon.energy_and_length(metric);
-    let trapezoidal = polygon.discrete_energy(Trapezoidal, metric);
-    let left = polygon.discrete_energy(LeftEndpoint, metric);
+    let trapezoidal = polygon.discrete_energy(Rule::TRAPEZOIDAL, metric);
+    let left = polygon.discrete_energy(Rule::LEFT_ENDPOINT, metric);
     let vertices = points.points();
     let squares = vertices.windows(2).map(|w| square(&difference(&w[0], &w[1])));
     let k3 = (squares.fold(Interval::constant(0.0), |sum, s| sum + s) * n).sqrt();
@@ -144,12 +143,12 @@ fn lie_between(trial: &Trial<'_>) -> Outcome {
         let (curve, long) =
             (subject.curve_energy(&metric, &points), subject.curve_length(&metric, &points));
         let [trapezoidal, left] = [
-            subject.discrete_energy(Trapezoidal, &metric, &points),
-            subject.discrete_energy(LeftEndpoint, &metric, &points),
+            subject.discrete_energy(Rule::TRAPEZOIDAL, &metric, &points),
+            subject.discrete_energy(Rule::LEFT_ENDPOINT, &metric, &points),
         ];
         let [proved, proved_left] = [
-            polygon.discrete_energy(Trapezoidal, &metric),
-            polygon.discrete_energy(LeftEndpoint, &metric),
+            polygon.discrete_energy(Rule::TRAPEZOIDAL, &metric),
+            polygon.discrete_energy(Rule::LEFT_ENDPOINT, &metric),
         ];
         let pairs = [
             (Proposition7_9, Unit::ENERGY, trapezoidal, 0.0, proved),

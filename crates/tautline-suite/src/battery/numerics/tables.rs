@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Ends, Metric, Scalar, Spline, Table, Trapezoidal};
+use tautline::{Ends, Metric, Rule, Scalar, Spline, Table};
 use tautline_statements::Statement::{Theorem1_1, Theorem1_2};
 
 use crate::battery::harness::{Check, Failure, Outcome, Reference, Trial};
@@ -52,8 +52,9 @@ fn linear_numbers(trial: &Trial<'_>) -> Outcome {
     let table = Arc::new(spline.map_err(|error| Failure::new(error.to_string()))?);
     let ends = Ends::points([1.0, 1.0], [3.5, 2.5])?;
     for n in [1, 6, 40] {
-        let read = trial.subject.minimise(Trapezoidal, &Tabulated(table.clone()), &ends, n)?;
-        let written = trial.subject.minimise(Trapezoidal, &Written, &ends, n)?;
+        let read =
+            trial.subject.minimise(Rule::TRAPEZOIDAL, &Tabulated(table.clone()), &ends, n)?;
+        let written = trial.subject.minimise(Rule::TRAPEZOIDAL, &Written, &ends, n)?;
         let pairs = read.sequence.points().iter().zip(written.sequence.points());
         let apart = pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
         // Both searches end at rounding, 1e-15 of the gradient, which moves the points by up to the

@@ -5,9 +5,7 @@ use std::fmt::Debug;
 
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
-use tautline::{
-    Bounded, Constants, LeftEndpoint, Metric, PointSequence, Scalar, Trapezoidal, gallery::Valleys,
-};
+use tautline::{Bounded, Constants, Metric, PointSequence, Rule, Scalar, gallery::Valleys};
 use tautline_statements::{
     Evidence, LIBRARY,
     Statement::{self, Proposition7_9, Proposition8_1, Proposition8_2},
@@ -110,8 +108,8 @@ fn left_is_left(trial: &Trial<'_>) -> Outcome {
     let down = PointSequence::new(up.points().iter().rev().copied().collect())?;
     let energies = [&up, &down].map(|sequence| {
         [
-            trial.subject.discrete_energy(LeftEndpoint, &metric, sequence),
-            trial.subject.discrete_energy(Trapezoidal, &metric, sequence),
+            trial.subject.discrete_energy(Rule::LEFT_ENDPOINT, &metric, sequence),
+            trial.subject.discrete_energy(Rule::TRAPEZOIDAL, &metric, sequence),
         ]
     });
     if energies != [[6.0, 12.0], [18.0, 12.0]] {

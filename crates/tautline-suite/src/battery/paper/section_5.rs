@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::SVector;
 use proptest::prelude::Strategy;
-use tautline::{Ends, KnownDistance, LeftEndpoint, PointSequence, Trapezoidal, gallery::Valleys};
+use tautline::{Ends, KnownDistance, PointSequence, Rule, gallery::Valleys};
 use tautline_statements::{
     Evidence, LIBRARY,
     Statement::{self, Section5Left, Section5Trapezoidal, Theorem1_1, Theorem1_3},
@@ -127,8 +127,9 @@ fn counted(trial: &Trial<'_>) -> Outcome {
             let line = PointSequence::new(points)?;
             // The next longer sequence crosses the ridge at π/3, which adds far more than rounding.
             let attains = |length: f64| usize::from((length - 4.0 * PI).abs() <= 1e-12);
-            left += attains(trial.subject.discrete_length(LeftEndpoint, &Valleys, &line));
-            trapezoidal += attains(trial.subject.discrete_length(Trapezoidal, &Valleys, &line));
+            left += attains(trial.subject.discrete_length(Rule::LEFT_ENDPOINT, &Valleys, &line));
+            trapezoidal +=
+                attains(trial.subject.discrete_length(Rule::TRAPEZOIDAL, &Valleys, &line));
         }
         if (left, trapezoidal) != (n * (n + 1) / 2, n) {
             let message = format!("N = {n}: {left} and {trapezoidal} minimisers");
@@ -145,9 +146,9 @@ fn left_is_left(trial: &Trial<'_>) -> Outcome {
     for ([a, b], left, trapezoidal) in [([0.0, PI], PI, 2.0 * PI), ([PI, 0.0], 3.0 * PI, 2.0 * PI)]
     {
         let line = PointSequence::straight([a, 0.0], [b, 0.0], 1)?;
-        let found = trial.subject.discrete_length(LeftEndpoint, &Valleys, &line);
+        let found = trial.subject.discrete_length(Rule::LEFT_ENDPOINT, &Valleys, &line);
         close("L_l,1", found, left, 1e-14)?;
-        let found = trial.subject.discrete_length(Trapezoidal, &Valleys, &line);
+        let found = trial.subject.discrete_length(Rule::TRAPEZOIDAL, &Valleys, &line);
         close("L_tra,1", found, trapezoidal, 1e-14)?;
     }
     Ok(Default::default())
@@ -183,7 +184,8 @@ fn one_jump(trial: &Trial<'_>) -> Outcome {
     let (subject, d2) = (trial.subject, 64.0 * PI * PI);
     for n in 1..=8 {
         let jump = valley_jump(n, 1, 1);
-        let (count, energy) = (n as f64, subject.discrete_energy(Trapezoidal, &Valleys, &jump));
+        let (count, energy) =
+            (n as f64, subject.discrete_energy(Rule::TRAPEZOIDAL, &Valleys, &jump));
         let expected = 16.0 * PI * PI * count;
         close("E_tra,N", energy, expected, 1e-14 * expected)?;
         if (energy < d2) != (n <= 3) {
@@ -191,7 +193,7 @@ fn one_jump(trial: &Trial<'_>) -> Outcome {
         }
         let curve = subject.curve_energy(&Valleys, &jump).value;
         close("E(γᵖˡ)", curve, 4.5 * expected, 1e-14 * 4.5 * expected)?;
-        let minimum = subject.minimise(Trapezoidal, &Valleys, &valleys()?, n);
+        let minimum = subject.minimise(Rule::TRAPEZOIDAL, &Valleys, &valleys()?, n);
         let found = minimum?.energy;
         if !(found <= energy * (1.0 + 1e-14)) {
             return Err(Failure::new(format!("N = {n}: {found} is above {energy}")));
@@ -214,8 +216,8 @@ fn one_jump(trial: &Trial<'_>) -> Outcome {
 fn roots_converge(trial: &Trial<'_>) -> Outcome {
     let (subject, ends, d2) = (trial.subject, valleys()?, 64.0 * PI * PI);
     let scaled = |n: usize| -> Result<[f64; 2], VerifyError> {
-        let line = subject.minimise(Trapezoidal, &Valleys, &ends, n)?.sequence;
-        let discrete = subject.discrete_energy(Trapezoidal, &Valleys, &line);
+        let line = subject.minimise(Rule::TRAPEZOIDAL, &Valleys, &ends, n)?.sequence;
+        let discrete = subject.discrete_energy(Rule::TRAPEZOIDAL, &Valleys, &line);
         let curve = subject.curve_energy(&Valleys, &line).value;
         Ok([discrete, curve].map(|e| (n * n) as f64 * (e - d2)))
     };
@@ -231,8 +233,8 @@ fn roots_converge(trial: &Trial<'_>) -> Outcome {
     let expected = (8.0 * PI).powi(3) * PI / (9.0 * 3_f64.sqrt());
     close("N² (E_tra,N − d²)", discrete, -expected, 1e-5 * expected)?;
     close("N² (E(γᵖˡ) − d²)", curve, 0.5 * expected, 1e-5 * expected)?;
-    let left = subject.minimise(LeftEndpoint, &Valleys, &ends, 4096)?;
-    let root = subject.discrete_energy(LeftEndpoint, &Valleys, &left.sequence).sqrt();
+    let left = subject.minimise(Rule::LEFT_ENDPOINT, &Valleys, &ends, 4096)?;
+    let root = subject.discrete_energy(Rule::LEFT_ENDPOINT, &Valleys, &left.sequence).sqrt();
     // By symmetry this error is of order 2 too, with about ten times the constant.
     close("√E_l,N", root, 8.0 * PI, 1e4 / (4096.0 * 4096.0))
 }

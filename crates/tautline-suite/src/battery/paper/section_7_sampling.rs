@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 use tautline::{
-    Bounded, Constants, Ends, LeftEndpoint, PointSequence, Trapezoidal,
+    Bounded, Constants, Ends, PointSequence, Rule,
     gallery::{Constant, Valleys},
 };
 use tautline_statements::{
@@ -211,12 +211,12 @@ fn discrete_minimum(trial: &Trial<'_>) -> Outcome {
             [Geodesic::between(metric, [a, b]).sample(n)?, curve.between(a, b).sample(n)?];
         let energies = |sequence: &PointSequence<2>| {
             [
-                subject.discrete_energy(Trapezoidal, &metric, sequence),
-                subject.discrete_energy(LeftEndpoint, &metric, sequence),
+                subject.discrete_energy(Rule::TRAPEZOIDAL, &metric, sequence),
+                subject.discrete_energy(Rule::LEFT_ENDPOINT, &metric, sequence),
             ]
         };
-        let trapezoidal = subject.minimise(Trapezoidal, &metric, &ends, n)?.sequence;
-        let left = subject.minimise(LeftEndpoint, &metric, &ends, n)?.sequence;
+        let trapezoidal = subject.minimise(Rule::TRAPEZOIDAL, &metric, &ends, n)?.sequence;
+        let left = subject.minimise(Rule::LEFT_ENDPOINT, &metric, &ends, n)?.sequence;
         let ([least, _], [_, least_left]) = (energies(&trapezoidal), energies(&left));
         // The ends of a sample are off by the rounding of a number of size 10, which changes the
         // energy by this error times the momentum 2√(c₂E). This is some 1e-14, relative to the size

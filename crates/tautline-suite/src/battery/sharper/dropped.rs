@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use tautline::{Constants, Ends, PointSequence, Trapezoidal, gallery::Valleys};
+use tautline::{Constants, Ends, PointSequence, Rule, gallery::Valleys};
 use tautline_statements::{
     Known, LIBRARY, PaperRule, Reconstruction,
     Statement::{
@@ -76,7 +76,7 @@ fn lemmas_without_l_h(_: &Trial<'_>) -> Outcome {
     let ramp = Polygonal::new(&[[0.0, 1.0], [1.0, 2.0]]).expect("in order");
     let constants = Constants::new(0.99, 2.01, 1e-9)?;
     let ends = Ends::points([0.0], [1.0])?;
-    let minimum = LIBRARY.minimise(Trapezoidal, &ramp, &ends, 2)?;
+    let minimum = LIBRARY.minimise(Rule::TRAPEZOIDAL, &ramp, &ends, 2)?;
     let flat = WithConstants { metric: ramp, constants };
     let speeds = lemma_s_3(&LIBRARY, &flat, PaperRule::Trapezoidal, &minimum.sequence);
     fails_without(&[LIPSCHITZ], lemma_s_1(&LIBRARY, &bent, &curve, 1e-5, 0.0)?)?;

@@ -4,7 +4,7 @@
 //! `d`. It is not needed either that the minimiser belongs to the theorem's own rule. A bounded set
 //! is needed only for the existence of a minimiser (Proposition 7.1).
 
-use tautline::{PointSequence, Trapezoidal};
+use tautline::{PointSequence, Rule};
 use tautline_statements::{
     Evidence, Known, LIBRARY, PaperRule, Reconstruction,
     Statement::{
@@ -143,7 +143,7 @@ fn length_minimiser(_: &Trial<'_>) -> Outcome {
     let (n, slope) = (16, 1e-2);
     let tent = tent(1.0, slope).expect("positive");
     let sequence = one_step(n, n / 2);
-    let length = LIBRARY.discrete_length(Trapezoidal, &tent, &sequence);
+    let length = LIBRARY.discrete_length(Rule::TRAPEZOIDAL, &tent, &sequence);
     // The tip is rounded off over a width of 10⁻¹², which increases H by this width times the
     // slope.
     close("the discrete length", length, 1.0, 1e-12 * slope)?;
