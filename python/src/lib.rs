@@ -19,7 +19,8 @@ mod sweep;
 mod table;
 mod text;
 
-use pyo3::prelude::*;
+use pyo3::{prelude::*, types::PyTuple};
+use tautline::Rule;
 
 /// Shortest curves between two closed sets, and certificates of their distance.
 #[pymodule]
@@ -45,6 +46,7 @@ mod _tautline {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("RULES", PyTuple::new(module.py(), Rule::NAMES)?)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -30,6 +30,7 @@ from ._sets import (
 from ._solve import UnresolvedWarning, distance_matrix, solve, solve_batch
 from ._table import Table
 from ._tautline import (
+    RULES,
     Bounds,
     Certificate,
     Constant,
@@ -48,6 +49,7 @@ from ._tautline import (
 from ._trace import TraceError, Traced
 
 __all__ = [
+    "RULES",
     "Audit",
     "Bounds",
     "Certificate",

@@ -43,8 +43,8 @@ def solve(
     Without `n` there are 256 chords, or as many as are needed for a relative error of the length of at most
     `tolerance`, by extrapolation: see `Curve.is_within`. A search along a `lattice` needs `n`.
 
-    `rule` is "trapezoidal" (the metric in the middle of each chord), "left_endpoint" or
-    "true_trapezoid". `starts` are polygons from which a search starts besides the automatic ones, or
+    `rule` is one of `RULES`, such as "trapezoidal" (the metric in the middle of each chord) or
+    "left_endpoint". `starts` are polygons from which a search starts besides the automatic ones, or
     in place of them: an array of shape (m, D), a curve, or a list of such. `steps` is the largest
     number of Newton steps of a search on one grid. `threads` is 1 or 2. If the metric has a
     `lattice`, as an image has, a second search starts from a shortest path along it, unless

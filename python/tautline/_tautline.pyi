@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from numpy.typing import NDArray
 
 __all__ = [
+    "RULES",
     "Bounds",
     "Certificate",
     "Constant",
@@ -42,6 +43,7 @@ __all__ = [
     "union",
 ]
 __version__: str
+RULES: tuple[str, ...]
 
 class ProblemError(ValueError): ...
 class MetricError(ProblemError): ...

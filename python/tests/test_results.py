@@ -125,7 +125,7 @@ class Batches(unittest.TestCase):
 
     def test_each_rule_arrives(self):
         a, b = [-1.5, 0.05], [1.5, -0.1]
-        for rule in ("left_endpoint", "true_trapezoid"):
+        for rule in tl.RULES:
             one = tl.solve(self.hill, a, b, n=32, rule=rule)
             [curve] = tl.solve_batch(self.hill, a, [b], n=32, rule=rule)
             np.testing.assert_array_equal(curve.points, one.points)

@@ -8,15 +8,8 @@
 //! E_N = (1/N) Σₙ Σᵢ wᵢ βₙᵀ H(xₙ + θᵢ (xₙ₊₁ − xₙ)) βₙ,     L_N the same with a square root
 //! ```
 //!
-//! | rule | nodes `θᵢ` | weights `wᵢ` |
-//! | --- | --- | --- |
-//! | [`Rule::TRAPEZOIDAL`], as the paper calls it; the midpoint rule elsewhere | `1/2` | `1` |
-//! | [`Rule::LEFT_ENDPOINT`] | `0` | `1` |
-//! | [`Rule::RIGHT_ENDPOINT`] | `1` | `1` |
-//! | [`Rule::TRUE_TRAPEZOID`], the mean of both endpoint rules | `0, 1` | `1/2, 1/2` |
-//! | [`Rule::SIMPSON`] | `0, 1/2, 1` | `1/6, 4/6, 1/6` |
-//! | [`Rule::GAUSS_TWO`] | `1/2 ± 1/√12` | `1/2, 1/2` |
-//! | [`Rule::GAUSS_THREE`] | `1/2, 1/2 ± (3/20)^{1/2}` | `8/18, 5/18, 5/18` |
+//! The rules of this library are the constants of [`Rule`], such as [`Rule::TRAPEZOIDAL`], as the
+//! paper calls it (the midpoint rule elsewhere), and [`Rule::SIMPSON`]; [`Rule::ALL`] lists them.
 //!
 //! [`PeanoConstants`] bound how far the discrete energy of any rule is from that of the reconstructed
 //! curve.

@@ -171,13 +171,9 @@ mod tests {
                 assert_eq!(found.second, f64::INFINITY);
             }
         }
-        compare(Rule::TRAPEZOIDAL);
-        compare(Rule::TRUE_TRAPEZOID);
-        compare(Rule::LEFT_ENDPOINT);
-        compare(Rule::RIGHT_ENDPOINT);
-        compare(Rule::SIMPSON);
-        compare(Rule::GAUSS_TWO);
-        compare(Rule::GAUSS_THREE);
+        for &rule in Rule::ALL {
+            compare(rule);
+        }
     }
 
     /// A constant that does not exist gives no bound, not even for a metric without slopes.

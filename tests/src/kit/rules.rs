@@ -13,6 +13,21 @@ fn the_rules_of_the_library_satisfy_all_laws() {
     }
 }
 
+/// The guide has a table of the rules, with their names in files and in Rust.
+#[test]
+fn the_guide_lists_every_rule() {
+    let page = include_str!("../../../guide/pages/conventions.md");
+    let cells = |row: &'static str| row.split('|').map(str::trim).collect::<Vec<_>>();
+    let rows = page.lines().map(cells);
+    let found: Vec<_> =
+        rows.filter(|cells| cells.get(1).is_some_and(|x| x.starts_with("`\""))).collect();
+    assert_eq!(found.len(), Rule::ALL.len());
+    for (cells, name) in found.iter().zip(Rule::NAMES) {
+        assert_eq!(cells[1], format!("`\"{name}\"`"));
+        assert_eq!(cells[2], format!("`Rule::{}`", name.to_uppercase()));
+    }
+}
+
 /// The rule of three eighths, written as a user would write it.
 const THREE_EIGHTHS: Rule = Rule::new(
     "three_eighths",

@@ -138,12 +138,8 @@ proptest! {
             prop_assert!(found.abs() <= bound + rounding, "{rule}: {found} {bound}");
             Ok(())
         }
-        check(Rule::TRAPEZOIDAL, &sequence, l_h, m_h)?;
-        check(Rule::TRUE_TRAPEZOID, &sequence, l_h, m_h)?;
-        check(Rule::LEFT_ENDPOINT, &sequence, l_h, m_h)?;
-        check(Rule::RIGHT_ENDPOINT, &sequence, l_h, m_h)?;
-        check(Rule::SIMPSON, &sequence, l_h, m_h)?;
-        check(Rule::GAUSS_TWO, &sequence, l_h, m_h)?;
-        check(Rule::GAUSS_THREE, &sequence, l_h, m_h)?;
+        for &rule in Rule::ALL {
+            check(rule, &sequence, l_h, m_h)?;
+        }
     }
 }

@@ -22,7 +22,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// fewer than two grids.
 ///
 /// On smooth data `E_N = d² + c₁ N⁻ᑫ + c₂ N⁻²ᑫ + …` (see
-/// [`Rule::ERROR_EXPONENT`](tautline_discretizations::Rule::ERROR_EXPONENT)), which is a polynomial
+/// [`Rule::error_exponent`](tautline_discretizations::Rule::error_exponent)), which is a polynomial
 /// in `N⁻ᑫ`. Neville's scheme evaluates it at 0. All grids must follow the same minimiser.
 ///
 /// The result is the entry of the scheme that changed least, since the coarsest grids may lie

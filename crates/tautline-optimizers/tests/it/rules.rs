@@ -31,46 +31,28 @@ fn order(error: impl Fn(usize) -> f64) -> f64 {
 #[test]
 fn minima_converge_with_the_order_of_their_rule() {
     let d2 = squared_distance();
-    fn check(rule: Rule, d2: f64) {
+    for &rule in Rule::ALL {
         let order = order(|n| minimum(rule, n).energy - d2);
         let expected = f64::from(rule.error_exponent());
         assert!((order - expected).abs() <= 0.06, "{rule}: {order}");
     }
-    check(Rule::LEFT_ENDPOINT, d2);
-    check(Rule::RIGHT_ENDPOINT, d2);
-    check(Rule::TRAPEZOIDAL, d2);
-    check(Rule::TRUE_TRAPEZOID, d2);
-    check(Rule::SIMPSON, d2);
-    check(Rule::GAUSS_TWO, d2);
-    check(Rule::GAUSS_THREE, d2);
 }
 
 /// At their minimisers the energies of Simpson and Gauss differ from that of the reconstructed curve
 /// by high orders of `1/N`.
 #[test]
 fn exact_rules_see_the_reconstructed_curve() {
-    let gap = |rule: &dyn Fn(usize) -> (Minimum<2>, f64), n: usize| {
-        let (minimum, energy) = rule(n);
-        energy - Interpolation::new(&minimum.sequence).energy(&shear()).value
+    let gap = |rule: Rule, n: usize| {
+        let sequence = minimum(rule, n).sequence;
+        rule.energy(&shear(), &sequence) - Interpolation::new(&sequence).energy(&shear()).value
     };
-    fn both(rule: Rule) -> impl Fn(usize) -> (Minimum<2>, f64) {
-        move |n| {
-            let found = minimum(rule, n);
-            let energy = rule.energy(&shear(), &found.sequence);
-            (found, energy)
-        }
-    }
     // On coarse grids, since a gap of order 6 is rounding on fine ones.
-    let order = |rule: &dyn Fn(usize) -> (Minimum<2>, f64)| {
-        (gap(rule, 8).abs() / gap(rule, 16).abs()).log2()
-    };
-    for (name, order, expected) in [
-        ("Simpson", order(&both(Rule::SIMPSON)), 4.0),
-        ("two nodes", order(&both(Rule::GAUSS_TWO)), 4.0),
-        ("three nodes", order(&both(Rule::GAUSS_THREE)), 6.0),
-    ] {
+    let order = |rule: Rule| (gap(rule, 8).abs() / gap(rule, 16).abs()).log2();
+    for (rule, expected) in [(Rule::SIMPSON, 4.0), (Rule::GAUSS_TWO, 4.0), (Rule::GAUSS_THREE, 6.0)]
+    {
+        let order = order(rule);
         // The next term is smaller by N⁻², with a factor of about (k d)²/10 for the wave number k.
-        assert!((order - expected).abs() <= 0.3, "{name}: {order}");
+        assert!((order - expected).abs() <= 0.3, "{rule}: {order}");
     }
 }
 
@@ -89,18 +71,19 @@ fn leading_constants_of_all_rules_follow_from_those_of_the_paper() {
     // The constants differ from each other by far more than the tolerance.
     assert!(bent > 0.01 && (bent - known.trapezoidal).abs() > bent, "{known:?}");
     let n = 128.0_f64;
-    let scaled = |minimum: Minimum<2>, order: i32| n.powi(order) * (minimum.energy - d2);
-    for (name, found, expected, next) in [
-        ("Simpson", scaled(minimum(Rule::SIMPSON, 128), 2), bent, n * n),
-        ("two nodes", scaled(minimum(Rule::GAUSS_TWO, 128), 2), bent, n * n),
-        ("three nodes", scaled(minimum(Rule::GAUSS_THREE, 128), 2), bent, n * n),
-        ("true trapezoid", scaled(minimum(Rule::TRUE_TRAPEZOID, 128), 2), ends_twice, n * n),
-        ("right", scaled(minimum(Rule::RIGHT_ENDPOINT, 128), 1), -known.left, n),
+    for (rule, expected) in [
+        (Rule::SIMPSON, bent),
+        (Rule::GAUSS_TWO, bent),
+        (Rule::GAUSS_THREE, bent),
+        (Rule::TRUE_TRAPEZOID, ends_twice),
+        (Rule::RIGHT_ENDPOINT, -known.left),
     ] {
+        let scale = n.powi(rule.error_exponent());
+        let found = scale * (minimum(rule, 128).energy - d2);
         // The next term of the expansion, with a constant of up to ten times the first.
         assert!(
-            (found - expected).abs() <= 10.0 / next * expected.abs(),
-            "{name}: {found} {expected}"
+            (found - expected).abs() <= 10.0 / scale * expected.abs(),
+            "{rule}: {found} {expected}"
         );
     }
 }

@@ -38,7 +38,7 @@ fn the_schema_refuses_what_the_reader_refuses() {
         ("point = [0]", "ball = { centre = [0] }"),
         ("point = [0]", "point = [true]"),
         ("[metric]", "dimension = -1\n[metric]"),
-        ("[to]", "[solve]\nrule = \"simpson\"\n[to]"),
+        ("[to]", "[solve]\nrule = \"midpoint\"\n[to]"),
         ("[to]", "[solve]\nchords = 3\n[to]"),
         ("[to]", "[sweep]\ndraw = 3\n[to]"),
         ("[to]", "[parameters]\na = 1\n[sweep.vary]\na = true\n[to]"),

@@ -228,9 +228,18 @@ fn a_file_chooses_rule_and_tolerance() {
     let wrong = answer("wrong_constants", |file| file.replace("c1 = 1", "c1 = 2"));
     let reason = wrong.no_bounds.expect("a contradiction");
     assert!(wrong.bounds.is_none() && reason.contains("the claim c1 = 2 is wrong"), "{reason}");
-    // The true trapezoid has no theorem.
-    let other = solve("rule = \"true_trapezoid\"");
-    assert!(
-        other.bounds.is_none() && other.no_bounds.is_some_and(|why| why.contains("no theorem"))
-    );
+    // All rules have a curve. The theorems are about those of the paper.
+    for rule in Rule::ALL {
+        let answer = answer("counterexample", |file| {
+            format!("{file}\n[solve]\nrule = \"{rule}\"\nn = 100\n")
+        });
+        assert_eq!((answer.rule, answer.n), (rule.name(), 100));
+        match rule.paper_rule() {
+            Ok(_) => assert!(answer.bounds.is_some(), "{rule}"),
+            Err(error) => {
+                assert!(answer.bounds.is_none(), "{rule}");
+                assert_eq!(answer.no_bounds, Some(error.to_string()));
+            }
+        }
+    }
 }

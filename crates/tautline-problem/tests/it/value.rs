@@ -224,7 +224,7 @@ fn what_cannot_be_proved_is_said() {
     let request = Request { rule: Rule::TRUE_TRAPEZOID, ..Request::default() };
     let curve = hill().solve(ends, &request).expect("solved");
     let said = curve.bounds(&proofs, &watch, go_on).expect_err("refused");
-    assert!(said.contains("no theorem on the true trapezoid"), "{said}");
+    assert!(said.contains("no theorem is about the rule true_trapezoid"), "{said}");
 }
 
 /// On a straight line the least value may be at an end, inside, or in the middle of a chord.

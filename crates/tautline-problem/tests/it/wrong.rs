@@ -161,6 +161,7 @@ fn what_was_meant_is_said() {
         ("cos(x1)", "x1^0.5", "sqrt(u)"),
         ("a - cos", "beta - cos", "[parameters]"),
         ("[to]", "[solve]\nrule = \"left\"\n[to]", "left_endpoint"),
+        ("[to]", "[solve]\nrule = \"simpsons\"\n[to]", "did you mean simpson?"),
         ("[to]", "[solve]\nrule = \"midpoint\"\n[to]", "most books call trapezoidal"),
         ("a - cos", "log(a) - cos", "the natural logarithm is ln"),
         ("a - cos", "max(a, x1) - cos", "a metric must be smooth"),
