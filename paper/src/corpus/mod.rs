@@ -41,7 +41,7 @@ struct Drawing<const D: usize> {
     ends: Ends<D>,
     kinds: [Kind; 2],
     n: usize,
-    trapezoidal: bool,
+    rule: Rule,
 }
 
 /// Draws the dimension, and calls a function for it.
@@ -72,8 +72,8 @@ pub struct Outcome {
     pub dimension: usize,
     /// The kinds of the two sets.
     pub ends: [Kind; 2],
-    /// Whether the rule is the trapezoidal one; otherwise it is the left-endpoint rule.
-    pub trapezoidal: bool,
+    /// The rule, one of the two of the paper.
+    pub rule: Rule,
     /// The number of subintervals `N`.
     pub n: usize,
     /// The search from the default starts.
@@ -114,8 +114,8 @@ impl Case {
         // An octave is drawn first, then a number in it: integers are the same on every machine.
         let octave = 1 << random.below(LARGEST.ilog2() as usize);
         let n = octave + random.below(octave + 1);
-        let trapezoidal = random.below(2) == 0;
-        Ok(Drawing { metric, ends, kinds, n, trapezoidal })
+        let rule = if random.below(2) == 0 { Rule::TRAPEZOIDAL } else { Rule::LEFT_ENDPOINT };
+        Ok(Drawing { metric, ends, kinds, n, rule })
     }
 
     fn seconds_in<const D: usize>(
@@ -124,7 +124,7 @@ impl Case {
         ns: &[usize],
         runs: usize,
     ) -> Result<Vec<f64>, Failure> {
-        let Drawing { metric, ends, trapezoidal, .. } = self.draw::<D>(random)?;
+        let Drawing { metric, ends, rule, .. } = self.draw::<D>(random)?;
         let problem = Problem::new(metric.formula, ends);
         let options = Options { threads: 1, ..Options::default() };
         let mut least = vec![f64::INFINITY; ns.len()];
@@ -133,7 +133,7 @@ impl Case {
         for _ in 0..runs {
             for (least, &n) in least.iter_mut().zip(ns) {
                 let begin = Instant::now();
-                let _ = black_box(search(&problem, trapezoidal, n, &options));
+                let _ = black_box(search(&problem, rule, n, &options));
                 *least = least.min(begin.elapsed().as_secs_f64());
             }
         }
@@ -141,21 +141,21 @@ impl Case {
     }
 
     fn outcome_in<const D: usize>(self, random: SplitMix) -> Result<Outcome, Failure> {
-        let Drawing { metric, ends, kinds, n, trapezoidal } = self.draw::<D>(random)?;
+        let Drawing { metric, ends, kinds, n, rule } = self.draw::<D>(random)?;
         let name = metric.name;
         let first = ends.first().project(&SVector::zeros());
         let straight = PointSequence::straight(first, ends.second().project(&first), n)?;
         let problem = Problem::new(metric.formula, ends);
         let from = |starts| {
             let options = Options { starts, threads: 1, ..Options::default() };
-            search(&problem, trapezoidal, n, &options).unwrap_or_else(Search::refused)
+            search(&problem, rule, n, &options).unwrap_or_else(Search::refused)
         };
         Ok(Outcome {
             index: self.index,
             metric: name,
             dimension: D,
             ends: kinds,
-            trapezoidal,
+            rule,
             n,
             default: from(Starts::Automatic),
             straight: from(Starts::Only(vec![straight])),
@@ -165,13 +165,9 @@ impl Case {
 
 fn search<const D: usize>(
     problem: &Problem<Formula<D>, D>,
-    trapezoidal: bool,
+    rule: Rule,
     n: usize,
     options: &Options<D>,
 ) -> Result<Search, SolveError> {
-    Ok(if trapezoidal {
-        Search::new(problem.solve_with(Rule::TRAPEZOIDAL, n, options)?.minimum())
-    } else {
-        Search::new(problem.solve_with(Rule::LEFT_ENDPOINT, n, options)?.minimum())
-    })
+    Ok(Search::new(problem.solve_with(rule, n, options)?.minimum()))
 }

@@ -1,6 +1,8 @@
 //! How reliably the solver converges: random problems over the gallery, and the Newton steps of
 //! each.
 
+use tautline::Rule;
+
 use crate::{
     Failure,
     artefact::{Artefact, Seed},
@@ -45,8 +47,8 @@ const GROUPS: [Group; 10] = [
     ("all", |_| true),
     ("between points", |outcome| outcome.ends == [Kind::Point; 2]),
     ("between sets", |outcome| outcome.ends != [Kind::Point; 2]),
-    ("left-endpoint rule", |outcome| !outcome.trapezoidal),
-    ("trapezoidal rule", |outcome| outcome.trapezoidal),
+    ("left-endpoint rule", |outcome| outcome.rule == Rule::LEFT_ENDPOINT),
+    ("trapezoidal rule", |outcome| outcome.rule == Rule::TRAPEZOIDAL),
     ("D = 1 or 2", |outcome| outcome.dimension <= 2),
     ("D = 3 to 5", |outcome| (3..=5).contains(&outcome.dimension)),
     ("D = 6 to 8", |outcome| outcome.dimension >= 6),
@@ -140,8 +142,8 @@ fn histogram(starts: &str, name: &str, searches: &[&Search]) -> Vec<String> {
 
 /// Describes a problem, and how the search from the default starts ended.
 fn describe(outcome: &Outcome) -> String {
-    let Outcome { index, metric, dimension, ends: [first, second], n, default, .. } = outcome;
-    let rule = if outcome.trapezoidal { "trapezoidal" } else { "left-endpoint" };
+    let Outcome { index, metric, dimension, ends: [first, second], rule, n, default, .. } = outcome;
+    let rule = rule.name().replace('_', "-");
     let end = match &default.end {
         End::Touch => "the ends touch".to_owned(),
         End::Reached => "reached".to_owned(),

@@ -3,7 +3,7 @@
 use std::cell::{Cell, RefCell};
 
 use nalgebra::SVector;
-use tautline::{ClosedSet, Options, PointSequence, Rule, Starts, minimise};
+use tautline::{ClosedSet, Options, PointSequence, Starts, minimise};
 use tautline_statements::{
     AnyBounded, Evidence, Known, LIBRARY, PaperRule, Reconstruction, Subject, VerifyError,
 };
@@ -60,11 +60,7 @@ impl<const D: usize> Minimiser<'_, D> {
         let options = Options { starts: Starts::Also(vec![other.clone()]), ..Options::default() };
         let Known { metric, ends, .. } = self.known;
         let n = self.seen.n.get();
-        let minimum = match self.seen.rule {
-            PaperRule::Trapezoidal => minimise(metric, ends, Rule::TRAPEZOIDAL, n, &options)?,
-            PaperRule::LeftEndpoint => minimise(metric, ends, Rule::LEFT_ENDPOINT, n, &options)?,
-        };
-        Ok(minimum.sequence)
+        Ok(minimise(metric, ends, self.seen.rule.into(), n, &options)?.sequence)
     }
 
     pub(super) fn sets(&self) -> [&dyn ClosedSet<D>; 2] {

@@ -6,7 +6,7 @@ use tautline_statements::{
     witnesses::{Polygonal, two_routes},
 };
 
-use super::{claiming, minimum};
+use super::claiming;
 
 /// The slope of all profiles here; `δ` equals it to within a percent.
 pub(crate) const SLOPE: f64 = 1e-3;
@@ -118,7 +118,7 @@ pub(crate) fn longer_way(
     let metric = Constant::<1>::new([[1.0]].into())?;
     let ends = Ends::new(FiniteSet::new([[0.0], [10.0]])?, FiniteSet::new([[1.0], [12.0]])?)?;
     let known = Known { metric, ends, distance: 1.0, distance_error: 0.0 };
-    let far = minimum(&LIBRARY, rule, &metric, &Ends::points([10.0], [12.0])?, n)?;
+    let far = LIBRARY.minimise(rule.into(), &metric, &Ends::points([10.0], [12.0])?, n)?;
     let seen = Reconstruction::read(&LIBRARY, &known, rule, far)?;
     Ok((known, seen))
 }
@@ -127,7 +127,7 @@ pub(crate) fn longer_way(
 /// subintervals. It has `E − d² = 0.226`.
 pub(crate) fn beyond_the_end(rule: PaperRule, n: usize) -> Result<Reconstruction<1>, VerifyError> {
     let metric = Polygonal::new(&[[0.0, 1.0], [1.0, 1.1], [2.0, 1.2]]).expect("in order");
-    let beyond = minimum(&LIBRARY, rule, &metric, &Ends::points([0.0], [1.1])?, n)?;
+    let beyond = LIBRARY.minimise(rule.into(), &metric, &Ends::points([0.0], [1.1])?, n)?;
     let known = Known::between(metric, [0.0], [1.0])?.expect("between the knots");
     Reconstruction::read(&LIBRARY, &known, rule, beyond)
 }

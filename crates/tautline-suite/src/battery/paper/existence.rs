@@ -13,7 +13,7 @@ use tautline_statements::{
 };
 
 use crate::battery::{
-    cases::{AboveExponential, admissible, clauses::BELOW, minimum},
+    cases::{AboveExponential, admissible, clauses::BELOW},
     harness::{
         Check, Dropped, Failure, Homogeneous, Outcome, Random, Trial, Witness, all, fails_without,
         for_all, for_rules,
@@ -97,7 +97,7 @@ fn attained(trial: &Trial<'_>) -> Outcome {
     let ends = Ends::new(ball, wall)?;
     for_rules([1, 3, 20], |rule, n| {
         let line = PointSequence::straight([2.0, 0.0, 0.0], [5.0, 0.0, 0.0], n)?;
-        let least = minimum(trial.subject, rule, &metric, &ends, n)?.sequence;
+        let least = trial.subject.minimise(rule.into(), &metric, &ends, n)?.sequence;
         let evidence = prop_7_1(trial.subject, rule, &metric, [&ball, &wall], [&least, &line])?;
         trial.one([evidence
             .claim_is_attained("|xₙ − X| ≤ √(R/c₁)", 1.01)?
@@ -172,7 +172,7 @@ fn another_number_or_other_ends(_: &Trial<'_>) -> Outcome {
     let sets: [&dyn ClosedSet<1>; 2] = [&**ends.first(), &**ends.second()];
     let least = "E_N(γ*) ≤ E_N(γᵖ)";
     let rule = PaperRule::Trapezoidal;
-    let [one, eight] = [1, 8].map(|n| minimum(&LIBRARY, rule, &ridge, &ends, n));
+    let [one, eight] = [1, 8].map(|n| LIBRARY.minimise(rule.into(), &ridge, &ends, n));
     let (one, eight) = (one?.sequence, eight?.sequence);
     let half = PointSequence::straight([0.0], [0.5], 8)?;
     all([

@@ -12,7 +12,6 @@ use crate::battery::{
     cases::{
         claiming,
         clauses::{ABOVE, BELOW, ENDS, LIPSCHITZ},
-        minimum,
         routes::{
             beyond_the_end, cheap_second_route, claimed, downwards, level, longer_way, ridge, steep,
         },
@@ -74,7 +73,7 @@ fn not_global(_: &Trial<'_>) -> Outcome {
 fn not_stationary(_: &Trial<'_>) -> Outcome {
     let (known, _) = sheared();
     for_rules([2, 3, 5, 16], |rule, n| {
-        let mut minimum = minimum(&LIBRARY, rule, &known.metric, &known.ends, n)?;
+        let mut minimum = LIBRARY.minimise(rule.into(), &known.metric, &known.ends, n)?;
         let still = minimum.sequence.points().to_vec();
         for size in (0..40).map(|k| 4.0 * 0.5_f64.powi(k)) {
             let mut points = still.clone();

@@ -18,7 +18,6 @@ use tautline_statements::{
 use crate::battery::{
     cases::{
         clauses::{ABOVE, BELOW, ENDS, LIPSCHITZ, PREMISE},
-        minimum,
         routes::{
             beyond_the_end, cheap_second_route, claimed, downwards, longer_way, misleading, ridge,
             steep, upwards, valley,
@@ -162,7 +161,8 @@ fn fails_for<M: tautline::Bounded<1>>(
     rule: PaperRule,
     sequence: &PointSequence<1>,
 ) -> Outcome {
-    let mut minimum = minimum(&LIBRARY, rule, &known.metric, &known.ends, sequence.n().get())?;
+    let mut minimum =
+        LIBRARY.minimise(rule.into(), &known.metric, &known.ends, sequence.n().get())?;
     minimum.sequence = sequence.clone();
     let [theorem, ..] =
         of_minimiser(&LIBRARY, &Reconstruction::read(&LIBRARY, known, rule, minimum)?);
