@@ -7,25 +7,19 @@
 //! | [`shooting`] | the initial velocity of a geodesic, by Newton's method; exponential map and logarithm | two closed sets |
 //! | [`collocation`] | the boundary value problem of a geodesic | two closed sets |
 //! | [`geodesic_calculus`] | discrete exponential, logarithm and parallel transport | two points |
-//! | [`graph()`] | shortest paths along a lattice | two closed sets |
-//! | [`eikonal()`] | the distance from a set at the nodes of a lattice, by fast marching | two closed sets |
 //!
-//! They need the formula of the metric alone: all derivatives come from it. The last two see the
-//! whole of a box, in up to three or four dimensions; the others are local. A path along a lattice
-//! becomes a start of the local ones by its `sequence(n)`: see [`Starts::Only`](tautline::Starts::Only)
-//! and [`Collocation::start`](collocation::Collocation::start).
+//! They need the formula of the metric alone: all derivatives come from it. They are local. Shortest paths
+//! along a lattice and fast marching see the whole of a box ([`tautline::grid`]); such a path becomes a
+//! start of the local methods by its `sequence(n)`: see [`Starts::Only`](tautline::Starts::Only) and
+//! [`Collocation::start`](collocation::Collocation::start).
 
 pub mod collocation;
 pub mod descent;
-mod eikonal;
 pub mod equal_speeds;
 pub mod geodesic_calculus;
 mod geodesic_equation;
-mod graph;
 mod normal_map;
 mod not_finite;
 pub mod shooting;
 
-pub use eikonal::{Distances, Eikonal, EikonalError, EikonalPath, eikonal};
 pub use geodesic_equation::EquationError;
-pub use graph::{angular_factor, graph};

@@ -8,9 +8,8 @@ use std::{
 use nalgebra::{SMatrix, SVector};
 use tautline_check::{Cubes, Place};
 use tautline_formula::Formula;
+use tautline_grid::{Front, Order};
 use tautline_metrics::Metric;
-
-use crate::front::{Front, Order};
 
 /// The numbers of the nodes.
 type Index<const D: usize> = HashMap<Place<D>, u32, BuildHasherDefault<PlaceHasher>>;

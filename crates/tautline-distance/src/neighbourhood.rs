@@ -8,9 +8,10 @@ use std::{
 use nalgebra::{SMatrix, SVector};
 use tautline_check::{Cubes, Place};
 use tautline_formula::Formula;
+use tautline_grid::Ordered;
 use tautline_sets::Shape;
 
-use crate::{front::Ordered, marching::metric, seed::seed};
+use crate::{marching::metric, seed::seed};
 
 /// Cubes near a set.
 #[derive(Clone, Debug)]

@@ -4,8 +4,8 @@ use nalgebra::SVector;
 use tautline::{
     CertificateError, GraphPathError, Integral, Metric, Punctures, SolveError, TautLine, Word,
     distance::{Found, Wanted},
+    grid::EikonalError,
 };
-use tautline_baselines::EikonalError;
 
 /// The local minima that a search found, each along another curve.
 #[derive(Clone, Debug)]

@@ -3,12 +3,12 @@
 use tautline::{
     GraphPathError, Lattice, LatticeGraph, Metric, Options, Plain, PointSequence, Problem,
     Punctures, Rule, SolveError, Starts, TautLine, are_apart, class_paths,
+    grid::{EikonalError, pass_paths},
 };
-use tautline_baselines::EikonalError;
 
 use crate::{
     Flattened, LocalMinimum, Minima, MinimaError, Origin, Refused, continuation::is_minimum,
-    flattened::level, follow, pass_paths,
+    flattened::level, follow,
 };
 
 /// Where a search for all minima looks.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tautline_discretizations::{PointSequence, Rule};
-use tautline_lattice::{Lattice, LatticeGraph, Punctures, class_paths, graph_path};
+use tautline_grid::{GraphPathError, Lattice, LatticeGraph, Punctures, class_paths, graph_path};
 use tautline_metrics::Metric;
 use tautline_optimizers::{
     Level, Minimum, Options, Other, SolveError, Starts, Workspace, are_apart, lowest_different,
@@ -13,6 +13,17 @@ use crate::{Problem, TautLine};
 
 /// How many times as long as the shortest path the way around a peak may be.
 const SLACK: f64 = 2.0;
+
+/// Why a search along a lattice has no line.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum LatticeSearchError {
+    /// There is no path along the lattice to start from.
+    #[error(transparent)]
+    Path(#[from] GraphPathError),
+    /// There is no minimiser.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+}
 
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// Solves like [`solve_with`](Problem::solve_with), and once more on the grid of `n` chords from a
@@ -29,15 +40,15 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ///
     /// # Errors
     ///
-    /// As for [`solve`](Problem::solve) if both searches fail, or [`SolveError::GraphPath`] if there is no
-    /// path along the lattice.
+    /// [`LatticeSearchError::Solve`], with the error of [`solve`](Problem::solve), if both searches fail, or
+    /// [`LatticeSearchError::Path`] if there is no path along the lattice.
     pub fn solve_on_lattice(
         &self,
         rule: Rule,
         n: usize,
         lattice: &Lattice<D>,
         options: &Options<D>,
-    ) -> Result<TautLine<M, D>, SolveError> {
+    ) -> Result<TautLine<M, D>, LatticeSearchError> {
         self.solve_from(rule, n, options, || {
             Ok(vec![graph_path(&**self.prepared(), self.ends(), lattice, n)?])
         })
@@ -78,7 +89,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         lattice: &Lattice<D>,
         classes: usize,
         options: &Options<D>,
-    ) -> Result<TautLine<M, D>, SolveError> {
+    ) -> Result<TautLine<M, D>, LatticeSearchError> {
         let metric = &**self.prepared();
         self.solve_from(rule, n, options, || {
             let peaks = Punctures::prominent(metric, lattice)?;
@@ -95,11 +106,11 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         rule: Rule,
         n: usize,
         options: &Options<D>,
-        starts: impl FnOnce() -> Result<Vec<PointSequence<D>>, SolveError>,
-    ) -> Result<TautLine<M, D>, SolveError> {
+        starts: impl FnOnce() -> Result<Vec<PointSequence<D>>, LatticeSearchError>,
+    ) -> Result<TautLine<M, D>, LatticeSearchError> {
         let first = self.solve_with(rule, n, options);
         if first.as_ref().is_err_and(SolveError::is_due_to_n) {
-            return first;
+            return Ok(first?);
         }
         match [first, self.solve_on_the_grid(rule, n, starts()?, options)] {
             [Ok(first), Ok(second)] => {
@@ -115,7 +126,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
             }
             [Ok(line), Err(_)] => Ok(line),
             [Err(_), Ok(line)] => Ok(self.with_coarser_grids(line, options)),
-            [Err(error), Err(_)] => Err(error),
+            [Err(error), Err(_)] => Err(error.into()),
         }
     }
 

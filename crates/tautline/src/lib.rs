@@ -98,6 +98,7 @@ pub use certificate::SuggestedN;
 pub use certified_distance::CertificateError;
 pub use competitors::Competitors;
 pub use conventions::Convention;
+pub use lattice_search::LatticeSearchError;
 pub use problem::Problem;
 pub use proof::{Proof, ProofError};
 pub use taut_line::TautLine;
@@ -117,9 +118,9 @@ pub use tautline_formula::{
     self as formula, AnyMetric, Batch, Batches, BlackBox, Formula, Kind, Plain, Prepared,
     RecordError, TextError, Values,
 };
-pub use tautline_lattice::{
-    ClassPath, GraphPathError, Lattice, LatticeGraph, LatticePath, Punctures, Word, class_paths,
-    equal_chords, graph_path,
+pub use tautline_grid::{
+    self as grid, ClassPath, GraphPathError, Lattice, LatticeGraph, LatticePath, Punctures, Word,
+    class_paths, equal_chords, graph_path,
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,

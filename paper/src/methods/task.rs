@@ -4,10 +4,11 @@ use std::ops::ControlFlow;
 
 use tautline::{
     Bounded, Ends, Iterate, Lattice, Minimum, Options, PointSequence, Prepared, Problem, Rule,
-    SVector, Starts, TautLine, distance::Order, norm_squared,
+    SVector, Starts, TautLine,
+    grid::{Eikonal, Order, graph},
+    norm_squared,
 };
 use tautline_baselines::{
-    Eikonal,
     collocation::{Collocation, collocate},
     descent::{
         Coordinates, Descended, Ended, Limits, SecondOrder, dynamic_programming, lbfgs,
@@ -15,7 +16,6 @@ use tautline_baselines::{
     },
     equal_speeds::equal_speeds,
     geodesic_calculus::discrete_logarithm,
-    graph,
     shooting::{Integration, Shooting, shoot},
 };
 

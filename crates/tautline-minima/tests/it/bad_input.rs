@@ -3,9 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{
     Ends, GraphPathError, Lattice, Metric, Plain, Problem, Punctures, Rule, Scalar, SolveError,
-    gallery::Valleys,
+    gallery::Valleys, grid::EikonalError,
 };
-use tautline_baselines::EikonalError;
 use tautline_minima::{GlobalSearch, MinimaError, Refused, follow};
 
 use crate::setup::Torn;

@@ -4,11 +4,10 @@ use nalgebra::{SMatrix, SVector};
 use tautline::{
     Ends, Lattice, Metric, Options, Plain, PointSequence, Problem, Rule, Scalar, Starts, TautLine,
     are_apart,
-    distance::Order,
     gallery::{Obstacle, SoftObstacles},
     graph_path,
+    grid::{Order, eikonal},
 };
-use tautline_baselines::eikonal;
 use tautline_chance::{Random, cases, seed};
 use tautline_minima::GlobalSearch;
 

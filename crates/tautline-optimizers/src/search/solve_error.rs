@@ -1,7 +1,6 @@
 //! `SolveError`: the reason why there is no minimiser.
 
 use tautline_discretizations::{LARGEST_N, SequenceError};
-use tautline_lattice::GraphPathError;
 use tautline_metrics::MetricError;
 
 /// The reason why there is no minimiser.
@@ -40,9 +39,6 @@ pub enum SolveError {
         /// The energy, in `m²`: infinite, or NaN for a difference of infinities.
         energy: f64,
     },
-    /// There is no path along a lattice to start from.
-    #[error(transparent)]
-    GraphPath(#[from] GraphPathError),
     /// The watcher of the solve ended it.
     #[error("the solve was ended on its way to a minimiser, on the grid of {n} chords")]
     Interrupted {

@@ -10,7 +10,7 @@ use core::ops::ControlFlow;
 use std::sync::Arc;
 
 use tautline::{
-    Ends, Options, PointSequence, Problem, Rule, SolveError, Starts, TautLine,
+    Ends, LatticeSearchError, Options, PointSequence, Problem, Rule, SolveError, Starts, TautLine,
     certify::{Progress, Watch},
     distance,
 };
@@ -164,8 +164,8 @@ impl Question {
                 nodes.get_ref().lattice::<D>().map_err(|error| wrong(error.to_string()))?;
             let line = nodes.get_ref().solve(problem, rule, first, &lattice, options);
             return line.map_err(|error| match error {
-                SolveError::GraphPath(error) => wrong(error.to_string()),
-                error => failure(error),
+                LatticeSearchError::Path(error) => wrong(error.to_string()),
+                LatticeSearchError::Solve(error) => failure(error),
             });
         }
         let line = problem.solve_with(rule, first, options).map_err(failure)?;

@@ -1,6 +1,8 @@
 //! `GivenError`: why a problem that was given as values has no curve.
 
-use tautline::{SequenceError, SetError, SolveError, TextError};
+use tautline::{
+    GraphPathError, LatticeSearchError, SequenceError, SetError, SolveError, TextError,
+};
 
 use crate::{ConstantsError, LARGEST_DIMENSION, LEAST_TOLERANCE};
 
@@ -74,7 +76,19 @@ pub enum GivenError {
     /// No constants were sought.
     #[error(transparent)]
     Constants(#[from] ConstantsError),
+    /// A lattice, or a path along it, is not there.
+    #[error(transparent)]
+    Lattice(#[from] GraphPathError),
     /// Nothing was found.
     #[error(transparent)]
     Solve(#[from] SolveError),
+}
+
+impl From<LatticeSearchError> for GivenError {
+    fn from(error: LatticeSearchError) -> Self {
+        match error {
+            LatticeSearchError::Path(error) => error.into(),
+            LatticeSearchError::Solve(error) => error.into(),
+        }
+    }
 }

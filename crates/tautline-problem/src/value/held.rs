@@ -64,7 +64,7 @@ impl<const D: usize> Held<D> {
         held(match (request.grid, lattice) {
             (Grid::Chords(n), None) => problem.solve_with(rule, n, &options),
             (Grid::Chords(n), Some((nodes, lattice))) => {
-                nodes.solve(problem, rule, n, &lattice, &options)
+                Ok(nodes.solve(problem, rule, n, &lattice, &options)?)
             }
             (Grid::Tolerance(_), Some(_)) => return Err(GivenError::LatticeAndTolerance),
             (Grid::Tolerance(tolerance), None) => {

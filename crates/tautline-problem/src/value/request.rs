@@ -1,7 +1,7 @@
 //! `Request`: how a problem is to be solved.
 
 use tautline::{
-    Constants, Lattice, Options, PointSequence, Problem, Rule, SVector, SolveError, Starts,
+    Constants, Lattice, LatticeSearchError, Options, PointSequence, Problem, Rule, SVector, Starts,
     TautLine, certify::Accuracy,
 };
 
@@ -82,7 +82,7 @@ impl Nodes {
             }
         };
         let [lower, upper] = [&self.lower, &self.upper].map(|corner| vector::<D>(corner));
-        Ok(Lattice::with_spacings(lower, upper, spacing).map_err(SolveError::from)?)
+        Ok(Lattice::with_spacings(lower, upper, spacing)?)
     }
 
     /// Solves a problem from the shortest path along a lattice of these nodes, or from those of the classes.
@@ -93,7 +93,7 @@ impl Nodes {
         n: usize,
         lattice: &Lattice<D>,
         options: &Options<D>,
-    ) -> Result<TautLine<Known<D>, D>, SolveError> {
+    ) -> Result<TautLine<Known<D>, D>, LatticeSearchError> {
         if self.classes <= 1 {
             problem.solve_on_lattice(rule, n, lattice, options)
         } else {

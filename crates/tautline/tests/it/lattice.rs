@@ -1,8 +1,8 @@
 //! Searches that also start from a shortest path along a lattice.
 
 use tautline::{
-    Ends, GraphPathError, Lattice, Metric, Options, PointSequence, Prepared, Problem, Rule,
-    SMatrix, SVector, Scalar, SolveError, Starts, TautLine,
+    Ends, GraphPathError, Lattice, LatticeSearchError, Metric, Options, PointSequence, Prepared,
+    Problem, Rule, SMatrix, SVector, Scalar, SolveError, Starts, TautLine,
     gallery::{Obstacle, SoftObstacles},
     graph_path, minimise,
 };
@@ -89,11 +89,11 @@ fn the_shorter_of_both_lines_is_returned() {
         let refused = problem.solve_on_lattice(Rule::TRAPEZOIDAL, n, &lattice, &options);
         assert_eq!(
             refused.expect_err("no grid"),
-            problem.solve(Rule::TRAPEZOIDAL, n).expect_err("no grid")
+            problem.solve(Rule::TRAPEZOIDAL, n).expect_err("no grid").into()
         );
     }
     let far = on([4.0, 4.0], [5.0, 5.0], 0.1).expect_err("no path");
-    assert_eq!(far, SolveError::GraphPath(GraphPathError::FarFromEnd { end: "first" }));
+    assert_eq!(far, LatticeSearchError::Path(GraphPathError::FarFromEnd { end: "first" }));
 }
 
 /// No metric in the disc: a factor that repels, and a logarithm that is undefined inside.

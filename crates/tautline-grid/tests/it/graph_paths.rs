@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::PointSequence;
 use tautline_formula::Prepared;
-use tautline_lattice::{GraphPathError, Lattice, graph_path};
+use tautline_grid::{GraphPathError, Lattice, graph_path};
 use tautline_metrics::{Metric, Scalar, gallery::Constant};
 use tautline_sets::{Ball, Ends, HalfSpace};
 

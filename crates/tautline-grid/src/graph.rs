@@ -3,9 +3,11 @@
 //! A path runs in the directions of the edges only. Its length therefore tends to the distance under
 //! another norm, whatever the spacing: the one whose unit ball is the convex hull of the directions.
 
-use tautline::{
-    Constants, Ends, GraphPathError, Lattice, LatticeGraph, LatticePath, Metric, Plain,
-};
+use tautline_formula::Plain;
+use tautline_metrics::{Constants, Metric};
+use tautline_sets::Ends;
+
+use crate::{GraphPathError, Lattice, LatticeGraph, LatticePath};
 
 /// Returns a shortest path between two sets along a lattice whose edges reach `reach` steps along each
 /// axis: its length in `m`, its corners in `ℓ` and the number of nodes that were opened.
@@ -17,8 +19,9 @@ use tautline::{
 /// chords between the sets and their nearest nodes.
 ///
 /// ```
-/// use tautline::{Bounded, Ends, KnownDistance, Lattice, gallery::Shear};
-/// use tautline_baselines::graph;
+/// use tautline_grid::{Lattice, graph};
+/// use tautline_metrics::{Bounded, KnownDistance, gallery::Shear};
+/// use tautline_sets::Ends;
 ///
 /// let shear = Shear::new(0.5, 1.0)?;
 /// let ends = Ends::points([0.0, 0.0], [2.0, 1.0])?;

@@ -1,6 +1,6 @@
 //! Boxes and spacings that are a lattice, and those that are none.
 
-use tautline_lattice::{GraphPathError, Lattice};
+use tautline_grid::{GraphPathError, Lattice};
 
 /// Far from 0 the ends of a lattice are rounded more than its spacing.
 #[test]

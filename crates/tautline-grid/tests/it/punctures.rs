@@ -2,7 +2,7 @@
 
 use nalgebra::{SVector, vector};
 use tautline_formula::Plain;
-use tautline_lattice::{Lattice, Punctures};
+use tautline_grid::{Lattice, Punctures};
 use tautline_metrics::gallery::{Obstacle, SoftObstacles};
 use tautline_sets::{Ends, HalfSpace, Point};
 

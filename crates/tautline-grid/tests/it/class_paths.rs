@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{Random, cases, seed};
 use tautline_formula::{Batches, Plain};
-use tautline_lattice::{
+use tautline_grid::{
     ClassPath, GraphPathError, Lattice, LatticeGraph, Punctures, Word, class_paths,
 };
 use tautline_metrics::{Constants, Metric, Scalar};

@@ -1,14 +1,14 @@
 //! Fast marching beside known distances.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{
-    Ball, ClosedSet, HalfSpace, KnownDistance, Lattice, Metric, Point,
+use tautline_chance::{Random, seed};
+use tautline_grid::{Distances, Eikonal, Lattice, Order};
+use tautline_metrics::{
+    KnownDistance, Metric,
     composition::AffinePullback,
-    distance::Order,
     gallery::{Constant, HyperbolicPatch, Separable, Shear, SpherePatch, Swirl, Valleys},
 };
-use tautline_baselines::{Distances, Eikonal};
-use tautline_chance::{Random, seed};
+use tautline_sets::{Ball, ClosedSet, HalfSpace, Point};
 
 use crate::orders::slope;
 

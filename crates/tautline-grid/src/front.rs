@@ -13,7 +13,7 @@ use std::{cmp::Reverse, collections::BinaryHeap};
 use nalgebra::SMatrix;
 use rayon::prelude::*;
 
-use crate::reduction::selling;
+use crate::{Ordered, reduction::selling};
 
 /// No node.
 const NONE: u32 = u32::MAX;
@@ -196,24 +196,6 @@ impl Front {
             value = (b + (b * b - a * c).max(0.0).sqrt()) / a;
         }
         least + value
-    }
-}
-
-/// A number with the order of [`f64::total_cmp`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Ordered(pub(crate) f64);
-
-impl Eq for Ordered {}
-
-impl PartialOrd for Ordered {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Ordered {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
     }
 }
 

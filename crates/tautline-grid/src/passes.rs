@@ -1,11 +1,11 @@
 //! Curves through the passes between two distance fields.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{
-    ClosedSet, Ends, GraphPathError, Lattice, Metric, Point, PointSequence, check_gram,
-    distance::Order, equal_chords,
-};
-use tautline_baselines::{Distances, Eikonal, EikonalError};
+use tautline_discretizations::PointSequence;
+use tautline_metrics::{Metric, check_gram};
+use tautline_sets::{ClosedSet, Ends, Point};
+
+use crate::{Distances, Eikonal, EikonalError, GraphPathError, Lattice, Order, equal_chords};
 
 /// The largest corner at a pass: `|∇u + ∇v|` under `H⁻¹`, which is 0 where two geodesics of unit speed
 /// meet head on and 2 where one turns back. A chord of 30° is 0.52.
@@ -147,9 +147,8 @@ fn path_through<M: Metric<D>, const D: usize>(
 
 #[cfg(test)]
 mod tests {
-    use tautline::Lattice;
-
     use super::passes;
+    use crate::Lattice;
 
     /// A cluster is of nodes beside each other, also along a diagonal, and its pass is the node with the least
     /// corner, wherever in the cluster it is.

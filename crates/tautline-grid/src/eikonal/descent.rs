@@ -1,8 +1,11 @@
 //! The descent along `−H⁻¹∇u` to the set from which the distances are.
 
-use tautline::{GraphPathError, Metric, PointSequence, SVector, equal_chords};
+use nalgebra::SVector;
+use tautline_discretizations::PointSequence;
+use tautline_metrics::Metric;
 
 use super::{Distances, EikonalError, near};
+use crate::{GraphPathError, equal_chords};
 
 /// The length of a step, in steps of the lattice along its longest axis.
 const STEP: f64 = 0.5;

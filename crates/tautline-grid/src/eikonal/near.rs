@@ -1,6 +1,8 @@
 //! Distances from points near a set, along one chord.
 
-use tautline::{ClosedSet, Metric, SMatrix, SVector, check_gram};
+use nalgebra::{SMatrix, SVector};
+use tautline_metrics::{Metric, check_gram};
+use tautline_sets::ClosedSet;
 
 /// The most steps to the nearest point. With momentum, each divides the error by about `1 + 1/√κ` for the
 /// condition number `κ` of `H`.
@@ -59,7 +61,9 @@ fn largest_row<const D: usize>(h: &SMatrix<f64, D, D>) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use tautline::{HalfSpace, Point, SMatrix, gallery::Constant};
+    use nalgebra::SMatrix;
+    use tautline_metrics::gallery::Constant;
+    use tautline_sets::{HalfSpace, Point};
 
     use super::chord;
 

@@ -2,12 +2,14 @@
 
 use nalgebra::{SMatrix, SVector};
 use petgraph::{algo::dijkstra, graph::DiGraph};
-use tautline::{
-    Ball, Bounded, Constants, Ends, HalfSpace, KnownDistance, Lattice, LatticeGraph, Metric, Plain,
+use tautline_chance::{Random, cases, seed};
+use tautline_formula::Plain;
+use tautline_grid::{Lattice, LatticeGraph, angular_factor, graph};
+use tautline_metrics::{
+    Bounded, Constants, KnownDistance, Metric,
     gallery::{Constant, Separable, Shear, Swirl, TwoChannels, Valleys},
 };
-use tautline_baselines::{angular_factor, graph};
-use tautline_chance::{Random, cases, seed};
+use tautline_sets::{Ball, Ends, HalfSpace, Point};
 
 fn euclidean() -> Constant<2> {
     Constant::new(SMatrix::identity()).expect("positive definite")
@@ -90,7 +92,7 @@ fn opened<M: Metric<2>>(metric: &M, constants: &Constants, number: u64) -> [usiz
         let ends = if case % 2 == 0 {
             Ends::points(a, b)
         } else {
-            Ends::new(ball, tautline::Point::new(a).expect("finite"))
+            Ends::new(ball, Point::new(a).expect("finite"))
         };
         let ends = ends.expect("bounded");
         let reach = 1 + case as usize % 3;

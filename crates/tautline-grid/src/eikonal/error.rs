@@ -1,6 +1,6 @@
 //! `EikonalError`: why there is no distance or no path.
 
-use tautline::GraphPathError;
+use crate::GraphPathError;
 
 /// Why there is no distance or no path on a lattice.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,6 +1,8 @@
 //! `Distances`: the values of a march, and what is between them.
 
-use tautline::{ClosedSet, Metric, SMatrix, SVector, check_gram};
+use nalgebra::{SMatrix, SVector};
+use tautline_metrics::{Metric, check_gram};
+use tautline_sets::ClosedSet;
 
 use super::{Eikonal, EikonalError, EikonalPath, descent::descend, near};
 

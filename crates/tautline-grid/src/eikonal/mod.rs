@@ -5,10 +5,11 @@ mod distances;
 mod error;
 mod near;
 
-use tautline::{
-    ClosedSet, Ends, Lattice, Metric, SMatrix, SVector, check_gram,
-    distance::{Front, Order},
-};
+use nalgebra::{SMatrix, SVector};
+use tautline_metrics::{Metric, check_gram};
+use tautline_sets::{ClosedSet, Ends};
+
+use crate::{Front, Lattice, Order};
 
 pub use descent::EikonalPath;
 pub use distances::Distances;
@@ -192,8 +193,9 @@ impl<'m, M: Metric<D>, const D: usize> Eikonal<'m, M, D> {
 /// corners in `ℓ`, its length and the distance between the sets, in `m`.
 ///
 /// ```
-/// use tautline::{Ball, Ends, HalfSpace, Lattice, distance::Order, gallery::Valleys};
-/// use tautline_baselines::eikonal;
+/// use tautline_grid::{Lattice, Order, eikonal};
+/// use tautline_metrics::gallery::Valleys;
+/// use tautline_sets::{Ball, Ends, HalfSpace};
 ///
 /// // From the ball of radius ½ to the half-space x₁ ≥ 3: d = 5 − sin 3 + sin ½.
 /// let ends = Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::new([-1.0, 0.0], -3.0)?)?;

@@ -1,13 +1,13 @@
 //! Paths that descend the distances of fast marching.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{
-    Ball, Ends, HalfSpace, KnownDistance, Lattice, Metric, Point, Scalar, Union,
-    distance::Order,
-    gallery::{Ramp, Separable, Shear, Swirl, TwoChannels},
-};
-use tautline_baselines::{Eikonal, EikonalPath, eikonal, graph};
 use tautline_chance::{Random, cases, seed};
+use tautline_grid::{Eikonal, EikonalPath, Lattice, Order, eikonal, graph};
+use tautline_metrics::{
+    KnownDistance, Metric, Scalar,
+    gallery::{Constant, Ramp, Separable, Shear, Swirl, TwoChannels},
+};
+use tautline_sets::{Ball, Ends, HalfSpace, Point, Union};
 
 use crate::orders::slope;
 
@@ -238,7 +238,7 @@ fn a_path_may_be_short() {
 /// beyond, and there are none outside of the box.
 #[test]
 fn distances_are_interpolated_in_the_box_alone() {
-    let flat = tautline::gallery::Constant::<2>::new(SMatrix::identity() * 4.0).expect("positive");
+    let flat = Constant::<2>::new(SMatrix::identity() * 4.0).expect("positive");
     let wall = HalfSpace::new([1.0, 0.0], -1.0).expect("a wall");
     let lattice = square(0.25);
     let equation = Eikonal::new(&flat, &lattice).expect("stencils");
@@ -257,7 +257,7 @@ fn distances_are_interpolated_in_the_box_alone() {
 /// is a neighbour on one side only.
 #[test]
 fn the_gradient_of_a_linear_distance_is_constant_up_to_the_boundary() {
-    let flat = tautline::gallery::Constant::<2>::new(SMatrix::identity() * 4.0).expect("positive");
+    let flat = Constant::<2>::new(SMatrix::identity() * 4.0).expect("positive");
     let lattice = square(0.25);
     let equation = Eikonal::new(&flat, &lattice).expect("stencils");
     for normal in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
@@ -278,7 +278,7 @@ fn the_gradient_of_a_linear_distance_is_constant_up_to_the_boundary() {
 /// linear, so that the descent along the disc finds it up to its last step and the rounding of values.
 #[test]
 fn the_nearest_point_of_a_disc_lies_between_those_of_nodes() {
-    let flat = tautline::gallery::Constant::<2>::new(SMatrix::identity() * 4.0).expect("positive");
+    let flat = Constant::<2>::new(SMatrix::identity() * 4.0).expect("positive");
     let wall = HalfSpace::new([1.0, 0.0], -1.0).expect("a wall");
     let disc = Ball::new([0.77, 0.31], 0.2).expect("a disc");
     let lattice = square(0.25);

@@ -1,12 +1,13 @@
 //! What is refused, with the offending numbers.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{
-    Ball, Bounded, Constants, Ends, GraphPathError, Lattice, Metric, Point, Scalar,
-    distance::Order,
+use tautline_discretizations::LARGEST_N;
+use tautline_grid::{Eikonal, EikonalError, GraphPathError, Lattice, Order, eikonal, graph};
+use tautline_metrics::{
+    Bounded, Constants, Metric, Scalar,
     gallery::{Constant, Valleys},
 };
-use tautline_baselines::{Eikonal, EikonalError, eikonal, graph};
+use tautline_sets::{Ball, Ends, Point};
 
 fn square(spacing: f64) -> Lattice<2> {
     Lattice::new([-1.0, -1.0], [1.0, 1.0], spacing).expect("a lattice")
@@ -165,6 +166,6 @@ fn zero_chords_are_refused() {
     assert_eq!(graph(&Valleys, &ends, &lattice, 1, None).expect("a path").sequence(0), error);
     let path = eikonal(&Valleys, &ends, &lattice, Order::First).expect("a path");
     assert_eq!(path.sequence(0), error);
-    let too_many = tautline::LARGEST_N + 1;
+    let too_many = LARGEST_N + 1;
     assert_eq!(path.sequence(too_many), Err(GraphPathError::Chords { n: too_many }));
 }
