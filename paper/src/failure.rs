@@ -72,7 +72,7 @@ from_libraries! {
     tautline_baselines::descent::DescentError,
     tautline_baselines::geodesic_calculus::CalculusError,
     tautline_baselines::shooting::ShootingError,
-    tautline_drawing::DrawingError,
+    tautline_picture::DrawingError,
     tautline_statements::VerifyError,
 }
 

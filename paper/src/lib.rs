@@ -34,4 +34,4 @@ pub mod sweep;
 pub mod tables;
 
 pub use failure::Failure;
-pub use tautline_drawing as drawing;
+pub use tautline_picture as drawing;

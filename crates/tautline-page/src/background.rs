@@ -4,7 +4,7 @@ use std::{cell::Cell, fmt::Write};
 
 use serde::Serialize;
 use tautline::{Formula, check_gram};
-use tautline_drawing::{DrawingError, Field};
+use tautline_picture::{DrawingError, Field};
 
 use crate::{Complaint, question::read};
 

@@ -1,7 +1,7 @@
 //! What an audit asks of a file: the part of space that it is about, and proofs in a ball.
 
 use tautline::Interval;
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use crate::{Question, reading::shape::Piece};
 

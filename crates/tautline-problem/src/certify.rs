@@ -9,7 +9,7 @@ use tautline::{
     check::{self, LARGEST_DIMENSION},
     distance::{Ended, Progress, Wanted},
 };
-use tautline_portrait::Cubes;
+use tautline_picture::portrait::Cubes;
 
 use crate::{Answer, Diagnostic, Failure, Float, Question, known::Known, solve::points};
 

@@ -6,7 +6,7 @@ use tautline::{
     AxisBox, Ball, CertifyError, Domain, Formula, Quantity, RecordError,
     certify::{Accuracy, Cell, Progress, Watch, certify_watched},
 };
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use crate::{
     Diagnostic, Failure, Float, LARGEST_PROVED_DIMENSION, Question,

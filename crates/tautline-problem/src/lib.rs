@@ -66,4 +66,4 @@ pub use tautline::{
     certify::{Progress, Watch},
     check, decimal, distance,
 };
-pub use tautline_portrait::{Scene, pdf, png, svg};
+pub use tautline_picture::{Scene, pdf, png, svg};

@@ -1,7 +1,10 @@
 //! The picture of a problem and its answer.
 
 use tautline::{Formula, Metric, SVector};
-use tautline_portrait::{Corridor, Portrait, PortraitError, Scene, Shape};
+use tautline_picture::{
+    Scene,
+    portrait::{Corridor, Portrait, PortraitError, Shape},
+};
 
 use crate::{
     Answer, CertifiedAnswer, Diagnostic, Failure, Question,

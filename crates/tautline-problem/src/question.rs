@@ -299,7 +299,7 @@ fn constants(claimed: &ConstantsFile, numbers: &Numbers<'_>) -> Result<Constants
 
 #[cfg(test)]
 mod tests {
-    use tautline_portrait::{Field, Shape};
+    use tautline_picture::portrait::{Field, Shape};
 
     use super::{Question, default_boxes};
     use crate::{Grid, reading::view::View};

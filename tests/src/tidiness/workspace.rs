@@ -4,8 +4,7 @@ use super::{Manifest, TOP, manifests, read, root};
 
 /// For each library, the libraries that it may use. All of them are in rows above it, and the names
 /// lack the prefix `tautline-`.
-const BELOW: [(&str, &str); 28] = [
-    ("drawing", ""),
+const BELOW: &[(&str, &str)] = &[
     ("chance", ""),
     ("array", ""),
     ("scalar", "chance"),
@@ -26,9 +25,9 @@ const BELOW: [(&str, &str); 28] = [
     ),
     ("baselines", "chance tautline"),
     ("minima", "chance tautline"),
-    ("portrait", "chance drawing tautline"),
-    ("page", "drawing tautline"),
-    ("problem", "array chance portrait tautline"),
+    ("picture", "chance tautline"),
+    ("page", "picture tautline"),
+    ("problem", "array chance picture tautline"),
     ("sweep", "chance problem"),
     ("cli", "chance problem sweep"),
     ("statements", "tautline"),
@@ -70,10 +69,10 @@ fn short_name(name: &str) -> &str {
 }
 
 #[test]
-fn plotters_is_for_the_drawing_alone() {
+fn plotters_is_for_the_picture_alone() {
     for manifest in manifests() {
         let depends = manifest.all().any(|name| name.starts_with("plotters"));
-        assert_eq!(depends, manifest.name == "tautline-drawing", "{}", manifest.name);
+        assert_eq!(depends, manifest.name == "tautline-picture", "{}", manifest.name);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use crate::{
     Diagnostic,
@@ -105,7 +105,7 @@ pub(crate) fn distance(shape: &Shape) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use tautline_chance::{Random, seed};
-    use tautline_portrait::Shape;
+    use tautline_picture::portrait::Shape;
 
     use super::distance;
 

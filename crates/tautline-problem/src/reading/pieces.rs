@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use crate::{
     Diagnostic,

@@ -6,7 +6,7 @@ use tautline::{
     AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, SVector, Segment,
     SetError, Sphere, Union,
 };
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use crate::Diagnostic;
 

@@ -1,6 +1,6 @@
 //! `View`: what a file asks to be drawn.
 
-use tautline_portrait::Field;
+use tautline_picture::portrait::Field;
 
 use crate::{
     Diagnostic,

@@ -15,7 +15,7 @@ use tautline::{
     distance,
 };
 
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use crate::{
     Answer, Diagnostic, Failure, Grid, OtherMinimum, Question,

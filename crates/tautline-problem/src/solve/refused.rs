@@ -1,7 +1,7 @@
 //! Why there is no metric along any curve.
 
 use tautline::{Metric, MetricError, SVector, SolveError};
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use crate::{
     Diagnostic, Failure, Question, formula::formula_of, known::Known, reading::shape::vector,

@@ -5,7 +5,7 @@ use std::ops::Range;
 use tautline::{
     Batch, Batches, Formula, Kind, PointSequence, Prepared, SVector, Short, formula::Form,
 };
-use tautline_portrait::Cubes;
+use tautline_picture::portrait::Cubes;
 
 use crate::{
     Diagnostic, Question,

@@ -4,7 +4,7 @@ use tautline::{
     Formula,
     formula::{AnyFormula, Part, Written, WrittenError},
 };
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use super::{Given, GivenError, sets::check_coordinates};
 use crate::{

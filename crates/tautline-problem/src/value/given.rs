@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tautline::{BlackBox, Formula, Table, Values, certify::Watch};
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use super::{
     Curve, GivenError, Proofs, Region, Request,

@@ -7,7 +7,7 @@ use tautline::{
     Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SolveError, Table, TautLine,
     certify::Watch, solve_all,
 };
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use super::{
     Found, Given, GivenError, Least, Proofs, Region, Request,

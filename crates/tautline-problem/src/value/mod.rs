@@ -29,4 +29,4 @@ pub use request::{Nodes, Proofs, Request};
 
 pub use crate::Grid;
 pub use tautline::{TextError, Values};
-pub use tautline_portrait::Shape;
+pub use tautline_picture::portrait::Shape;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tautline::{ClosedSet, SVector, Union};
-use tautline_portrait::Shape;
+use tautline_picture::portrait::Shape;
 
 use super::GivenError;
 use crate::reading::shape::{set_of, vector};

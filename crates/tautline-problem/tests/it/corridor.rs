@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 use std::collections::HashSet;
 
-use tautline_portrait::Cubes;
+use tautline_picture::portrait::Cubes;
 use tautline_problem::{Question, check::AnyCertificate, distance::Wanted};
 
 const HILL: &str = "[metric]\ncost = \"1 + 4*exp(-2*(x1^2 + x2^2))\"\n\

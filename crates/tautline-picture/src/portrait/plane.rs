@@ -1,8 +1,6 @@
 //! The picture in the plane of two coordinates.
 
-use tautline_drawing::{Curve, Panel, Region, Scene};
-
-use crate::{
+use super::{
     Field, Portrait, PortraitError,
     background::{Background, contours},
     corridor,
@@ -13,6 +11,7 @@ use crate::{
     span::Span,
     style, window,
 };
+use crate::{Curve, Panel, Region, Scene};
 
 /// Returns the coordinates that are drawn: those that were asked for, or the two along which the
 /// curves extend farthest.

@@ -3,10 +3,11 @@
 //! A [`Figure`] consists of [`Panel`]s, and a panel consists of two axes and data. plotters turns
 //! the data into shapes, and our own backend records them in a [`Scene`]. Three writers write this
 //! one scene, so the three files cannot disagree. Nothing in them depends on a system font, a clock
-//! or an address: two runs give the same bytes.
+//! or an address: two runs give the same bytes. A [`Portrait`](portrait::Portrait) is the picture of one
+//! problem and its solution.
 //!
 //! ```
-//! use tautline_drawing::{Axis, Curve, Figure, Marker, Panel, Scale, palette, pdf, png, svg};
+//! use tautline_picture::{Axis, Curve, Figure, Marker, Panel, Scale, palette, pdf, png, svg};
 //!
 //! let points: Vec<(f64, f64)> = (0..=6).map(|k| 2.0_f64.powi(k)).map(|n| (n, 0.3 / n / n)).collect();
 //! let x = Axis::new(Scale::Octaves, 1.0, 64.0)?.labelled("number of subintervals $N$");
@@ -16,7 +17,7 @@
 //! let scene = Figure::new(480.0, "Excess energy", vec![vec![Panel::new(x, y).curve(curve)]]).draw()?;
 //! let files = [svg(&scene), png(&scene)?, pdf(&scene)];
 //! assert!(files.iter().all(|bytes| !bytes.is_empty()));
-//! # Ok::<(), tautline_drawing::DrawingError>(())
+//! # Ok::<(), tautline_picture::DrawingError>(())
 //! ```
 
 mod axes;
@@ -28,6 +29,7 @@ pub mod math_text;
 mod measures;
 mod panels;
 mod picture;
+pub mod portrait;
 
 pub use axes::{Axis, Scale};
 pub use colours::{Colour, Ramp, palette};

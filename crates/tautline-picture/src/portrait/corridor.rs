@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::shadow::Point;
+use super::shadow::Point;
 
 /// Equal cubes `k a + [0, a]^D`, with whole numbers `k₁, …, k_D`.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,8 +1,7 @@
 //! The metric behind the curves, as filled contours.
 
-use tautline_drawing::{DrawingError, Field, Panel, Region, Samples, Scale};
-
-use crate::{levels::Levels, span::number};
+use super::{levels::Levels, span::number};
+use crate::{DrawingError, Field, Panel, Region, Samples, Scale};
 
 /// What is drawn behind the sets and curves, and what must be said about it.
 #[derive(Default)]

@@ -10,7 +10,11 @@ use tautline::{
         SpherePatch, TwoLinkArm, Valleys,
     },
 };
-use tautline_portrait::{Corridor, Cubes, Field, Portrait, Shape, pdf, png, svg};
+use tautline_picture::{
+    pdf, png,
+    portrait::{Corridor, Cubes, Field, Portrait, Shape},
+    svg,
+};
 
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 

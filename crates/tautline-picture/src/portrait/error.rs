@@ -1,6 +1,6 @@
 //! Why a portrait cannot be drawn.
 
-use tautline_drawing::DrawingError;
+use crate::DrawingError;
 
 /// Why a portrait cannot be drawn. Each message names the number to change.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,6 +1,6 @@
 //! What cannot be drawn is refused, with the number to change.
 
-use tautline_portrait::{Corridor, Cubes, Portrait, PortraitError, Shape};
+use tautline_picture::portrait::{Corridor, Cubes, Portrait, PortraitError, Shape};
 
 fn identity(_: &[f64]) -> Option<Vec<f64>> {
     Some(vec![1.0, 0.0, 0.0, 1.0])

@@ -1,7 +1,10 @@
 //! The metric is shown as it is.
 
-use tautline_drawing::{Ramp, Shape as Drawn};
-use tautline_portrait::{Field, Portrait, Scene, svg};
+use tautline_picture::{
+    Ramp, Scene, Shape as Drawn,
+    portrait::{Field, Portrait},
+    svg,
+};
 
 use crate::reading::{ROUNDING, labels};
 

@@ -1,8 +1,7 @@
 //! Colours and widths of a portrait.
 
-use tautline_drawing::{Colour, Curve, Figure, Marker, Panel, Region, Scene, palette};
-
-use crate::PortraitError;
+use super::PortraitError;
+use crate::{Colour, Curve, Figure, Marker, Panel, Region, Scene, palette};
 
 /// The width of the picture, in px. At 85 mm its smallest numbers, of 13.5 px, are 7.4 pt large.
 pub(crate) const WIDTH: f64 = 440.0;

@@ -1,7 +1,10 @@
 //! Sets and curves are where the axes say.
 
-use tautline_drawing::palette::{GREEN, INK, PURPLE, VERMILLION};
-use tautline_portrait::{Field, Portrait, Scene, Shape};
+use tautline_picture::{
+    Extent, Scene,
+    palette::{GREEN, INK, PURPLE, VERMILLION},
+    portrait::{Field, Portrait, Shape},
+};
 
 use crate::reading::{ROUNDING, Reading, assert_same_box, labels};
 
@@ -32,7 +35,7 @@ fn each_bounded_set_has_its_box() {
     let expected = reading.place_box([1.5, 2.0], [-0.5, 1.0]);
     let found = reading.areas(PURPLE)[0];
     assert!(found.top < reading.frame().top, "the box has no upper side: {found:?}");
-    assert_same_box(found, tautline_drawing::Extent { top: found.top, ..expected }, ROUNDING);
+    assert_same_box(found, Extent { top: found.top, ..expected }, ROUNDING);
 }
 
 #[test]

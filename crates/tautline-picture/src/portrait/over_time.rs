@@ -1,8 +1,6 @@
 //! The picture in one dimension: a graph over time.
 
-use tautline_drawing::{Axis, Panel, Scale, Scene};
-
-use crate::{
+use super::{
     Field, Portrait, PortraitError, Shape,
     background::{Background, contours},
     gram::Gram,
@@ -10,6 +8,7 @@ use crate::{
     span::Span,
     style, window,
 };
+use crate::{Axis, Panel, Scale, Scene};
 
 /// The width of the strips at both sides that show the ends, in units of time.
 const STRIP: f64 = 0.06;
@@ -68,7 +67,7 @@ pub(crate) fn draw(portrait: &Portrait<'_>) -> Result<Scene, PortraitError> {
             return Vec::new();
         }
         let (low, high) = x.wider(0.2);
-        tautline_drawing::clip::polyline(&graph(curve), (0.0, 1.0), (x.drawn(low), x.drawn(high)))
+        crate::clip::polyline(&graph(curve), (0.0, 1.0), (x.drawn(low), x.drawn(high)))
     };
     let others = portrait.others.iter().map(|other| inside(other)).collect();
     let curves = style::curves(inside(portrait.curve), ends, others, false);

@@ -1,6 +1,6 @@
 //! Refuses data that cannot be drawn.
 
-use crate::{Corridor, Portrait, PortraitError, Shape};
+use super::{Corridor, Portrait, PortraitError, Shape};
 
 /// Checks lengths and numbers of everything but the Gram matrix.
 pub(crate) fn check(portrait: &Portrait<'_>) -> Result<(), PortraitError> {

@@ -1,6 +1,6 @@
 //! Chooses the part of space that is drawn.
 
-use crate::{Portrait, PortraitError};
+use super::{Portrait, PortraitError};
 
 /// White space around curves and sets, as a share of the longer side.
 const MARGIN: f64 = 0.1;
@@ -88,7 +88,7 @@ fn is_a_point(sides: &[[f64; 2]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{choose, rounder};
-    use crate::{Portrait, PortraitError, Shape};
+    use crate::portrait::{Portrait, PortraitError, Shape};
 
     #[test]
     fn small_sets_are_shown_whole_and_large_ones_are_not() {

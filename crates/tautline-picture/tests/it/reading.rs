@@ -1,6 +1,6 @@
 //! Reads a finished drawing: where the frame is, and which shapes have which paint.
 
-use tautline_drawing::{Colour, Extent, Scene, Segment, Shape as Drawn, palette};
+use tautline_picture::{Colour, Extent, Scene, Segment, Shape as Drawn, palette};
 
 /// A place on the canvas may be off by this, in px: the drawing rounds the frame to hundredths of a
 /// px, and then rounds a place down to one.

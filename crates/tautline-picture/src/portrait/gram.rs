@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use crate::{Portrait, PortraitError, determinant::determinant};
+use super::{Portrait, PortraitError, determinant::determinant};
 
 /// Evaluates the Gram matrix, and remembers the first matrix of the wrong size.
 pub(crate) struct Gram<'a> {

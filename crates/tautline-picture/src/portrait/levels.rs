@@ -1,6 +1,6 @@
 //! Chooses the levels of filled contours: few, at round numbers, around all values.
 
-use tautline_drawing::Scale;
+use crate::Scale;
 
 /// How the values of a field are shown.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,11 @@
 //! The drawn squares are those of the certificate.
 
-use tautline::{Ends, Problem, Rule, check, gallery::Bump};
-use tautline_drawing::{Segment, palette::ORANGE};
-use tautline_portrait::{Corridor, Cubes, Field, Portrait};
+use tautline::{Ends, Problem, check, gallery::Bump};
+use tautline_picture::{
+    Paint, Segment,
+    palette::ORANGE,
+    portrait::{Corridor, Cubes, Field, Portrait},
+}; Rule,
 
 use crate::reading::{Reading, labels};
 
@@ -58,7 +61,7 @@ fn the_drawn_squares_are_the_corridor_of_the_certificate() {
     };
     let scene = portrait.draw().expect("a picture");
     let reading = Reading::new(&scene, WINDOW);
-    let orange = |fill: tautline_drawing::Paint| fill.colour == ORANGE && fill.opacity < 1.0;
+    let orange = |fill: Paint| fill.colour == ORANGE && fill.opacity < 1.0;
     let drawn: Vec<_> =
         scene.shapes().iter().filter(|shape| shape.fill.is_some_and(orange)).collect();
     assert_eq!(drawn.len(), sets.len());

@@ -2,12 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use tautline_drawing::{Ramp, Region};
-
-use crate::{
+use super::{
     background::Background,
     span::{Span, number},
 };
+use crate::{Ramp, Region};
 
 /// The number of ellipses across the picture.
 const ACROSS: usize = 10;

@@ -2,9 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use tautline_drawing::clip;
-
-use crate::{Shape, span::Span};
+use super::{Shape, span::Span};
+use crate::clip;
 
 /// A point of the plane, in the units of the data.
 pub(crate) type Point = (f64, f64);

@@ -1,8 +1,7 @@
 //! One coordinate on its axis: the numbers that are drawn, and their label.
 
-use tautline_drawing::{Axis, DrawingError, Scale};
-
-use crate::PortraitError;
+use super::PortraitError;
+use crate::{Axis, DrawingError, Scale};
 
 /// A range of a coordinate. The number `u` at a tick stands for `x = offset + 10^exponent u`, so
 /// that ticks have few digits.

@@ -2,7 +2,11 @@
 
 use proptest::prelude::*;
 use tautline_chance::config;
-use tautline_portrait::{Field, Portrait, PortraitError, Shape, pdf, svg};
+use tautline_picture::{
+    pdf,
+    portrait::{Field, Portrait, PortraitError, Shape},
+    svg,
+};
 
 /// A number that is small or large, or a common special case.
 fn number() -> impl Strategy<Value = f64> {
