@@ -5,9 +5,9 @@
 use std::process::ExitCode;
 
 use libtest_mimic::{Arguments, Failed, Trial as Test};
+use tautline_checks::battery::{Check, Scope, Trial, suite};
 use tautline_kit::Chance;
 use tautline_statements::{LIBRARY, Mutant, Subject};
-use tautline_suite::battery::{Check, Scope, Trial, suite};
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();

@@ -69,7 +69,7 @@ impl fmt::Display for Seed {
         match self {
             Seed::None => f.write_str("none: nothing is random"),
             Seed::One(seed) => write!(f, "{seed}"),
-            Seed::Suite => f.write_str("one for each check, in the sources of tautline-suite"),
+            Seed::Suite => f.write_str("one for each check, in the sources of tautline-checks"),
         }
     }
 }

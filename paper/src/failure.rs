@@ -24,7 +24,7 @@ pub enum Failure {
     /// A check of the project's own suite failed.
     #[cfg(feature = "tables")]
     #[error("a check fails: {0}")]
-    Check(#[from] tautline_suite::battery::Failure),
+    Check(#[from] tautline_checks::battery::Failure),
     /// A file cannot be read or written.
     #[error("{}: {source}", path.display())]
     File {
@@ -77,4 +77,4 @@ from_libraries! {
 }
 
 #[cfg(feature = "tables")]
-from_libraries!(tautline_adversary::AdversaryError);
+from_libraries!(tautline_checks::adversary::AdversaryError);

@@ -1,6 +1,6 @@
 //! Checks what the adversary finds in the families of the project.
 
-use tautline_adversary::{AdversaryError, Search, Tightest, families};
+use tautline_checks::adversary::{AdversaryError, Search, Tightest, families};
 use tautline_statements::{LIBRARY, Mutant, Source, Subject};
 
 /// Returns the tightest case that a search finds in a family of a statement.

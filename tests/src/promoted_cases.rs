@@ -10,13 +10,13 @@ use tautline::{
     Ball, Bounded, Constants, Ends, HalfSpace, PointSequence, SMatrix,
     gallery::{Constant, Shear},
 };
+use tautline_checks::battery::{Given, Scope, Trial, suite};
 use tautline_kit::Chance;
 use tautline_statements::{
     Evidence, Finding, Known, LIBRARY, Mutant, PaperRule, Reconstruction, Subject, Units,
     constant_c_tra, constant_k3_bar, critical_point, prop_7_9, section_5_left, theorem_1_1,
     theorem_1_2,
 };
-use tautline_suite::battery::{Given, Scope, Trial, suite};
 
 /// Asserts that the library passes the case and the mutant does not.
 #[track_caller]

@@ -9,7 +9,7 @@ use tautline::{
         TwoChannels, TwoLinkArm, Valleys,
     },
 };
-use tautline_adversary::SplitMix;
+use tautline_checks::adversary::SplitMix;
 
 use crate::Failure;
 

@@ -6,7 +6,7 @@ use tautline::{
     AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, SVector, Segment,
     SetError, Sphere, Union,
 };
-use tautline_adversary::SplitMix;
+use tautline_checks::adversary::SplitMix;
 
 use super::metrics::vector;
 

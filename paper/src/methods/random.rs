@@ -4,7 +4,7 @@ use tautline::{
     Rule, SVector, Starts,
     gallery::{Obstacle, SoftObstacles},
 };
-use tautline_adversary::SplitMix;
+use tautline_checks::adversary::SplitMix;
 
 use super::{
     method::{Method, Setting},

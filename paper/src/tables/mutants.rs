@@ -1,7 +1,7 @@
 //! Deliberately wrong variants of the library, and the checks that kill them.
 
+use tautline_checks::battery::{Examination, Scope, Sight};
 use tautline_statements::Mutant;
-use tautline_suite::battery::{Examination, Scope, Sight};
 
 use crate::{
     Failure,

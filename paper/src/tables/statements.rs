@@ -3,8 +3,8 @@
 
 use std::collections::BTreeSet;
 
+use tautline_checks::battery::ledger;
 use tautline_statements::{Statement, Verdict};
-use tautline_suite::battery::ledger;
 
 use crate::{
     Failure,

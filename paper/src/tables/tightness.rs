@@ -1,6 +1,6 @@
 //! The tightest cases that the adversary finds, statement by statement and family by family.
 
-use tautline_adversary::{Edge, Search, Tightest, families};
+use tautline_checks::adversary::{Edge, Search, Tightest, families};
 use tautline_statements::{LIBRARY, Source};
 
 use super::statements::symbol;

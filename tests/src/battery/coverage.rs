@@ -1,7 +1,7 @@
 //! Checks that every statement is tested in each of the required ways.
 
+use tautline_checks::battery::{Kind, suite};
 use tautline_statements::{Statement, Verdict};
-use tautline_suite::battery::{Kind, suite};
 
 /// The statements for which no check drops a hypothesis, and the reason.
 const NOTHING_TO_DROP: [(Statement, &str); 5] = [

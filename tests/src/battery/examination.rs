@@ -1,7 +1,7 @@
 //! Which mistakes the bounds of the paper can detect.
 
+use tautline_checks::battery::{Check, Examination, Scope, Sight, Trial, suite};
 use tautline_statements::{LIBRARY, Mutant, Subject};
-use tautline_suite::battery::{Check, Examination, Scope, Sight, Trial, suite};
 
 /// Half of an energy violates a bound. `K̄_{4,g}` may be far too small before a bound fails. No
 /// bound of the paper contains Lemma S.3 or Proposition S.7.

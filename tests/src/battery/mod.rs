@@ -6,7 +6,7 @@ mod examination;
 
 use std::collections::BTreeSet;
 
-use tautline_suite::battery::suite;
+use tautline_checks::battery::suite;
 
 #[test]
 fn no_two_checks_have_one_name() {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use tautline_suite::GridLine;
+use tautline_checks::GridLine;
 
 use super::Table;
 

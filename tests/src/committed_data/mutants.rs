@@ -1,7 +1,7 @@
 //! `paper/tables/mutants.csv`: the named checks still kill the mutants.
 
+use tautline_checks::battery::{Scope, Trial, suite};
 use tautline_statements::Mutant;
-use tautline_suite::battery::{Scope, Trial, suite};
 
 use super::{Row, Table};
 use crate::tidiness::{read, root};

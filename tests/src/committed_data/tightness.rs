@@ -1,6 +1,6 @@
 //! `paper/tables/tightness.csv`: if a search stopped at an edge of its box, the table says why.
 
-use tautline_adversary::{Beyond, Family, families};
+use tautline_checks::adversary::{Beyond, Family, families};
 use tautline_statements::LIBRARY;
 
 use super::{Row, Table};

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use tautline_checks::battery::suite;
 use tautline_statements::{Statement, Verdict};
-use tautline_suite::battery::suite;
 
 use super::{files, read, root};
 
@@ -213,7 +213,7 @@ fn most_cases_of_every_statement_could_fail() {
 /// boolean, and no caller passes an infinite length.
 #[test]
 fn no_hypothesis_is_handed_in_as_a_promise() {
-    let crates = ["statements", "kit", "suite", "adversary"];
+    let crates = ["statements", "kit", "checks"];
     let sources = crates.map(|name| root().join(format!("crates/tautline-{name}/src")));
     for path in sources.iter().flat_map(|source| files(source, "rs")) {
         let text = read(&path);

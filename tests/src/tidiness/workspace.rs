@@ -32,8 +32,7 @@ const BELOW: &[(&str, &str)] = &[
     ("cli", "chance problem sweep"),
     ("statements", "tautline"),
     ("kit", "tautline chance statements"),
-    ("suite", "tautline chance statements"),
-    ("adversary", "tautline statements"),
+    ("checks", "tautline chance statements"),
     ("audit", "tautline problem statements kit"),
 ];
 
@@ -78,7 +77,7 @@ fn plotters_is_for_the_picture_alone() {
 
 #[test]
 fn random_testing_is_for_verification_alone() {
-    let verifies = ["tautline-chance", "tautline-kit", "tautline-suite"];
+    let verifies = ["tautline-chance", "tautline-kit", "tautline-checks"];
     for library in libraries().iter().filter(|library| !verifies.contains(&&*library.name)) {
         for name in ["proptest", "quickcheck"] {
             let depends = library.dependencies.iter().any(|found| found == name);
@@ -90,7 +89,7 @@ fn random_testing_is_for_verification_alone() {
 /// This crate reads the environment, which no library does.
 #[test]
 fn chance_is_for_tests_alone() {
-    let draws = ["tautline-kit", "tautline-suite"];
+    let draws = ["tautline-kit", "tautline-checks"];
     for manifest in manifests().iter().filter(|manifest| !draws.contains(&&*manifest.name)) {
         let depends = manifest.dependencies.iter().any(|found| found == "tautline-chance");
         assert!(!depends, "{} depends on tautline-chance outside of its tests", manifest.name);

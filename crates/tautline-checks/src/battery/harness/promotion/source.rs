@@ -57,7 +57,7 @@ fn home(name: &str) -> &'static str {
         | "Sphere" | "Hyperbolic" | "GaussianFisher" => "tautline::gallery",
         "Known" | "Units" | "WithConstants" => "tautline_statements",
         "SmoothCurve" | "KinkedCurve" | "Clock" | "Pace" => "tautline_statements::curves",
-        "AnySetting" | "Nonnegatives" | "AnyTwoForms" => "tautline_suite::arbitrary",
+        "AnySetting" | "Nonnegatives" | "AnyTwoForms" => "tautline_checks::arbitrary",
         _ => "tautline",
     }
 }

@@ -12,7 +12,7 @@
 //! it.
 //!
 //! ```
-//! use tautline_adversary::{Search, families};
+//! use tautline_checks::adversary::{Search, families};
 //! use tautline_statements::{LIBRARY, Source};
 //!
 //! // Proposition 7.9 is attained by a step over the valley of a tent, and the search finds it.
@@ -20,7 +20,7 @@
 //! let tent = families.iter().find(|family| family.is("Proposition 7.9", "tent"));
 //! let found = Search::default().tightest(tent.expect("listed"), Source::Stated)?;
 //! assert!(found.is_some_and(|tightest| tightest.overestimation < 1.01));
-//! # Ok::<(), tautline_adversary::AdversaryError>(())
+//! # Ok::<(), tautline_checks::adversary::AdversaryError>(())
 //! ```
 
 mod adversary_error;
