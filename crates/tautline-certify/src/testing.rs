@@ -3,10 +3,9 @@
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::Formula;
+use tautline_formula::{Formula, spline::Spline};
 use tautline_metrics::Metric;
 use tautline_scalar::{Scalar, Table};
-use tautline_spline::Spline;
 
 /// Returns the metric with this text.
 pub(crate) fn parsed<const D: usize>(text: &str) -> Formula<D> {

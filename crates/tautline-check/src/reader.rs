@@ -3,10 +3,9 @@
 use std::sync::Arc;
 
 use nalgebra::SVector;
-use tautline_formula::Formula;
+use tautline_formula::{Formula, spline::Spline};
 use tautline_scalar::Table;
 use tautline_sets::{AxisBox, Ball, HalfSpace, Point, Shape};
-use tautline_spline::Spline;
 
 use crate::{Certificate, CheckError, Cubes, Level, Place, Region};
 

@@ -9,9 +9,8 @@ use std::{
     sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed},
 };
 
-use tautline_formula::{Formula, Function, Operation};
+use tautline_formula::{Formula, Function, Operation, spline::Spline};
 use tautline_sets::Shape;
-use tautline_spline::Spline;
 
 use crate::{Certificate, CheckError, Region, region::MOST};
 
@@ -335,8 +334,8 @@ mod tests {
     fn each_kind_of_line_has_its_weight() {
         use std::sync::Arc;
 
+        use tautline_formula::spline::Spline;
         use tautline_scalar::Table;
-        use tautline_spline::Spline;
         let table = |axes: usize| -> Arc<dyn Table> {
             let count = 2_usize.pow(axes as u32);
             Arc::new(Spline::new(&vec![2; axes], vec![1.0; count]).expect("a shape"))
@@ -380,9 +379,9 @@ mod tests {
     fn the_size_of_a_certificate_counts_all_of_its_numbers() {
         use std::sync::Arc;
 
+        use tautline_formula::spline::Spline;
         use tautline_scalar::Table;
         use tautline_sets::HalfSpace;
-        use tautline_spline::Spline;
         let table: Arc<dyn Table> = Arc::new(Spline::new(&[2, 3], vec![1.0; 6]).expect("a shape"));
         let formula = Formula::<2>::parse_with("h(x1, x2) I", &[], &[("h", table)]);
         let wall = Shape::HalfSpace(HalfSpace::new([1.0, 0.0], -9.0).expect("a wall"));

@@ -6,8 +6,8 @@ use std::{
 };
 
 use sha2::{Digest, Sha256};
+use tautline_formula::spline::Spline;
 use tautline_sets::Shape;
-use tautline_spline::Spline;
 
 use crate::{Certificate, Level, Place, Region};
 

@@ -44,6 +44,8 @@
 //! assert_eq!(batch.row(square)[..2], [1.0, 45.0]);
 //! # Ok::<(), tautline_formula::TextError>(())
 //! ```
+//!
+//! A cost that was measured is an array: a [`spline`] makes it a function that formulas call.
 
 mod any_metric;
 mod batch;
@@ -55,6 +57,7 @@ mod operation;
 mod program;
 mod record_error;
 mod recording;
+pub mod spline;
 mod text;
 
 pub use any_metric::AnyMetric;

@@ -117,6 +117,7 @@ pub use tautline_distance as distance;
 pub use tautline_formula::{
     self as formula, AnyMetric, Batch, Batches, BlackBox, Formula, Kind, Plain, Prepared,
     RecordError, TextError, Values,
+    spline::{Spline, SplineError},
 };
 pub use tautline_grid::{
     self as grid, ClassPath, GraphPathError, Lattice, LatticeGraph, LatticePath, Punctures, Word,
@@ -138,7 +139,6 @@ pub use tautline_sets::{
     AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
     Shape, Sphere, Union,
 };
-pub use tautline_spline::{Spline, SplineError};
 
 pub use nalgebra::{SMatrix, SVector};
 

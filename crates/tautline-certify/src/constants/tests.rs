@@ -3,13 +3,12 @@
 use std::sync::{Arc, Mutex};
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::{Formula, RecordError};
+use tautline_formula::{Formula, RecordError, spline::Spline};
 use tautline_metrics::{
     Metric,
     gallery::{CoupledCosines, Hyperbolic, Sphere, Valleys},
 };
 use tautline_scalar::{Scalar, Table};
-use tautline_spline::Spline;
 
 use super::{CertifiedConstant, CertifiedConstants, Quantity, certify, certify_watched};
 use crate::{Accuracy, Cell, Certified, CertifyError, Domain, Progress, Watch, testing::parsed};

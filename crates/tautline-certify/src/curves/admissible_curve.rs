@@ -146,12 +146,11 @@ mod tests {
 
     use nalgebra::{SMatrix, SVector, vector};
     use tautline_chance::Random;
-    use tautline_discretizations::{PointSequence, Rule};
-    use tautline_formula::{Formula, RecordError};
+    use tautline_discretizations::{Rule::LEFT_ENDPOINT, PointSequence};
+    use tautline_formula::{Formula, RecordError, spline::Spline};
     use tautline_metrics::gallery::{Constant, Hyperbolic, Valleys};
     use tautline_scalar::{Interval, Scalar, Table};
     use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace, Point, Sphere};
-    use tautline_spline::Spline;
 
     use super::{AdmissibleCurve, CurveError, Polygon};
     use crate::testing::Branch;

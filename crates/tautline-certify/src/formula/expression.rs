@@ -182,14 +182,13 @@ mod tests {
     use std::sync::Arc;
 
     use nalgebra::{SMatrix, SVector, matrix};
-    use tautline_formula::{Formula, RecordError};
+    use tautline_formula::{Formula, RecordError, spline::Spline};
     use tautline_metrics::{
         Metric,
         composition::{Scaled, Sum},
         gallery::{Checkerboard, Hill, Hyperbolic, Lens, Shear, Valleys},
     };
     use tautline_scalar::{Scalar, Table};
-    use tautline_spline::Spline;
 
     use crate::testing::{parsed, tables};
 

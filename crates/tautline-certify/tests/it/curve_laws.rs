@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use nalgebra::{SVector, vector};
 use tautline_certify::Polygon;
-use tautline_discretizations::{Interpolation, PointSequence, Rule};
-use tautline_formula::Formula;
+use tautline_discretizations::{
+    Interpolation, PointSequence, Rule, 
+};
+use tautline_formula::{Formula, spline::Spline};
 use tautline_metrics::{
     Metric,
     gallery::{
@@ -14,7 +16,6 @@ use tautline_metrics::{
     },
 };
 use tautline_scalar::{Fast, Interval, Scalar, Table};
-use tautline_spline::Spline;
 
 use crate::{parsed, reference::Random};
 

@@ -10,10 +10,9 @@ use std::{path::PathBuf, sync::Arc};
 use nalgebra::{SVector, vector};
 use tautline_chance::{Random, cases, seed};
 use tautline_check::{AnyCertificate, Certificate, CheckError, Level, Region, length_above};
-use tautline_formula::Formula;
+use tautline_formula::{Formula, spline::Spline};
 use tautline_scalar::Table;
 use tautline_sets::{Ball, HalfSpace, Shape};
-use tautline_spline::Spline;
 
 use crate::helpers::{formula, point};
 

@@ -4,10 +4,9 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 use tautline_check::{AnyCertificate, Certificate, Cubes, Level, Place, Region};
-use tautline_formula::Formula;
+use tautline_formula::{Formula, spline::Spline};
 use tautline_scalar::Table;
 use tautline_sets::{Ball, HalfSpace, Shape};
-use tautline_spline::Spline;
 
 use crate::helpers::{axis_box, point};
 

@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use nalgebra::vector;
 use tautline_check::{AnyCertificate, Certificate, CheckError, Region, length_above};
-use tautline_formula::Formula;
+use tautline_formula::{Formula, spline::Spline};
 use tautline_scalar::Table;
-use tautline_spline::Spline;
 
 use crate::helpers::{point, several_levels};
 

@@ -9,6 +9,7 @@ mod programs;
 mod random;
 mod random_formulas;
 mod recorded;
+mod spline;
 mod squares;
 mod tables;
 mod text;

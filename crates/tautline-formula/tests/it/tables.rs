@@ -6,10 +6,10 @@ use nalgebra::{SMatrix, SVector, vector};
 use tautline_chance::{cases, seed};
 use tautline_formula::{
     AnyFormula, Batch, Batches, Formula, Kind, Operation, Part, Plain, Prepared, Problem, Written,
+    spline::Spline,
 };
 use tautline_metrics::{Metric, is_gram};
 use tautline_scalar::{Interval, Jet1, Jet2, Scalar, Table};
-use tautline_spline::Spline;
 
 use crate::{programs::evaluate, random::Random};
 

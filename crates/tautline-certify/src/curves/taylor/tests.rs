@@ -3,8 +3,8 @@
 
 use std::sync::Arc;
 
+use tautline_formula::spline::Spline;
 use tautline_scalar::{Interval, Jet2, Scalar, Table};
-use tautline_spline::Spline;
 
 use super::Taylor;
 

@@ -1,6 +1,6 @@
 //! `Stencil`: the differences of a few neighbouring coefficients, with a bound on their rounding.
 
-use crate::{Spline, basis, place::clamped};
+use super::{Spline, basis, place::clamped};
 
 /// The distance in `values` of neighbours along each axis.
 const STRIDES: [usize; 3] = [16, 4, 1];

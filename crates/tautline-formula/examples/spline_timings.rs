@@ -1,12 +1,12 @@
 //! Times values, expansions and enclosures, and tells the memory they need.
 //!
-//! `cargo run --release -p tautline-spline --example spline_timings`
+//! `cargo run --release -p tautline-formula --example spline_timings`
 
 use std::{hint::black_box, time::Instant};
 
 use tautline_chance::Random;
+use tautline_formula::spline::Spline;
 use tautline_scalar::Interval;
-use tautline_spline::Spline;
 
 /// Prints the time of one call of `work`, in nanoseconds. The calls are in batches of a thousand, of
 /// which the fastest counts, so that other work of the machine does not.

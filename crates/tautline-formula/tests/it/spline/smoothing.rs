@@ -1,10 +1,10 @@
 //! With samples as coefficients, the spline smooths them and keeps their shape.
 
 use tautline_chance::{Random, cases, seed};
+use tautline_formula::spline::Spline;
 use tautline_scalar::Interval;
-use tautline_spline::Spline;
 
-use crate::sampled::{all_orders, point, shape};
+use super::sampled::{all_orders, point, shape};
 
 /// The weights have the sum 1 up to rounding, which is at most `2⁻⁴⁷`, and enclosures know that it
 /// is exactly 1.

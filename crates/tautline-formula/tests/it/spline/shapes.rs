@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashSet};
 
-use tautline_spline::{Spline, SplineError};
+use tautline_formula::spline::{Spline, SplineError};
 
 const LARGE: f64 = f64::from_bits((1023 + 1000) << 52);
 

@@ -1,10 +1,10 @@
 //! A spline as a table, which formulas call.
 
 use tautline_chance::{Random, cases, seed};
+use tautline_formula::spline::Spline;
 use tautline_scalar::Table;
-use tautline_spline::Spline;
 
-use crate::sampled::{all_orders, point, shape, sides, spline, total};
+use super::sampled::{all_orders, point, shape, sides, spline, total};
 
 /// A table that is no spline, but claims the fingerprint of one.
 #[derive(Debug)]

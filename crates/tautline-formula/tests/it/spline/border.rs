@@ -1,10 +1,10 @@
 //! Outside of the array the nearest coefficient is repeated.
 
 use tautline_chance::{Random, cases, seed};
+use tautline_formula::spline::Spline;
 use tautline_scalar::Interval;
-use tautline_spline::Spline;
 
-use crate::sampled::{all_orders, shape, spline};
+use super::sampled::{all_orders, shape, spline};
 
 const INFINITY: f64 = f64::INFINITY;
 

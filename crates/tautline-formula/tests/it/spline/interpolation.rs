@@ -1,9 +1,9 @@
 //! The spline through samples.
 
 use tautline_chance::{Random, cases, seed};
-use tautline_spline::{Spline, SplineError};
+use tautline_formula::spline::{Spline, SplineError};
 
-use crate::sampled::shape;
+use super::sampled::shape;
 
 fn norm(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |m: f64, x| m.max(x.abs()))

@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use crate::{Spline, stencil::Stencil};
+use super::{Spline, stencil::Stencil};
 
 /// The bounds `lo` and `hi` on some numbers.
 type Range = (f64, f64);

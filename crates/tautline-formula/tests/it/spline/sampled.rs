@@ -1,8 +1,8 @@
 //! Random splines, points and boxes.
 
 use tautline_chance::Random;
+use tautline_formula::spline::Spline;
 use tautline_scalar::Interval;
-use tautline_spline::Spline;
 
 /// The orders of derivatives on `axes` axes, each up to `most`.
 pub(crate) fn all_orders(axes: usize, most: u8) -> Vec<[u8; 3]> {

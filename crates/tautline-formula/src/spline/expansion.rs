@@ -1,6 +1,6 @@
 //! `Expansion`: value, gradient and Hessian at a point, in one pass over its coefficients.
 
-use crate::{
+use super::{
     Spline,
     basis::{cubic, difference, dot, linear, quadratic, second_difference},
     place::{Place, clamped},

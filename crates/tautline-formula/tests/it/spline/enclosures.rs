@@ -1,10 +1,10 @@
 //! Enclosures over boxes contain what they should.
 
 use tautline_chance::{Random, cases, seed};
+use tautline_formula::spline::Spline;
 use tautline_scalar::{FastInterval, Interval};
-use tautline_spline::Spline;
 
-use crate::{
+use super::{
     exact::Exact,
     sampled::{all_orders, inside, point, shape, side, sides, spline, total},
 };

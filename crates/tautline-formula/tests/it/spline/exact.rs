@@ -2,8 +2,8 @@
 //! consists, in 1280 bits.
 
 use astro_float::{BigFloat, RoundingMode};
+use tautline_formula::spline::Spline;
 use tautline_scalar::Interval;
-use tautline_spline::Spline;
 
 /// The precision, in bits. Weights are cubic in differences of a double and an integer. Products
 /// of three of them are exact, unless a coordinate is smaller than `2⁻⁷⁰` and not 0.

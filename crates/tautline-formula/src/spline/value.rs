@@ -1,6 +1,6 @@
 //! The value of one derivative at a point.
 
-use crate::{
+use super::{
     Spline,
     basis::{FACTORIAL, blossom, difference, dot, second_difference},
     place::{Place, clamped},

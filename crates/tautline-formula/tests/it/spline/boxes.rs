@@ -1,7 +1,7 @@
 //! A spline as a table: over which boxes a derivative has bounds.
 
+use tautline_formula::spline::Spline;
 use tautline_scalar::Table;
-use tautline_spline::Spline;
 
 /// Sides in a cell of an axis of three coefficients, beyond its border or on nodes, and sides that
 /// have a node inside.

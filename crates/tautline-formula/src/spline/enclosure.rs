@@ -2,7 +2,7 @@
 
 use tautline_scalar::{Enclosure, Kernel};
 
-use crate::{Expansion, Spline, basis::blossom, stencil::Stencil};
+use super::{Expansion, Spline, basis::blossom, stencil::Stencil};
 
 /// An enclosure over at most so many cells takes each of them apart; over more it takes the range
 /// of the coefficients.
@@ -57,7 +57,7 @@ impl Side {
 
 /// Returns the number in `[0, 1]` that is nearest to `u − cell`, up to rounding by `2⁻⁵⁴`.
 ///
-/// It is exact in the cell of `u ≥ 0` and beyond, see [`Place`](crate::place::Place), and 0 or 1 if
+/// It is exact in the cell of `u ≥ 0` and beyond, see [`Place`](super::place::Place), and 0 or 1 if
 /// `u` is not in the cell, since rounding keeps the order. Only in the cell below 0 it is rounded.
 fn distance(cell: isize, u: f64) -> f64 {
     (u - cell as f64).clamp(0.0, 1.0)

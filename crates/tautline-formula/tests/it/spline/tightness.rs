@@ -1,10 +1,10 @@
 //! How much enclosures exceed the true range.
 
 use tautline_chance::{Random, cases, seed};
+use tautline_formula::spline::Spline;
 use tautline_scalar::Interval;
-use tautline_spline::Spline;
 
-use crate::sampled::{all_orders, shape, spline, total};
+use super::sampled::{all_orders, shape, spline, total};
 
 /// Returns by how much the enclosure over a square is wider than the range of 33 × 33 values in it.
 fn excess(spline: &Spline, [x, y]: [f64; 2], width: f64, orders: [u8; 3]) -> f64 {

@@ -1,6 +1,6 @@
 //! The coefficients of the spline through given samples.
 
-use crate::{Spline, SplineError, spline::check};
+use super::{Spline, SplineError, check};
 
 impl Spline {
     /// Returns the spline whose value at each node is the sample there, to rounding.

@@ -1,10 +1,10 @@
 //! The range over many cells, compared with brute force.
 
 use tautline_chance::{Random, cases, seed};
+use tautline_formula::spline::Spline;
 use tautline_scalar::Interval;
-use tautline_spline::Spline;
 
-use crate::sampled::{all_orders, inside, shape};
+use super::sampled::{all_orders, inside, shape};
 
 /// Returns the difference number `number` of these orders, where coefficients beyond the array are
 /// those at its border.

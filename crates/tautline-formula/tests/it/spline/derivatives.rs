@@ -1,9 +1,9 @@
 //! Values and derivatives at points.
 
 use tautline_chance::{Random, cases, seed};
-use tautline_spline::Spline;
+use tautline_formula::spline::Spline;
 
-use crate::{
+use super::{
     exact::Exact,
     sampled::{all_orders, point, shape, spline, total},
 };

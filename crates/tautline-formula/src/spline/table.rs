@@ -4,7 +4,7 @@ use std::any::Any;
 
 use tautline_scalar::Table;
 
-use crate::Spline;
+use super::Spline;
 
 impl Table for Spline {
     fn axes(&self) -> usize {
