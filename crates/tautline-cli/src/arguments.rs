@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use tautline_sweep::Shard;
+use tautline_problem::sweep::Shard;
 
 /// Shortest curves between two sets, under a metric that you type, with bounds on the distance.
 ///

@@ -7,7 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use tautline_sweep::{Plan, PlanError, TableHead};
+use tautline_problem::sweep::{Plan, PlanError, TableHead};
 
 use crate::{
     error::CommandError,

@@ -23,6 +23,7 @@
 //! ```
 
 mod answer;
+pub mod array;
 mod audited;
 mod bounds;
 mod certify;
@@ -41,7 +42,7 @@ mod question;
 mod reading;
 mod schema;
 mod solve;
-mod sweep;
+pub mod sweep;
 pub mod value;
 
 pub use answer::{

@@ -6,7 +6,6 @@ use super::{Manifest, TOP, manifests, read, root};
 /// lack the prefix `tautline-`.
 const BELOW: &[(&str, &str)] = &[
     ("chance", ""),
-    ("array", ""),
     ("scalar", "chance"),
     ("metrics", "chance scalar"),
     ("formula", "chance metrics scalar"),
@@ -26,9 +25,8 @@ const BELOW: &[(&str, &str)] = &[
     ("minima", "chance tautline"),
     ("picture", "chance tautline"),
     ("page", "picture tautline"),
-    ("problem", "array chance picture tautline"),
-    ("sweep", "chance problem"),
-    ("cli", "chance problem sweep"),
+    ("problem", "chance picture tautline"),
+    ("cli", "chance problem"),
     ("statements", "tautline"),
     ("kit", "tautline chance statements"),
     ("checks", "tautline chance statements"),

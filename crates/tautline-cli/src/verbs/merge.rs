@@ -6,7 +6,7 @@ use std::{
     process::ExitCode,
 };
 
-use tautline_sweep::{Block, BlockError, BlockWriter, Head, in_order, plain};
+use tautline_problem::sweep::{Block, BlockError, BlockWriter, Head, in_order, plain};
 
 use crate::{
     arguments::Merge, draft::Draft, error::CommandError, paths::check_paths, write::print,

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use tautline_sweep::Runner;
+use tautline_problem::sweep::Runner;
 
 use crate::{
     arguments::Plan,

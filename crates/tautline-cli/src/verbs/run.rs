@@ -10,7 +10,7 @@ use std::{
 };
 
 use indicatif::ProgressBar;
-use tautline_sweep::{Block, BlockError, BlockWriter, Plan, Runner, plain};
+use tautline_problem::sweep::{Block, BlockError, BlockWriter, Plan, Runner, plain};
 
 use crate::{
     arguments::Run,

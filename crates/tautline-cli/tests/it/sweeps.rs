@@ -9,7 +9,7 @@ use std::{
 };
 
 use tautline_chance::{Random, seed};
-use tautline_sweep::{Block, BlockWriter, Head};
+use tautline_problem::sweep::{Block, BlockWriter, Head};
 
 use crate::{folder, names, tautline, text};
 

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use tautline::{Spline, Table, formula};
-use tautline_array::Array;
 
 use crate::{
     Diagnostic,
+    array::Array,
     file::{
         ProblemFile,
         placed::Placed,

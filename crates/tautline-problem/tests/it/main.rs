@@ -1,6 +1,7 @@
 //! Problem files: what they mean, and what is said of wrong ones.
 
 mod answers;
+mod array;
 mod certified;
 mod constants;
 mod corridor;
@@ -13,6 +14,7 @@ mod random_certificates;
 mod regions;
 mod schema;
 mod signs;
+mod sweep;
 mod tables;
 mod tolerance;
 mod touching;

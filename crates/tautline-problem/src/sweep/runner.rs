@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use rayon::{ThreadPool, ThreadPoolBuilder, prelude::*};
-use tautline_problem::{Answer, Failure, Programs};
 
-use crate::{
+use super::{
     BlockWriter, Plan, PlanError,
     result_row::{Status, fields},
 };
+use crate::{Answer, Failure, Programs};
 
 /// The stack of a thread: matrices in twelve dimensions lie on it.
 const STACK: usize = 64 << 20;
@@ -78,7 +78,7 @@ impl<'p> Runner<'p> {
         (start..end).step_by(CHUNK as usize).map(move |id| id..end.min(id + CHUNK))
     }
 
-    /// Returns the results of a block of problems as one text, which [`Block::read`](crate::Block::read)
+    /// Returns the results of a block of problems as one text, which [`Block::read`](super::Block::read)
     /// reads.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use png::{BitDepth, Decoder, Transformations};
 
-use crate::{Array, ArrayError};
+use super::{Array, ArrayError};
 
 /// The first bytes of a file.
 pub(crate) const MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";

@@ -1,9 +1,9 @@
 //! The row of a problem is the answer to its file, whoever computes it.
 
 use tautline_problem::Question;
-use tautline_sweep::{Block, Plan, Runner, Shard, merged};
+use tautline_problem::sweep::{Block, Plan, Runner, Shard, merged};
 
-use crate::{file, plan, whole};
+use super::{file, plan, whole};
 
 /// Returns the column of this name, for each row of results.
 fn column(results: &str, name: &str) -> Vec<String> {

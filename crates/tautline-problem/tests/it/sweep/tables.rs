@@ -1,8 +1,8 @@
 //! The table of a plan, read back and changed.
 
-use tautline_sweep::{Plan, PlanError, TableHead};
+use tautline_problem::sweep::{Plan, PlanError, TableHead};
 
-use crate::{file, plan};
+use super::{file, plan};
 
 const SWEEP: &str = "vary = { height = [1, 2.5e-9], y = { from = -1, to = 1, count = 4 }, x = { uniform = [-3, -2] } }";
 

@@ -6,7 +6,7 @@ mod plans;
 mod rows;
 mod tables;
 
-use tautline_sweep::{Plan, Runner};
+use tautline_problem::sweep::{Plan, Runner};
 
 /// A sweep of this section over problems with the parameters `height`, `x`, `y` and `twice`, which is
 /// twice the height.

@@ -1,7 +1,7 @@
 //! PNG.
 
 use png::{BitDepth, ColorType, Encoder};
-use tautline_array::{Array, ArrayError};
+use tautline_problem::array::{Array, ArrayError};
 
 /// Returns a picture of three pixels in a row, in two rows.
 fn picture(color: ColorType, depth: BitDepth, data: &[u8]) -> Vec<u8> {

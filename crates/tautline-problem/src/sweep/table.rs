@@ -2,9 +2,8 @@
 
 use std::{fmt::Write, ops::Range};
 
-use tautline_problem::{Open, no_file};
-
-use crate::{Plan, PlanError, hash::DIGITS, line_ends::without_mark};
+use super::{Plan, PlanError, hash::DIGITS, line_ends::without_mark};
+use crate::{Open, no_file};
 
 /// How the table begins.
 const TITLE: &str = "# tautline plan 1";

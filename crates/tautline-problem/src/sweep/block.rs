@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::{BlockError, hash::Hash};
+use super::{BlockError, hash::Hash};
 
 /// How each line of the head begins, in this order.
 pub(crate) const TITLE: &str = "# tautline results 1";
@@ -50,7 +50,7 @@ pub struct Block<'t> {
 
 impl<'t> Block<'t> {
     /// Reads a block. Its hash must be that of its lines, and its ids those of its head. A text from another
-    /// system is to be made [`plain`](crate::plain) first.
+    /// system is to be made [`plain`](super::plain) first.
     ///
     /// # Errors
     ///

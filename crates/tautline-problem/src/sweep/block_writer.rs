@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::{Head, Plan, PlanError, block::END, hash::Hash, result_row};
+use super::{Head, Plan, PlanError, block::END, hash::Hash, result_row};
 
 /// The text of a block of results, part by part, so that it need not fit into memory.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@
 //! but the file. The blocks merge to the same bytes, however many there were, on however many threads.
 //!
 //! ```
-//! use tautline_sweep::{Block, Plan, Runner, Shard, merged};
+//! use tautline_problem::sweep::{Block, Plan, Runner, Shard, merged};
 //!
 //! let plan = Plan::read(r#"
 //!     [parameters]
@@ -52,6 +52,7 @@ mod result_row;
 mod runner;
 mod shard;
 mod table;
+mod varied;
 
 pub use block::{Block, Head};
 pub use block_error::BlockError;
@@ -64,3 +65,4 @@ pub use plan_error::PlanError;
 pub use runner::{Rows, Runner};
 pub use shard::{Shard, ShardError};
 pub use table::TableHead;
+pub use varied::{Axis, Sweep, Values};

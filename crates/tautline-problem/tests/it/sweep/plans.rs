@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use tautline_sweep::{Plan, PlanError};
+use tautline_problem::sweep::{Plan, PlanError};
 
-use crate::{file, plan};
+use super::{file, plan};
 
 #[test]
 fn problems_are_all_combinations_and_the_last_axis_varies_fastest() {

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 /// results are read in this way.
 ///
 /// ```
-/// use tautline_sweep::plain;
+/// use tautline_problem::sweep::plain;
 ///
 /// assert_eq!(plain("\u{feff}one\r\ntwo\r\n"), "one\ntwo\n");
 /// ```

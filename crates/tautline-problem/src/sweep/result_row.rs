@@ -1,6 +1,6 @@
 //! The row of a problem in the results: nothing that depends on threads, on shards or on time.
 
-use tautline_problem::{Answer, Diagnostic, Failure};
+use crate::{Answer, Diagnostic, Failure};
 
 /// The columns after the id and the parameters.
 pub(crate) const COLUMNS: [&str; 12] = [
@@ -101,9 +101,8 @@ fn in_words(diagnostic: &Diagnostic) -> String {
 
 #[cfg(test)]
 mod tests {
-    use tautline_problem::{Answer, Estimated, Failure, OtherMinimum, Question};
-
     use super::{COLUMNS, Status, fields};
+    use crate::{Answer, Estimated, Failure, OtherMinimum, Question};
 
     /// Each doubt alone is the reason why a problem is not solved.
     #[test]

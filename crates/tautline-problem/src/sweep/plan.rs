@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
-use tautline_problem::{Axis, Diagnostic, Open, Question, Sweep, Values, no_file};
-
-use crate::{PlanError, draw::unit, hash::Hash, plain, result_row::COLUMNS};
+use super::{PlanError, draw::unit, hash::Hash, plain, result_row::COLUMNS};
+use crate::{Axis, Diagnostic, Open, Question, Sweep, Values, no_file};
 
 /// The largest number of problems: ids beyond it are not exact as floating-point numbers.
 pub(crate) const MOST: u64 = 1 << 53;

@@ -1,6 +1,6 @@
 //! NPY.
 
-use tautline_array::{Array, ArrayError};
+use tautline_problem::array::{Array, ArrayError};
 
 /// Returns a file of version 1 with this header.
 fn file(header: &str, data: &[u8]) -> Vec<u8> {

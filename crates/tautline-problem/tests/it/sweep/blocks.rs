@@ -1,8 +1,8 @@
 //! Blocks of results that were cut or changed.
 
-use tautline_sweep::{Block, BlockError, BlockWriter, Head, Plan, Runner, in_order};
+use tautline_problem::sweep::{Block, BlockError, BlockWriter, Head, Plan, Runner, in_order};
 
-use crate::{plan, whole};
+use super::{plan, whole};
 
 #[test]
 fn a_block_says_what_it_is() {
@@ -14,7 +14,7 @@ fn a_block_says_what_it_is() {
     assert_eq!(block.rows.lines().count(), 2);
     assert!(plan.has(&block.head, 1..3));
     assert!(!plan.has(&block.head, 0..3) && !plan.has(&block.head, 1..4));
-    let other = crate::plan("vary = { height = [1, 2, 3, 5] }");
+    let other = super::plan("vary = { height = [1, 2, 3, 5] }");
     assert!(!other.has(&block.head, 1..3));
     assert!(Runner::new(&plan, 1).expect("a thread").solved(3..5).is_err());
 }
@@ -68,8 +68,8 @@ fn results_count_as_done_only_if_every_line_of_their_head_agrees() {
         ("[1, 2, 3, 4]", "[1, 2, 3, 4.5]"),
         ("[sweep]", "[sweep]\nseed = 2"),
     ] {
-        let changed = crate::file(sweep).replace(from, to);
-        assert_ne!(changed, crate::file(sweep));
+        let changed = super::file(sweep).replace(from, to);
+        assert_ne!(changed, super::file(sweep));
         let other = Plan::read(&changed).expect(to);
         assert!(!other.has(&head, 1..3), "{to}");
     }

@@ -1,6 +1,6 @@
 //! Blocks of results become one table.
 
-use crate::{Block, BlockWriter, Head, MergeError};
+use super::{Block, BlockWriter, Head, MergeError};
 
 /// Returns the order in which blocks follow each other, as indices, without empty ones. Every problem of
 /// the plan must be in one of them, and only once.

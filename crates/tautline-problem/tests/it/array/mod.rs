@@ -3,7 +3,7 @@
 mod npy;
 mod pictures;
 
-use tautline_array::{Array, ArrayError};
+use tautline_problem::array::{Array, ArrayError};
 
 #[test]
 fn a_component_is_an_entry_of_the_last_axes() {

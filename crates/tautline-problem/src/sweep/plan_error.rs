@@ -1,6 +1,6 @@
 //! `PlanError`: why there is no plan, or why a table is not its own.
 
-use tautline_problem::Diagnostic;
+use crate::Diagnostic;
 
 /// Why there is no plan, or why a table is not that of its plan.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -15,7 +15,7 @@ pub enum PlanError {
         file: String,
     },
     /// There are too many problems.
-    #[error("{count} problems: only {most} are possible", most = crate::plan::MOST)]
+    #[error("{count} problems: only {most} are possible", most = super::plan::MOST)]
     TooMany {
         /// The number of problems.
         count: u128,

@@ -1,9 +1,9 @@
 //! Blocks become one table only if every problem is there once.
 
 use tautline_chance::{Random, cases, seed};
-use tautline_sweep::{Block, Head, MergeError, Runner, in_order, merged};
+use tautline_problem::sweep::{Block, Head, MergeError, Runner, in_order, merged};
 
-use crate::{plan, whole};
+use super::{plan, whole};
 
 fn head(start: u64, end: u64) -> Head {
     Head {

@@ -5,7 +5,7 @@
 //! `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }`. Libraries for this format parse all of
 //! Python's literals, with dependencies that need a C compiler; three keys need neither.
 
-use crate::{Array, ArrayError, array::count};
+use super::{Array, ArrayError, count};
 
 /// The first bytes of a file.
 pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
