@@ -18,9 +18,9 @@ pub trait InDimension {
 
 /// Does something in the dimension `d`; returns `None` if it is 0 or above [`LARGEST_DIMENSION`].
 pub fn in_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
-    // The unit tests of this crate solve nothing, and are not compiled for all dimensions.
+    // The unit tests of this crate solve on the line only, and are not compiled for all dimensions.
     if cfg!(test) {
-        return None;
+        return (d == 1).then(|| task.run::<1>());
     }
     Some(match d {
         1 => task.run::<1>(),
