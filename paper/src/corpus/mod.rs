@@ -6,11 +6,8 @@ mod sets;
 
 use std::{hint::black_box, time::Instant};
 
-use tautline::{
-    Ends, Formula, Options, PointSequence, Problem, SVector, SolveError, Starts,
-    
-};
-use tautline_checks::adversary::SplitMix; Rule,
+use tautline::{Ends, Formula, Options, PointSequence, Problem, Rule, SVector, SolveError, Starts};
+use tautline_checks::adversary::SplitMix;
 
 use crate::Failure;
 

@@ -146,7 +146,7 @@ mod tests {
 
     use nalgebra::{SMatrix, SVector, vector};
     use tautline_chance::Random;
-    use tautline_discretizations::{Rule::LEFT_ENDPOINT, PointSequence};
+    use tautline_discretizations::{PointSequence, Rule};
     use tautline_formula::{Formula, RecordError, spline::Spline};
     use tautline_metrics::gallery::{Constant, Hyperbolic, Valleys};
     use tautline_scalar::{Interval, Scalar, Table};

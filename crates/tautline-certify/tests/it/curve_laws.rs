@@ -4,9 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{SVector, vector};
 use tautline_certify::Polygon;
-use tautline_discretizations::{
-    Interpolation, PointSequence, Rule, 
-};
+use tautline_discretizations::{Interpolation, PointSequence, Rule};
 use tautline_formula::{Formula, spline::Spline};
 use tautline_metrics::{
     Metric,

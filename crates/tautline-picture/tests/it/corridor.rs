@@ -1,11 +1,11 @@
 //! The drawn squares are those of the certificate.
 
-use tautline::{Ends, Problem, check, gallery::Bump};
+use tautline::{Ends, Problem, Rule, check, gallery::Bump};
 use tautline_picture::{
     Paint, Segment,
     palette::ORANGE,
     portrait::{Corridor, Cubes, Field, Portrait},
-}; Rule,
+};
 
 use crate::reading::{Reading, labels};
 
