@@ -39,7 +39,9 @@ create_exception!(
 pub(crate) fn raised(error: &GivenError) -> PyErr {
     match error {
         GivenError::Solve(SolveError::Metric(_)) => MetricError::new_err(error.to_string()),
-        GivenError::Lattice(GraphPathError::FarFromEnd { .. } | GraphPathError::NotConnected) => LatticeError::new_err(error.to_string()),
+        GivenError::Lattice(GraphPathError::FarFromEnd { .. } | GraphPathError::NotConnected) => {
+            LatticeError::new_err(error.to_string())
+        }
         GivenError::Constants(_) => NotCertified::new_err(error.to_string()),
         _ => ProblemError::new_err(error.to_string()),
     }

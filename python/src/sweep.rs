@@ -4,7 +4,9 @@ use std::{fs, ops::Range, path::PathBuf};
 
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use tautline_problem::sweep::{self, Block, BlockError, BlockWriter, PlanError, Runner, Shard, plain};
+use tautline_problem::sweep::{
+    self, Block, BlockError, BlockWriter, PlanError, Runner, Shard, plain,
+};
 
 use crate::error::ProblemError;
 
