@@ -11,7 +11,7 @@ const BELOW: &[(&str, &str)] = &[
     ("formula", "chance metrics scalar"),
     ("sets", "chance scalar"),
     ("bounds", "chance metrics scalar"),
-    ("discretizations", "chance formula metrics scalar"),
+    ("discretizations", "bounds chance formula metrics scalar"),
     ("certify", "chance discretizations formula metrics scalar sets"),
     ("grid", "chance discretizations formula metrics scalar sets"),
     ("check", "chance formula metrics scalar sets"),
