@@ -90,29 +90,29 @@ fn compare<M: Metric<2>>(metric: M, random: &mut Random) -> Compared {
     let Ok(found) = found else {
         return Compared { excess: f64::INFINITY, ..Compared::default() };
     };
-    let mut theirs: Vec<TautLine<_, 2>> = Vec::new();
+    let mut of_rivals: Vec<TautLine<_, 2>> = Vec::new();
     rivals.sort_by(|a, b| energy(a.as_ref()).total_cmp(&energy(b.as_ref())));
     for line in rivals.into_iter().flatten() {
-        if theirs.iter().all(|known| are_apart(line.sequence(), known.sequence())) {
-            theirs.push(line);
+        if of_rivals.iter().all(|known| are_apart(line.sequence(), known.sequence())) {
+            of_rivals.push(line);
         }
     }
-    let ours: Vec<_> = found.minima().iter().map(|minimum| &minimum.line).collect();
-    let is_ours = |line: &&TautLine<M, 2>| {
-        ours.iter().any(|known| !are_apart(line.sequence(), known.sequence()))
+    let of_search: Vec<_> = found.minima().iter().map(|minimum| &minimum.line).collect();
+    let is_of_search = |line: &&TautLine<M, 2>| {
+        of_search.iter().any(|known| !are_apart(line.sequence(), known.sequence()))
     };
-    let is_theirs = |line: &&&TautLine<M, 2>| {
-        theirs.iter().any(|known| !are_apart(line.sequence(), known.sequence()))
+    let is_of_rivals = |line: &&&TautLine<M, 2>| {
+        of_rivals.iter().any(|known| !are_apart(line.sequence(), known.sequence()))
     };
     let short: Vec<_> =
-        theirs.iter().filter(|line| line.discrete_energy() < 1.5 * 1.5 * best).collect();
-    let both = short.iter().copied().filter(is_ours).count();
-    let old = ours.iter().filter(is_theirs).count();
+        of_rivals.iter().filter(|line| line.discrete_energy() < 1.5 * 1.5 * best).collect();
+    let both = short.iter().copied().filter(is_of_search).count();
+    let old = of_search.iter().filter(is_of_rivals).count();
     Compared {
         excess: energy(Some(found.lowest())) / best - 1.0,
         automatic: automatic / best - 1.0,
         known: [short.len(), both],
-        new: [ours.len(), ours.len() - old],
+        new: [of_search.len(), of_search.len() - old],
     }
 }
 
