@@ -1,14 +1,14 @@
 //! The check of a metric along a curve, between the nodes of a rule too.
 
-use tautline_formula::{Batch, Batches, Kind, Plain};
+use tautline_formula::{AnyBatches, Batch, Kind, Plain};
 use tautline_metrics::{
-    Metric, MetricError, check_matrix,
+    Metric, MetricError, check_numbers,
     quadrature::{FIRST_NODES, integral_by_values},
 };
 
 use crate::{
     Interpolation,
-    interpolation::{FIRST, TOLERANCE},
+    interpolation::{FIRST, Sevens, TOLERANCE},
 };
 
 /// The largest numbers of chords, apart from the last one, and of points that are
@@ -30,11 +30,12 @@ impl Piece {
         Self { chord, from: 0.0, to: 1.0 }
     }
 
-    /// Returns the places of the first seven nodes of a quadrature, each as the chord and the
-    /// fraction.
-    fn places(&self) -> impl Iterator<Item = (usize, f64)> {
+    /// Returns the chord, and the fractions at the first seven nodes of a quadrature.
+    fn places(&self) -> Sevens {
         let Self { chord, from, to } = *self;
-        FIRST_NODES.iter().map(move |node| (chord, from + (to - from) * node))
+        let mut fractions = FIRST_NODES;
+        fractions.iter_mut().for_each(|node| *node = from + (to - from) * *node);
+        (chord, fractions)
     }
 
     /// Returns the two halves, if the ends of the piece differ by more than a rounding.
@@ -65,7 +66,7 @@ impl<const D: usize> Interpolation<'_, D> {
     /// # Errors
     ///
     /// [`MetricError`], with the point of the defect.
-    pub fn check_by_batches(&self, metric: &dyn Batches<D>) -> Result<(), MetricError> {
+    pub fn check_by_batches(&self, metric: &dyn AnyBatches) -> Result<(), MetricError> {
         let n = self.chords();
         let chords = (0..n).step_by(n.div_ceil(CHECKED)).chain([n - 1]);
         let mut pieces: Vec<Piece> = chords.map(Piece::of_chord).collect();
@@ -91,17 +92,21 @@ impl<const D: usize> Interpolation<'_, D> {
     /// quadrature would halve.
     fn unsettled<'p>(
         &self,
-        metric: &dyn Batches<D>,
-        batch: &mut Batch<'_, D>,
+        metric: &dyn AnyBatches,
+        batch: &mut Batch<'_>,
         pieces: &'p [Piece],
     ) -> Result<impl Iterator<Item = &'p Piece>, MetricError> {
-        let places = || pieces.iter().flat_map(Piece::places);
-        if !self.evaluate(batch, FIRST * pieces.len(), places()) {
+        let places: Vec<Sevens> = pieces.iter().map(Piece::places).collect();
+        if !self.evaluate(batch, &places) {
             // The points are checked one by one to find the first defect.
-            for (chord, s) in places() {
-                let (x, d) = self.sequence.chord(chord);
-                let at = x + d * s;
-                check_matrix(metric.gram(&at), &at)?;
+            for (chord, fractions) in places {
+                let [x, y] = [chord, chord + 1].map(|point| self.sequence.row(point));
+                for s in fractions {
+                    let at: Vec<f64> = x.iter().zip(y).map(|(x, y)| x + (y - x) * s).collect();
+                    let mut h = vec![0.0; at.len() * at.len()];
+                    metric.gram_into(&at, &mut h);
+                    check_numbers(&h, &at)?;
+                }
             }
         }
         let squares = batch.row(batch.layout().square[0]).as_chunks().0;

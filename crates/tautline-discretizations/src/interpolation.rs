@@ -1,7 +1,7 @@
 //! `Interpolation`: the curve `γᵖˡ` that joins a point sequence by straight lines.
 
 use nalgebra::SVector;
-use tautline_formula::{AnyMetric, Batch, Batches, Kind};
+use tautline_formula::{AnyBatches, AnyMetric, Batch, Kind};
 use tautline_metrics::{
     Metric, norm_squared,
     quadrature::{FIRST_NODES, Integral, integral_by_values, integrate_by_sevens},
@@ -56,7 +56,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     /// Returns the energy like [`energy`](Interpolation::energy), for a metric that is evaluated in
     /// batches.
     #[must_use]
-    pub fn energy_by_batches(&self, metric: &dyn Batches<D>) -> Integral {
+    pub fn energy_by_batches(&self, metric: &dyn AnyBatches) -> Integral {
         self.per_time(self.quadrature_by_batches(metric, |square| square))
     }
 
@@ -70,7 +70,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     /// Returns the length like [`length`](Interpolation::length), for a metric that is evaluated in
     /// batches.
     #[must_use]
-    pub fn length_by_batches(&self, metric: &dyn Batches<D>) -> Integral {
+    pub fn length_by_batches(&self, metric: &dyn AnyBatches) -> Integral {
         self.quadrature_by_batches(metric, f64::sqrt)
     }
 
@@ -78,20 +78,22 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         self.sequence.n().get()
     }
 
-    /// Evaluates a batch at `count` places, each a chord and a fraction of it. Returns whether `H` is
-    /// a Gram matrix at each of them, if the batch computes that.
-    pub(crate) fn evaluate(
-        &self,
-        batch: &mut Batch<'_, D>,
-        count: usize,
-        places: impl Iterator<Item = (usize, f64)>,
-    ) -> bool {
-        let mut inputs = batch.inputs(count);
-        for (lane, (chord, s)) in places.enumerate() {
-            let (x, d) = self.sequence.chord(chord);
-            inputs.set(lane, &(x + d * s), &d);
+    /// Evaluates a batch at seven fractions of each of some chords. Returns whether `H` is a Gram matrix
+    /// at each of them, if the batch computes that.
+    pub(crate) fn evaluate(&self, batch: &mut Batch<'_>, places: &[Sevens]) -> bool {
+        let (dimension, points) = (self.sequence.dimension(), self.sequence.coordinates());
+        for i in 0..dimension {
+            let [x, d] = batch.input(i).map(|row| row.as_chunks_mut::<FIRST>().0.iter_mut());
+            for ((x, d), (chord, fractions)) in x.zip(d).zip(places) {
+                let near = points[chord * dimension + i];
+                let step = points[(chord + 1) * dimension + i] - near;
+                for k in 0..FIRST {
+                    x[k] = near + step * fractions[k];
+                    d[k] = step;
+                }
+            }
         }
-        batch.evaluate(count)
+        batch.evaluate(FIRST * places.len())
     }
 
     /// Turns `Σ ∫₀¹ dᵀHd ds` into the energy: a chord takes the time `1/N`.
@@ -116,12 +118,11 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     }
 
     /// Integrates `of(dᵀHd)` over all chords, in batches.
-    fn quadrature_by_batches(&self, metric: &dyn Batches<D>, of: fn(f64) -> f64) -> Integral {
+    fn quadrature_by_batches(&self, metric: &dyn AnyBatches, of: fn(f64) -> f64) -> Integral {
         let mut batch = Batch::new(metric, Kind::Square, FIRST, self.chords());
         let room = batch.lanes() / FIRST;
         let mut squares = |places: &[Sevens], squares: &mut Vec<[f64; FIRST]>| {
-            let all = places.iter().flat_map(|&(chord, fractions)| fractions.map(|s| (chord, s)));
-            self.evaluate(&mut batch, FIRST * places.len(), all);
+            self.evaluate(&mut batch, places);
             let row = batch.row(batch.layout().square[0]).as_chunks().0;
             squares.clear();
             squares.extend(&row[..places.len()]);
@@ -131,7 +132,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
 }
 
 /// Seven fractions of a chord, and the chord's number.
-type Sevens = (usize, [f64; FIRST]);
+pub(crate) type Sevens = (usize, [f64; FIRST]);
 
 /// A function that evaluates `dᵀHd` at seven fractions of each of some chords.
 type Squares<'s> = dyn FnMut(&[Sevens], &mut Vec<[f64; FIRST]>) + 's;

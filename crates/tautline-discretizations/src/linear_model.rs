@@ -1,7 +1,7 @@
 //! `LinearModel`: a discrete energy to first order, with its value and gradient.
 
 use nalgebra::SVector;
-use tautline_formula::{Batches, Kind, Plain};
+use tautline_formula::{AnyBatches, Kind, Plain};
 use tautline_metrics::Metric;
 
 use crate::{ChordBatch, Node, PointSequence, Rule, compensated_sum::CompensatedSum};
@@ -11,48 +11,79 @@ use crate::{ChordBatch, Node, PointSequence, Rule, compensated_sum::CompensatedS
 ///
 /// The formulas are those of a [`QuadraticModel`](crate::QuadraticModel), at a lower cost.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LinearModel<const D: usize> {
+pub struct LinearModel {
     /// The discrete energy, in `m²`.
     pub energy: f64,
-    /// The gradients of the energy with respect to each of the `N + 1` points, in `m²/ℓ`.
-    pub gradient: Vec<SVector<f64, D>>,
+    /// The derivatives of the energy with respect to the coordinates of the `N + 1` points, point by
+    /// point, in `m²/ℓ`.
+    pub slopes: Vec<f64>,
     /// Whether the Gram matrix is finite, symmetric and positive definite at every node.
     pub is_metric: bool,
 }
 
-impl<const D: usize> LinearModel<D> {
+impl LinearModel {
     /// Expands the discrete energy of `rule` about `sequence`. The result is NaN if the metric is
     /// NaN.
     #[must_use]
-    pub fn new(rule: Rule, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
+    pub fn new<const D: usize>(
+        rule: Rule,
+        metric: &impl Metric<D>,
+        sequence: &PointSequence<D>,
+    ) -> Self {
         Self::by_batches(rule.nodes(), &Plain::new(metric), sequence)
     }
 
     /// Expands like [`new`](Self::new), for a metric that is evaluated in batches.
     #[must_use]
-    pub fn by_batches(
+    pub fn by_batches<const D: usize>(
         nodes: &'static [Node],
-        metric: &dyn Batches<D>,
+        metric: &dyn AnyBatches,
         sequence: &PointSequence<D>,
     ) -> Self {
-        let mut gradient = Vec::with_capacity(sequence.points().len());
-        let n = sequence.n().get();
+        Self::at(nodes, metric, sequence.coordinates())
+    }
+
+    /// Returns the gradients of the energy with respect to each of the `N + 1` points of `R^D`, in
+    /// `m²/ℓ`.
+    #[must_use]
+    pub fn gradient<const D: usize>(&self) -> &[SVector<f64, D>] {
+        bytemuck::cast_slice(&self.slopes)
+    }
+
+    /// Returns the same gradients, for writing.
+    #[must_use]
+    pub fn gradient_mut<const D: usize>(&mut self) -> &mut [SVector<f64, D>] {
+        bytemuck::cast_slice_mut(&mut self.slopes)
+    }
+
+    /// Returns the model with these gradients.
+    #[must_use]
+    pub fn with_gradient<const D: usize>(energy: f64, gradient: Vec<SVector<f64, D>>) -> Self {
+        Self { energy, slopes: bytemuck::cast_vec(gradient), is_metric: true }
+    }
+
+    /// Expands about points whose coordinates follow one another.
+    fn at(nodes: &'static [Node], metric: &dyn AnyBatches, points: &[f64]) -> Self {
+        let dimension = metric.dimension();
+        let n = points.len() / dimension - 1;
+        let mut slopes = vec![0.0; points.len()];
+        let mut carried = vec![0.0; dimension];
         let mut energy = CompensatedSum::default();
         let mut batch = ChordBatch::new(metric, Kind::Momentum, nodes, n as f64, n);
-        let mut ends = [SVector::<f64, D>::zeros(); 2];
         for begin in (0..n).step_by(batch.capacity()) {
-            let chords = begin..n.min(begin + batch.capacity());
-            batch.evaluate_from(0, sequence.chords_in(chords.clone()));
-            batch.energies().for_first(chords.len(), |term| energy.add(term));
-            let momenta = batch.momenta().first(chords.len());
-            for k in 0..chords.len() {
-                momenta.add(k, &mut ends);
-                gradient.push(ends[0]);
-                ends = [ends[1], SVector::zeros()];
+            let end = n.min(begin + batch.capacity());
+            batch.evaluate(&points[begin * dimension..(end + 1) * dimension]);
+            batch.energies().for_first(end - begin, |term| energy.add(term));
+            for (i, carried) in carried.iter_mut().enumerate() {
+                let mut place = begin * dimension + i;
+                *carried = batch.momenta(i).for_first(end - begin, *carried, |slope| {
+                    slopes[place] = slope;
+                    place += dimension;
+                });
             }
         }
-        gradient.push(ends[0]);
-        Self { energy: energy.value(), gradient, is_metric: batch.is_metric }
+        slopes[n * dimension..].copy_from_slice(&carried);
+        Self { energy: energy.value(), slopes, is_metric: batch.is_metric }
     }
 }
 
@@ -63,6 +94,6 @@ pub fn energy_gradient<const D: usize>(
     metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
 ) -> (f64, Vec<SVector<f64, D>>) {
-    let LinearModel { energy, gradient, .. } = LinearModel::new(rule, metric, sequence);
-    (energy, gradient)
+    let LinearModel { energy, slopes, .. } = LinearModel::new(rule, metric, sequence);
+    (energy, bytemuck::cast_vec(slopes))
 }

@@ -1,8 +1,6 @@
 //! `Energies` and `Momenta`: contractions of the metric, from which energies and gradients are
 //! assembled.
 
-use nalgebra::SVector;
-
 use crate::Node;
 
 /// The energies of many chords, stored in a row.
@@ -33,45 +31,40 @@ impl Energies<'_> {
     }
 }
 
-/// The momenta of many chords and the derivatives of the metric along them, stored in rows.
+/// One coordinate of the momenta of many chords and of the derivatives of the metric along them, in
+/// rows.
 #[derive(Clone, Copy)]
-pub struct Momenta<'b, const D: usize> {
-    pub(crate) momentum: [&'b [f64]; D],
-    pub(crate) slope: [&'b [f64]; D],
+pub struct Momenta<'b> {
+    pub(crate) momentum: &'b [f64],
+    pub(crate) slope: &'b [f64],
     pub(crate) nodes: &'static [Node],
     pub(crate) n: f64,
 }
 
-impl<const D: usize> Momenta<'_, D> {
-    /// Returns the momenta of the first `chords` chords.
+impl Momenta<'_> {
+    /// Calls `take` with this coordinate of the gradients of the energy with respect to the points of
+    /// the first `chords` chords, which follow one another. Before the first of them it is `carried`;
+    /// what the last chord contributes to its last point is returned.
     ///
     /// # Panics
     ///
     /// If there are fewer than `chords`.
-    #[inline(always)]
-    #[must_use]
-    pub fn first(mut self, chords: usize) -> Self {
-        // The compiler then knows that all rows have the same length.
+    #[inline]
+    pub fn for_first(self, chords: usize, mut carried: f64, mut take: impl FnMut(f64)) -> f64 {
         let lanes = chords * self.nodes.len();
-        for i in 0..D {
-            self.momentum[i] = &self.momentum[i][..lanes];
-            self.slope[i] = &self.slope[i][..lanes];
-        }
-        self
-    }
-
-    /// Adds the gradients of the energy of chord `k` with respect to its points `x` and `x + d`.
-    #[inline(always)]
-    pub fn add(&self, k: usize, gradients: &mut [SVector<f64, D>; 2]) {
-        for (place, node) in self.nodes.iter().enumerate() {
-            let lane = k * self.nodes.len() + place;
-            let w = self.n * node.weight;
-            for i in 0..D {
-                let twice = 2.0 * self.momentum[i][lane];
-                let g = self.slope[i][lane];
-                gradients[0][i] += w * (g * (1.0 - node.fraction) - twice);
-                gradients[1][i] += w * (g * node.fraction + twice);
+        let (momentum, slope) = (&self.momentum[..lanes], &self.slope[..lanes]);
+        for k in 0..chords {
+            let mut gradients = [carried, 0.0];
+            for (place, node) in self.nodes.iter().enumerate() {
+                let lane = k * self.nodes.len() + place;
+                let w = self.n * node.weight;
+                let (twice, g) = (2.0 * momentum[lane], slope[lane]);
+                gradients[0] += w * (g * (1.0 - node.fraction) - twice);
+                gradients[1] += w * (g * node.fraction + twice);
             }
+            take(gradients[0]);
+            carried = gradients[1];
         }
+        carried
     }
 }

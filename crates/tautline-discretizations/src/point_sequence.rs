@@ -3,6 +3,7 @@
 use std::{num::NonZeroUsize, ops::Range};
 
 use nalgebra::SVector;
+use tautline_scalar::ANY;
 
 use crate::compensated_sum::CompensatedSum;
 
@@ -15,6 +16,8 @@ pub const LARGEST_N: usize = 1 << 26;
 
 /// A sequence of `N + 1` points of `R^D`, at the times `tₙ = n/N`.
 ///
+/// The dimension is known at compile time, or is a value if `D` is [`ANY`].
+///
 /// Invariant: there are at least two points and at most [`LARGEST_N`] chords, and all points are
 /// finite.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +28,10 @@ pub const LARGEST_N: usize = 1 << 26;
     serde(try_from = "Vec<SVector<f64, D>>", into = "Vec<SVector<f64, D>>")
 )]
 pub struct PointSequence<const D: usize> {
-    points: Vec<SVector<f64, D>>,
+    dimension: usize,
+    /// The coordinates, point by point.
+    coordinates: Vec<f64>,
+    n: NonZeroUsize,
     extent: f64,
 }
 
@@ -56,6 +62,14 @@ pub enum SequenceError {
         /// The size of the points, in bytes.
         bytes: usize,
     },
+    /// The coordinates are not those of whole points.
+    #[error("{coordinates} coordinates are not those of whole points in dimension {dimension}")]
+    NotWhole {
+        /// The number of coordinates.
+        coordinates: usize,
+        /// The dimension.
+        dimension: usize,
+    },
     /// A coordinate is NaN or infinite.
     #[error("coordinate {coordinate} of point {index} is {value}: it must be finite")]
     NotFinite {
@@ -76,17 +90,26 @@ impl<const D: usize> PointSequence<D> {
     ///
     /// The first defect, with its index.
     pub fn new(points: Vec<SVector<f64, D>>) -> Result<Self, SequenceError> {
-        if points.len() < 2 {
-            return Err(SequenceError::NoSubinterval { points: points.len() });
+        Self::checked(D, points.len(), || bytemuck::cast_vec(points))
+    }
+
+    /// Makes a sequence from so many points, whose coordinates follow one another.
+    fn checked(
+        dimension: usize,
+        points: usize,
+        coordinates: impl FnOnce() -> Vec<f64>,
+    ) -> Result<Self, SequenceError> {
+        let n = points.checked_sub(1).and_then(NonZeroUsize::new);
+        let n = n.ok_or(SequenceError::NoSubinterval { points })?;
+        if n.get() > LARGEST_N {
+            return Err(SequenceError::TooManySubintervals { n: n.get() });
         }
-        if points.len() - 1 > LARGEST_N {
-            return Err(SequenceError::TooManySubintervals { n: points.len() - 1 });
-        }
-        let extent = extent(&points);
+        let coordinates = coordinates();
+        let extent = extent(&coordinates);
         if !extent.is_finite() {
-            return Err(not_finite(&points));
+            return Err(not_finite(dimension, &coordinates));
         }
-        Ok(Self { points, extent })
+        Ok(Self { dimension, coordinates, n, extent })
     }
 
     /// Returns `N + 1` equidistant points on the segment from `a` to `b`.
@@ -123,14 +146,16 @@ impl<const D: usize> PointSequence<D> {
 
     /// Returns `N`, the number of subintervals.
     #[must_use]
+    #[inline]
     pub fn n(&self) -> NonZeroUsize {
-        NonZeroUsize::new(self.points.len() - 1).expect("at least two points")
+        self.n
     }
 
-    /// Returns the `N + 1` points, in `ℓ`.
+    /// Returns the dimension of the space.
     #[must_use]
-    pub fn points(&self) -> &[SVector<f64, D>] {
-        &self.points
+    #[inline]
+    pub fn dimension(&self) -> usize {
+        self.dimension
     }
 
     /// Returns the largest coordinate in absolute value, in `ℓ`. Coordinates are rounded by at most
@@ -140,21 +165,71 @@ impl<const D: usize> PointSequence<D> {
         self.extent
     }
 
+    /// Returns the coordinates of all points, one point after the other, in `ℓ`.
+    #[must_use]
+    #[inline]
+    pub fn coordinates(&self) -> &[f64] {
+        &self.coordinates
+    }
+
+    /// Returns the coordinates of all points, one point after the other, in `ℓ`.
+    #[must_use]
+    pub fn into_coordinates(self) -> Vec<f64> {
+        self.coordinates
+    }
+
+    /// Returns the coordinates of point `k`, in `ℓ`.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such point.
+    #[must_use]
+    #[inline]
+    pub fn row(&self, k: usize) -> &[f64] {
+        &self.coordinates[k * self.dimension..][..self.dimension]
+    }
+
+    /// Returns the `N + 1` points as vectors of `E` coordinates, in `ℓ`.
+    ///
+    /// # Panics
+    ///
+    /// If `E` is not the dimension.
+    #[must_use]
+    #[inline]
+    pub fn points_in<const E: usize>(&self) -> &[SVector<f64, E>] {
+        assert!(E == self.dimension, "{E} coordinates in dimension {}", self.dimension);
+        bytemuck::cast_slice(&self.coordinates)
+    }
+
+    /// Returns the same sequence as one whose dimension is a value.
+    #[must_use]
+    pub fn into_any(self) -> PointSequence<ANY> {
+        let Self { dimension, coordinates, n, extent } = self;
+        PointSequence { dimension, coordinates, n, extent }
+    }
+
+    /// Returns the `N + 1` points, in `ℓ`.
+    #[must_use]
+    #[inline]
+    pub fn points(&self) -> &[SVector<f64, D>] {
+        bytemuck::cast_slice(&self.coordinates)
+    }
+
     /// Returns the first point.
     #[must_use]
     pub fn first(&self) -> &SVector<f64, D> {
-        &self.points[0]
+        &self.points()[0]
     }
 
     /// Returns the last point.
     #[must_use]
     pub fn last(&self) -> &SVector<f64, D> {
-        &self.points[self.points.len() - 1]
+        &self.points()[self.n.get()]
     }
 
     /// Returns the `N` chords, each as its first point and the vector to the next point, in `ℓ`.
     pub fn chords(&self) -> impl ExactSizeIterator<Item = (&SVector<f64, D>, SVector<f64, D>)> {
-        chords(&self.points)
+        chords(self.points())
     }
 
     /// Returns the chords with these indices, as an iterator that can be advanced from either end.
@@ -168,14 +243,14 @@ impl<const D: usize> PointSequence<D> {
         numbers: Range<usize>,
     ) -> impl DoubleEndedIterator<Item = (&SVector<f64, D>, SVector<f64, D>)> + ExactSizeIterator
     {
-        chords(&self.points[numbers.start..=numbers.end])
+        chords(&self.points()[numbers.start..=numbers.end])
     }
 
     /// Returns chord `n < N` as its first point and the vector to the next point, in `ℓ`.
     #[must_use]
     #[inline]
     pub fn chord(&self, n: usize) -> (&SVector<f64, D>, SVector<f64, D>) {
-        (&self.points[n], self.points[n + 1] - self.points[n])
+        (&self.points()[n], self.points()[n + 1] - self.points()[n])
     }
 
     /// Returns the finite differences `βₙ = N (xₙ₊₁ − xₙ)`, in `ℓ`, for `n = 0, …, N − 1`.
@@ -195,7 +270,34 @@ impl<const D: usize> PointSequence<D> {
     /// Returns the points.
     #[must_use]
     pub fn into_points(self) -> Vec<SVector<f64, D>> {
-        self.points
+        // The list of coordinates may have room for a part of a vector, which no list of vectors has.
+        bytemuck::try_cast_vec(self.coordinates)
+            .unwrap_or_else(|(_, coordinates)| bytemuck::cast_slice(&coordinates).to_vec())
+    }
+}
+
+impl PointSequence<ANY> {
+    /// Makes a sequence in `R^dimension` from the coordinates of its points, one point after the other.
+    ///
+    /// # Errors
+    ///
+    /// As for [`PointSequence::new`]; also [`SequenceError::NotWhole`] if the coordinates end within a point.
+    pub fn from_coordinates(
+        dimension: usize,
+        coordinates: Vec<f64>,
+    ) -> Result<Self, SequenceError> {
+        let count = coordinates.len();
+        if dimension == 0 || !count.is_multiple_of(dimension) {
+            return Err(SequenceError::NotWhole { coordinates: count, dimension });
+        }
+        Self::checked(dimension, count / dimension, || coordinates)
+    }
+
+    /// Returns the same sequence as one in `R^E`; `None` if it lies in another dimension.
+    #[must_use]
+    pub fn into_dimension<const E: usize>(self) -> Option<PointSequence<E>> {
+        let Self { dimension, coordinates, n, extent } = self;
+        (dimension == E).then_some(PointSequence { dimension, coordinates, n, extent })
     }
 }
 
@@ -217,6 +319,12 @@ impl<const D: usize> From<PointSequence<D>> for Vec<SVector<f64, D>> {
     }
 }
 
+/// Returns the coordinates of some points, one point after the other.
+#[must_use]
+pub fn coordinates<const D: usize>(points: &[SVector<f64, D>]) -> &[f64] {
+    bytemuck::cast_slice(points)
+}
+
 /// Returns the chords between consecutive points.
 #[inline]
 pub(crate) fn chords<const D: usize>(
@@ -228,32 +336,28 @@ pub(crate) fn chords<const D: usize>(
 
 /// Returns the largest coordinate in absolute value; the result is infinite or NaN if a coordinate
 /// is.
-fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
-    // Two points are processed at a time, for two independent chains of operations.
-    let (many, rest) = points.as_chunks::<2>();
-    let mut largest = [SVector::<f64, D>::zeros(); 2];
+fn extent(coordinates: &[f64]) -> f64 {
+    // Eight coordinates are processed at a time, for independent chains of operations.
+    let (many, rest) = coordinates.as_chunks::<8>();
+    let mut largest = [0.0_f64; 8];
     let mut undefined = largest;
-    for points in many {
-        for k in 0..2 {
-            for i in 0..D {
-                let size = points[k][i].abs();
-                largest[k][i] = if size > largest[k][i] { size } else { largest[k][i] };
-                // This product is NaN for infinity and NaN.
-                undefined[k][i] += size * 0.0;
-            }
+    for some in many {
+        for k in 0..8 {
+            let size = some[k].abs();
+            largest[k] = if size > largest[k] { size } else { largest[k] };
+            // This product is NaN for infinity and NaN.
+            undefined[k] += size * 0.0;
         }
     }
-    let all =
-        largest.iter().chain(rest).flat_map(|x| x.iter()).fold(0.0, |a: f64, x| a.max(x.abs()));
-    undefined.iter().chain(rest).flat_map(|x| x.iter()).fold(all, |sum, x| sum + x * 0.0)
+    let all = largest.iter().chain(rest).fold(0.0, |a: f64, x| a.max(x.abs()));
+    undefined.iter().chain(rest).fold(all, |sum, x| sum + x * 0.0)
 }
 
 /// Returns the error for the first coordinate that is NaN or infinite.
-fn not_finite<const D: usize>(points: &[SVector<f64, D>]) -> SequenceError {
-    let all = points.iter().flat_map(|point| point.iter());
-    let place = all.clone().position(|x| !x.is_finite()).expect("a coordinate is not finite");
-    let (index, coordinate) = (place / D, place % D);
-    SequenceError::NotFinite { index, coordinate, value: points[index][coordinate] }
+fn not_finite(dimension: usize, coordinates: &[f64]) -> SequenceError {
+    let place = coordinates.iter().position(|x| !x.is_finite()).expect("one is not finite");
+    let (index, coordinate) = (place / dimension, place % dimension);
+    SequenceError::NotFinite { index, coordinate, value: coordinates[place] }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
-use tautline_scalar::{Scalar, Table};
+use tautline_scalar::{ANY, Scalar, Table};
 
 use self::polynomial::identities;
 use crate::{
@@ -25,9 +25,12 @@ use crate::{
 ///
 /// The first `D` steps are the coordinates. A step reads only earlier steps. Every other step is
 /// needed for an entry. No two steps are the same, except for the second steps of pairs.
+///
+/// The dimension is known at compile time, or is a value if `D` is [`ANY`].
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[doc(alias = "tape")]
 pub struct Formula<const D: usize> {
+    dimension: usize,
     operations: Vec<Operation>,
     /// The steps that are the entries of `H`, column by column.
     entries: Vec<Step>,
@@ -43,11 +46,15 @@ impl<const D: usize> Formula<D> {
     /// uses numbers of another evaluation.
     pub fn record(metric: &impl Metric<D>) -> Result<Self, RecordError> {
         let (gram, recording) = record(D, |x| metric.gram(&SVector::from_fn(|i, _| x[i])));
-        Self::of(gram.as_slice(), &recording)
+        Self::of(D, gram.as_slice(), &recording)
     }
 
     /// Returns the formula with these entries, given column by column.
-    pub(crate) fn of(entries: &[Symbol], recording: &Recording) -> Result<Self, RecordError> {
+    pub(crate) fn of(
+        dimension: usize,
+        entries: &[Symbol],
+        recording: &Recording,
+    ) -> Result<Self, RecordError> {
         if let Some(error) = recording.failed {
             return Err(error);
         }
@@ -55,9 +62,9 @@ impl<const D: usize> Formula<D> {
         if entries.iter().any(|&entry| entry as usize >= recording.operations.len()) {
             return Err(RecordError::Foreign);
         }
-        let (mut operations, entries) = without_idle(&recording.operations, &entries, D);
+        let (mut operations, entries) = without_idle(&recording.operations, &entries, dimension);
         let tables = called(&mut operations, &recording.tables);
-        Ok(Self { operations, entries, tables })
+        Ok(Self { dimension, operations, entries, tables })
     }
 
     /// Returns the row and the column of an entry that is not known to equal its mirror image; `None` if
@@ -68,7 +75,8 @@ impl<const D: usize> Formula<D> {
     /// `0.5*x1*x2`.
     #[must_use]
     pub fn unequal_halves(&self) -> Option<(usize, usize)> {
-        let mut pairs = (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j)));
+        let d = self.dimension;
+        let mut pairs = (0..d).flat_map(|i| (i + 1..d).map(move |j| (i, j)));
         let differ = |&(i, j): &(usize, usize)| self.entry(i, j) != self.entry(j, i);
         if !pairs.clone().any(|pair| differ(&pair)) {
             return None;
@@ -97,15 +105,29 @@ impl<const D: usize> Formula<D> {
     #[must_use]
     pub fn of_upper_half(&self) -> Self {
         let at = |i: usize, j: usize| self.entry(i.min(j), i.max(j));
-        let entries: Vec<Step> = (0..D * D).map(|place| at(place % D, place / D)).collect();
-        let (mut operations, entries) = without_idle(&self.operations, &entries, D);
+        let d = self.dimension;
+        let entries: Vec<Step> = (0..d * d).map(|place| at(place % d, place / d)).collect();
+        let (mut operations, entries) = without_idle(&self.operations, &entries, d);
         let tables = called(&mut operations, &self.tables);
-        Self { operations, entries, tables }
+        Self { dimension: d, operations, entries, tables }
     }
 
     pub(crate) fn tape(&self) -> Tape<'_> {
-        let Self { operations, entries, tables } = self;
-        Tape { dimension: D, operations, entries, tables }
+        let &Self { dimension, ref operations, ref entries, ref tables } = self;
+        Tape { dimension, operations, entries, tables }
+    }
+
+    /// Returns the dimension of the space.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// Returns the same formula as one whose dimension is a value.
+    #[must_use]
+    pub fn into_any(self) -> Formula<ANY> {
+        let Self { dimension, operations, entries, tables } = self;
+        Formula { dimension, operations, entries, tables }
     }
 
     /// Returns the steps.
@@ -135,12 +157,22 @@ impl<const D: usize> Formula<D> {
     /// If `row` or `column` is `D` or more.
     #[must_use]
     pub fn entry(&self, row: usize, column: usize) -> Step {
-        assert!(row < D && column < D, "entry ({row}, {column}) of {D} × {D}");
-        self.entries[column * D + row]
+        let d = self.dimension;
+        assert!(row < d && column < d, "entry ({row}, {column}) of {d} × {d}");
+        self.entries[column * d + row]
     }
 }
 
-/// A formula whose dimension is a value. Code that takes it is compiled once for all dimensions.
+impl Formula<ANY> {
+    /// Returns the same formula as one on `R^E`; `None` if it is one in another dimension.
+    #[must_use]
+    pub fn into_dimension<const E: usize>(self) -> Option<Formula<E>> {
+        let Self { dimension, operations, entries, tables } = self;
+        (dimension == E).then_some(Formula { dimension, operations, entries, tables })
+    }
+}
+
+/// A formula behind a pointer, in whatever dimension.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tape<'f> {
     pub(crate) dimension: usize,

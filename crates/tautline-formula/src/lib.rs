@@ -61,13 +61,15 @@ pub mod spline;
 mod text;
 
 pub use any_metric::AnyMetric;
-pub use batch::{Batch, Batches, Inputs, Kind, Layout, Plain, Prepared};
+pub use batch::{
+    AnyBatches, Batch, Batches, Inputs, Kind, Layout, Plain, Prepared, PreparedFormula,
+};
 pub use black_box::{BlackBox, BlackBoxBatches, Values};
 pub use formula::Formula;
 pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step, Tabulation};
 pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use record_error::RecordError;
-pub use text::{AnyFormula, Form, Part, Problem, TextError, Written, WrittenError, number};
+pub use text::{Form, Part, Problem, TextError, Written, WrittenError, number};
 
 /// The largest number of steps of a formula, a million. A longer formula comes from a loop that
 /// nobody meant to unroll.

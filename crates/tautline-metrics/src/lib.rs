@@ -59,6 +59,8 @@ pub use christoffel::christoffel;
 pub use constants::{Constants, HypothesisError};
 pub use locally_bounded::{LocalError, LocallyBounded};
 pub use metric::{Bounded, KnownDistance, Metric, norm_squared};
-pub use positive_definite::{MetricError, check_gram, check_matrix, cholesky, is_gram};
+pub use positive_definite::{
+    MetricError, are_gram, check_gram, check_matrix, check_numbers, cholesky, is_gram,
+};
 pub use rayleigh_quotient::RayleighQuotient;
 pub use tautline_scalar::{Jet1, Jet2, Lanes, Pair, Scalar, Short};

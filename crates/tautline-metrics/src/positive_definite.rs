@@ -1,6 +1,7 @@
 //! Symmetric positive definite matrices: the check that `H(x)` is one, and the Cholesky factor.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
+use smallvec::SmallVec;
 use tautline_scalar::Lanes;
 
 use crate::Metric;
@@ -89,16 +90,34 @@ fn is_definite<T: Lanes, const D: usize>(mut a: SMatrix<T, D, D>) -> bool {
     true
 }
 
+/// Returns whether a matrix is a Gram matrix, like [`is_gram`]. Its `d²` entries are given column by
+/// column.
+#[must_use]
+pub fn are_gram(h: &[f64], d: usize) -> bool {
+    let at = |i: usize, j: usize| h[j * d + i];
+    let is_mirrored = |i: usize, j: usize| {
+        at(i, j) == at(j, i) || are_mirrored([at(i, j), at(j, i)], [at(i, i), at(j, j)])
+    };
+    factorize(d, h, &mut Factor::from_elem(0.0, d * d)) && (0..d).all(|i| (i + 1..d).all(|j| is_mirrored(i, j)))
+}
+
+/// A triangular factor, column by column, which needs no allocation up to three dimensions.
+type Factor = SmallVec<[f64; 9]>;
+
 /// Returns whether the entries `(i, j)` and `(j, i)` are the same up to rounding.
 fn is_symmetric<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>, i: usize, j: usize) -> bool {
     (0..T::LANES).all(|lane| {
         let entry = |i, j| h[(i, j)].lane(lane);
-        let (above, below) = (entry(i, j), entry(j, i));
-        // We take the roots first: the product of the entries may overflow, which would allow any
-        // difference.
-        let scale = entry(i, i).abs().sqrt() * entry(j, j).abs().sqrt();
-        (above - below).abs() <= 1e-12 * scale.max(above.abs())
+        are_mirrored([entry(i, j), entry(j, i)], [entry(i, i), entry(j, j)])
     })
+}
+
+/// Returns whether two mirrored entries are the same up to rounding, given their diagonal entries.
+fn are_mirrored([above, below]: [f64; 2], [one, other]: [f64; 2]) -> bool {
+    // We take the roots first: the product of the entries may overflow, which would allow any
+    // difference.
+    let scale = one.abs().sqrt() * other.abs().sqrt();
+    (above - below).abs() <= 1e-12 * scale.max(above.abs())
 }
 
 /// Returns `H(x)` if it is finite, symmetric and positive definite.
@@ -122,55 +141,73 @@ pub fn check_matrix<const D: usize>(
     h: SMatrix<f64, D, D>,
     x: &SVector<f64, D>,
 ) -> Result<SMatrix<f64, D, D>, MetricError> {
-    let point = || x.iter().copied().collect();
-    for (row, column) in (0..D).flat_map(|i| (0..D).map(move |j| (i, j))) {
-        let entry = h[(row, column)];
+    check_numbers(h.as_slice(), x.as_slice())?;
+    Ok(h)
+}
+
+/// Checks that the matrix `H(x)` is finite, symmetric and positive definite. Its `D²` entries are given
+/// column by column, where `D` is the number of coordinates of `x`.
+///
+/// # Errors
+///
+/// [`MetricError`] with the point and the offending number.
+pub fn check_numbers(h: &[f64], x: &[f64]) -> Result<(), MetricError> {
+    let d = x.len();
+    let (point, at) = (|| x.to_vec(), |i: usize, j: usize| h[j * d + i]);
+    for (row, column) in (0..d).flat_map(|i| (0..d).map(move |j| (i, j))) {
+        let entry = at(row, column);
         if !entry.is_finite() {
             return Err(MetricError::NotFinite { point: point(), row, column, entry });
         }
     }
-    for (row, column) in (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j))) {
-        if !is_symmetric(&h, row, column) {
-            let (above, below) = (h[(row, column)], h[(column, row)]);
+    for (row, column) in (0..d).flat_map(|i| (i + 1..d).map(move |j| (i, j))) {
+        let (above, below) = (at(row, column), at(column, row));
+        if !are_mirrored([above, below], [at(row, row), at(column, column)]) {
             return Err(MetricError::NotSymmetric { point: point(), row, column, above, below });
         }
     }
-    if cholesky(&h).is_none() {
-        let eigenvalue =
-            DMatrix::from_fn(D, D, |i, j| h[(i.min(j), i.max(j))]).symmetric_eigenvalues().min();
+    if !factorize(d, h, &mut Factor::from_elem(0.0, d * d)) {
+        let upper = DMatrix::from_fn(d, d, |i, j| at(i.min(j), i.max(j)));
+        let eigenvalue = upper.symmetric_eigenvalues().min();
         return Err(MetricError::NotPositiveDefinite { point: point(), eigenvalue });
     }
-    Ok(h)
+    Ok(())
 }
 
 /// Returns the lower triangular `L` with `L Lᵀ = A`, reading the entries `i ≤ j` of `A`. Returns
 /// `None` if `A` is not positive definite (or not finite).
-///
-/// The loops are written out so that they unroll for small `D`.
 #[must_use]
 pub fn cholesky<const D: usize>(a: &SMatrix<f64, D, D>) -> Option<SMatrix<f64, D, D>> {
     let mut l = SMatrix::<f64, D, D>::zeros();
-    for j in 0..D {
-        let mut pivot = a[(j, j)];
+    factorize(D, a.as_slice(), l.as_mut_slice()).then_some(l)
+}
+
+/// Writes `L` with `L Lᵀ = A` to `l`, which is zero before; both are given column by column. Returns
+/// whether `A` is positive definite and finite.
+#[inline]
+fn factorize(d: usize, a: &[f64], l: &mut [f64]) -> bool {
+    let (a, l) = (&a[..d * d], &mut l[..d * d]);
+    for j in 0..d {
+        let mut pivot = a[j * d + j];
         for k in 0..j {
-            pivot -= l[(j, k)] * l[(j, k)];
+            pivot -= l[k * d + j] * l[k * d + j];
         }
         // NaN and +∞ fail this check too.
         if !(pivot > 0.0 && pivot <= f64::MAX) {
-            return None;
+            return false;
         }
         let pivot = pivot.sqrt();
-        l[(j, j)] = pivot;
+        l[j * d + j] = pivot;
         let inverse = 1.0 / pivot;
-        for i in j + 1..D {
-            let mut entry = a[(j, i)];
+        for i in j + 1..d {
+            let mut entry = a[i * d + j];
             for k in 0..j {
-                entry -= l[(i, k)] * l[(j, k)];
+                entry -= l[k * d + i] * l[k * d + j];
             }
-            l[(i, j)] = entry * inverse;
+            l[j * d + i] = entry * inverse;
         }
     }
-    Some(l)
+    true
 }
 
 #[cfg(test)]

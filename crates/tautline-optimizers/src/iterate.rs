@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use tautline_discretizations::{LinearModel, PointSequence, Rule};
 use tautline_formula::Batches;
-use tautline_sets::ClosedSet;
+use tautline_sets::{ClosedSet, InAny};
 
 use crate::newton::{magnitude::Magnitude, residual::Residual};
 
@@ -45,7 +45,7 @@ impl<'i, const D: usize> Iterate<'i, D> {
         metric: &dyn Batches<D>,
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &'i PointSequence<D>,
-        model: &LinearModel<D>,
+        model: &LinearModel,
         iteration: usize,
     ) -> Self {
         let n = sequence.n().get();
@@ -58,9 +58,11 @@ impl<'i, const D: usize> Iterate<'i, D> {
             }
         }
         let magnitude = Magnitude { energy: model.energy, mean_gram: sum / count };
-        let mut residual = Residual::new(n, magnitude);
-        residual.push_all(&model.gradient);
-        let (residual, residual_floor) = residual.value(ends, sequence, magnitude);
+        let mut residual = Residual::new(D, n, magnitude);
+        residual.push_all(&model.slopes);
+        let [first, second] = ends.map(InAny);
+        let place = sequence.clone().into_any();
+        let (residual, residual_floor) = residual.value([&first, &second], &place, magnitude);
         Self { iteration, energy: model.energy, residual, residual_floor, sequence }
     }
 
@@ -77,7 +79,7 @@ mod tests {
     use tautline_discretizations::{LinearModel, PointSequence, QuadraticModel, Rule};
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Swirl, Valleys};
-    use tautline_sets::{Ball, ClosedSet};
+    use tautline_sets::{Ball, ClosedSet, InAny};
 
     use super::Iterate;
     use crate::newton::{magnitude::Magnitude, residual::Residual};
@@ -104,9 +106,13 @@ mod tests {
             let sequence = PointSequence::new((0..=n).map(at).collect()).expect("finite");
             let model = QuadraticModel::new(rule, &swirl, &sequence);
             let magnitude = Magnitude::of(&model);
-            let mut residual = Residual::new(n, magnitude);
-            residual.push_all(&model.gradient);
-            let (expected, floor) = residual.value(ends, &sequence, magnitude);
+            let mut residual = Residual::new(2, n, magnitude);
+            residual.push_all(&model.slopes);
+            let (expected, floor) = residual.value(
+                [&InAny(ends[0]), &InAny(ends[1])],
+                &sequence.clone().into_any(),
+                magnitude,
+            );
             let metric = Prepared::new(swirl);
             let linear = LinearModel::by_batches(rule.nodes(), &metric, &sequence);
             let found = Iterate::new(rule, &metric, ends, &sequence, &linear, 3);
@@ -135,9 +141,13 @@ mod tests {
         let ends: [&dyn ClosedSet<2>; 2] = [&ends[0], &ends[1]];
         let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &Valleys, &sequence);
         let magnitude = Magnitude::of(&model);
-        let mut residual = Residual::new(n, magnitude);
-        residual.push_all(&model.gradient);
-        let (expected, _) = residual.value(ends, &sequence, magnitude);
+        let mut residual = Residual::new(2, n, magnitude);
+        residual.push_all(&model.slopes);
+        let (expected, _) = residual.value(
+            [&InAny(ends[0]), &InAny(ends[1])],
+            &sequence.clone().into_any(),
+            magnitude,
+        );
         let linear = LinearModel::new(Rule::TRAPEZOIDAL, &Valleys, &sequence);
         let metric = Prepared::new(Valleys);
         let found = Iterate::new(Rule::TRAPEZOIDAL, &metric, ends, &sequence, &linear, 0);

@@ -53,7 +53,9 @@ pub use asymptotics::{
     leading_constants::{LeadingConstants, leading_constants},
 };
 pub use iterate::{Iterate, Watcher};
-pub use minimise::{Options, minimise, minimise_by_batches, minimise_in, minimise_watched};
+pub use minimise::{
+    Options, minimise, minimise_any, minimise_by_batches, minimise_in, minimise_watched,
+};
 pub use newton::{
     newton_step::{NewtonStep, newton_step},
     workspace::Workspace,

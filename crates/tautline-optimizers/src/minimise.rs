@@ -1,15 +1,15 @@
 //! `minimise`: the entry point of the solver, and its options.
 
-use tautline_discretizations::Rule;
-use tautline_formula::{Batches, Prepared};
+use tautline_discretizations::{ANY, PointSequence, Rule};
+use tautline_formula::{AnyBatches, Batches, Prepared};
 use tautline_metrics::Metric;
-use tautline_sets::Ends;
+use tautline_sets::{AnySet, Ends, InAny};
 
 use crate::{
-    Minimum, SolveError, Starts, Watcher, Workspace,
+    Iterate, Minimum, SolveError, Starts, Watcher, Workspace,
     newton::discrete_energy::DiscreteEnergy,
     solver::solve,
-    watch::{Unwatched, Watched},
+    watch::{Unwatched, Watch, Watched},
 };
 
 /// Options of a search.
@@ -43,6 +43,14 @@ impl<const D: usize> Default for Options<D> {
     /// search takes on one grid.
     fn default() -> Self {
         Self { starts: Starts::Automatic, iterations: 200, threads: 2 }
+    }
+}
+
+impl<const D: usize> Options<D> {
+    /// Returns the same options for a dimension that is a value.
+    fn in_any(&self) -> Options<ANY> {
+        let &Self { ref starts, iterations, threads } = self;
+        Options { starts: starts.in_any(), iterations, threads }
     }
 }
 
@@ -105,7 +113,7 @@ pub fn minimise<const D: usize>(
 ///
 /// As for [`minimise`].
 pub fn minimise_in<const D: usize>(
-    workspace: &mut Workspace<D>,
+    workspace: &mut Workspace,
     metric: &impl Metric<D>,
     ends: &Ends<D>,
     rule: Rule,
@@ -121,14 +129,14 @@ pub fn minimise_in<const D: usize>(
 ///
 /// As for [`minimise`].
 pub fn minimise_by_batches<const D: usize>(
-    workspace: &mut Workspace<D>,
+    workspace: &mut Workspace,
     metric: &dyn Batches<D>,
     ends: &Ends<D>,
     rule: Rule,
     n: usize,
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
-    solve(workspace, &DiscreteEnergy::new(rule, metric), ends, n, options, &Unwatched)
+    solve_between(workspace, rule, metric, ends, n, options, &Unwatched)
 }
 
 /// Minimises like [`minimise_by_batches`], and tells `watcher` of each iterate of each local search,
@@ -142,7 +150,7 @@ pub fn minimise_by_batches<const D: usize>(
 ///
 /// As for [`minimise`]; also [`SolveError::Interrupted`].
 pub fn minimise_watched<'w, const D: usize>(
-    workspace: &mut Workspace<D>,
+    workspace: &mut Workspace,
     metric: &dyn Batches<D>,
     ends: &Ends<D>,
     rule: Rule,
@@ -150,8 +158,65 @@ pub fn minimise_watched<'w, const D: usize>(
     options: &Options<D>,
     watcher: &'w mut Watcher<'w, D>,
 ) -> Result<Minimum<D>, SolveError> {
-    let watch = Watched::by(watcher);
-    solve(workspace, &DiscreteEnergy::new(rule, metric), ends, n, options, &watch)
+    let mut seen = |iterate: &Iterate<'_, ANY>| {
+        let sequence = iterate.sequence.clone().into_dimension();
+        let sequence = &sequence.expect("the dimension of the metric");
+        let Iterate { iteration, energy, residual, residual_floor, .. } = *iterate;
+        watcher(&Iterate { iteration, energy, residual, residual_floor, sequence })
+    };
+    let watch = Watched::by(&mut seen);
+    solve_between(workspace, rule, metric, ends, n, options, &watch)
+}
+
+/// Solves between the pieces of two sets of `R^D`.
+fn solve_between<const D: usize>(
+    workspace: &mut Workspace,
+    rule: Rule,
+    metric: &dyn Batches<D>,
+    ends: &Ends<D>,
+    n: usize,
+    options: &Options<D>,
+    watch: &dyn Watch,
+) -> Result<Minimum<D>, SolveError> {
+    let pieces: Vec<_> = ends.pairs().collect();
+    let pieces: Vec<_> = pieces.iter().map(|(a, b)| [InAny(&**a), InAny(&**b)]).collect();
+    let pieces: Vec<[&dyn AnySet; 2]> =
+        pieces.iter().map(|[a, b]| [a as &dyn AnySet, b as &dyn AnySet]).collect();
+    let energy = DiscreteEnergy::new(rule, metric);
+    let minimum = solve(workspace, &energy, &pieces, n, &options.in_any(), watch)?;
+    Ok(minimum.into_dimension().expect("the dimension of the metric"))
+}
+
+/// Minimises like [`minimise_watched`] in a dimension that is a value, between some pairs of sets: those
+/// of a piece of the first set and a piece of the second. `watcher`, if there is one, sees each iterate.
+///
+/// # Errors
+///
+/// As for [`minimise_watched`]; also [`SolveError::Dimension`] if a set or a start lies in another
+/// dimension than the metric.
+pub fn minimise_any<'w>(
+    workspace: &mut Workspace,
+    metric: &dyn AnyBatches,
+    pieces: &[[&dyn AnySet; 2]],
+    rule: Rule,
+    n: usize,
+    options: &Options<ANY>,
+    watcher: Option<&'w mut Watcher<'w, ANY>>,
+) -> Result<Minimum<ANY>, SolveError> {
+    let dimension = metric.dimension();
+    let sets = pieces.iter().flatten().map(|set| set.dimension());
+    let starts = options.starts.given().iter().map(PointSequence::dimension);
+    if let Some(found) = sets.chain(starts).find(|&found| found != dimension) {
+        return Err(SolveError::Dimension { metric: dimension, found });
+    }
+    let energy = DiscreteEnergy::new(rule, metric);
+    match watcher {
+        Some(watcher) => {
+            let watch = Watched::by(watcher);
+            solve(workspace, &energy, pieces, n, options, &watch)
+        }
+        None => solve(workspace, &energy, pieces, n, options, &Unwatched),
+    }
 }
 
 #[cfg(test)]

@@ -6,8 +6,8 @@
 //! fine ones, and a [candidate](Candidate) for each local minimiser that is followed from grid to
 //! grid.
 
-use tautline_discretizations::LARGEST_N;
-use tautline_sets::{ClosedSet, Ends, common_point};
+use tautline_discretizations::{ANY, LARGEST_N};
+use tautline_sets::{AnySet, common_point_of};
 
 use crate::{
     Minimum, Options, Other, SolveError, Starts, Workspace,
@@ -21,23 +21,20 @@ use crate::{
     watch::Watch,
 };
 
-/// Returns the lowest minimiser that was found between the sets `ends`, on the grid of `n` chords.
-pub(crate) fn solve<const D: usize>(
-    workspace: &mut Workspace<D>,
-    energy: &DiscreteEnergy<'_, D>,
-    ends: &Ends<D>,
+/// Returns the lowest minimiser that was found between some pairs of sets, on the grid of `n` chords.
+pub(crate) fn solve(
+    workspace: &mut Workspace,
+    energy: &DiscreteEnergy<'_>,
+    pieces: &[Pieces<'_>],
     n: usize,
-    options: &Options<D>,
-    watch: &dyn Watch<D>,
-) -> Result<Minimum<D>, SolveError> {
-    check_size::<D>(n)?;
-    let pieces: Vec<_> = ends.pairs().collect();
-    let pieces: Vec<Pieces<'_, D>> = pieces.iter().map(|(a, b)| [&**a, &**b]).collect();
-    if let Some(x) = pieces.iter().find_map(|[a, b]| common_point(*a, *b)) {
+    options: &Options<ANY>,
+    watch: &dyn Watch,
+) -> Result<Minimum<ANY>, SolveError> {
+    check_size(energy.dimension(), n)?;
+    if let Some(x) = pieces.iter().find_map(|[a, b]| common_point_of(*a, *b)) {
         energy.check_at(&x)?;
-        return Ok(Minimum::at_common_point(x, n));
+        return Ok(Minimum::at_common_point(&x, n));
     }
-
     let (ties, refused) = (Vec::new(), None);
     let mut search = Search { workspace, energy, options, n, watch, iterations: 0, ties, refused };
     let mut candidates = Vec::new();
@@ -45,7 +42,7 @@ pub(crate) fn solve<const D: usize>(
     for grid in search.grids() {
         left_behind.extend(search.keep_the_lowest(&mut candidates, grid));
         search.follow_all(&mut candidates, grid);
-        search.try_new_starts(&mut candidates, &pieces, grid);
+        search.try_new_starts(&mut candidates, pieces, grid);
         search.check_watch(grid)?;
         local_minima.get_or_insert_with(|| converged_energies(&candidates));
     }
@@ -55,35 +52,35 @@ pub(crate) fn solve<const D: usize>(
     let rest = rest.into_iter().chain(left_behind);
     let mut others: Vec<_> = rest.filter_map(Candidate::into_other).collect();
     others.append(&mut search.ties);
-    let is_defined = |other: &Other<D>| energy.check_between(&other.sequence).is_ok();
+    let is_defined = |other: &Other<ANY>| energy.check_between(&other.sequence).is_ok();
     let others = lowest_different(others, &lowest.found.sequence, &is_defined);
     Ok(lowest.into_minimum(search.iterations, local_minima.unwrap_or_default(), others))
 }
 
 /// A piece of each set. A curve runs from the first piece to the second.
-type Pieces<'e, const D: usize> = [&'e dyn ClosedSet<D>; 2];
+type Pieces<'e> = [&'e dyn AnySet; 2];
 
 /// Rejects an empty grid, and one that is too large.
-fn check_size<const D: usize>(n: usize) -> Result<(), SolveError> {
+fn check_size(dimension: usize, n: usize) -> Result<(), SolveError> {
     match n {
         0 => Err(SolveError::NoSubinterval),
         _ if n > LARGEST_N => Err(SolveError::TooManySubintervals { n }),
-        _ => Workspace::<D>::check_points(n, 1),
+        _ => Workspace::check_points(dimension, n, 1),
     }
 }
 
 /// The state that all local searches share.
-struct Search<'a, const D: usize> {
-    workspace: &'a mut Workspace<D>,
-    energy: &'a DiscreteEnergy<'a, D>,
-    options: &'a Options<D>,
+struct Search<'a> {
+    workspace: &'a mut Workspace,
+    energy: &'a DiscreteEnergy<'a>,
+    options: &'a Options<ANY>,
     /// The number of chords of the finest grid.
     n: usize,
-    watch: &'a dyn Watch<D>,
+    watch: &'a dyn Watch,
     /// The number of Newton steps of all searches so far.
     iterations: usize,
     /// Local minimisers with the energy of another one.
-    ties: Vec<Other<D>>,
+    ties: Vec<Other<ANY>>,
     /// The reason why the first failed search failed. A lack of memory takes precedence.
     refused: Option<SolveError>,
 }
@@ -110,7 +107,7 @@ const LINES: [usize; 2] = [48, 64];
 /// leaps once more.
 const UNSETTLED: f64 = 0.05;
 
-impl<'a, const D: usize> Search<'a, D> {
+impl<'a> Search<'a> {
     /// Returns the grids on the way to `n` chords. A small grid with given starts needs no other
     /// grid.
     fn grids(&self) -> Vec<usize> {
@@ -125,12 +122,11 @@ impl<'a, const D: usize> Search<'a, D> {
     /// along which the metric is defined, and the others are returned.
     fn keep_the_lowest<'e>(
         &self,
-        candidates: &mut Vec<Candidate<'e, D>>,
+        candidates: &mut Vec<Candidate<'e>>,
         grid: usize,
-    ) -> Vec<Candidate<'e, D>> {
+    ) -> Vec<Candidate<'e>> {
         if grid > SETTLED && candidates.len() > 1 {
-            let passes =
-                |c: &Candidate<'_, D>| self.energy.check_between(&c.found.sequence).is_ok();
+            let passes = |c: &Candidate<'_>| self.energy.check_between(&c.found.sequence).is_ok();
             let place = candidates.iter().position(passes).unwrap_or(0);
             candidates.swap(0, place);
         }
@@ -144,24 +140,24 @@ impl<'a, const D: usize> Search<'a, D> {
     /// counts as lower. Returns the rest.
     fn catch_up<'e>(
         &mut self,
-        candidates: &mut Vec<Candidate<'e, D>>,
-        left_behind: Vec<Candidate<'e, D>>,
-    ) -> Vec<Candidate<'e, D>>
+        candidates: &mut Vec<Candidate<'e>>,
+        left_behind: Vec<Candidate<'e>>,
+    ) -> Vec<Candidate<'e>>
     where
         'a: 'e,
     {
         if left_behind.is_empty() {
             return left_behind;
         }
-        let counts = |candidate: &Candidate<'e, D>| {
+        let counts = |candidate: &Candidate<'e>| {
             !candidate.failed() && self.energy.check_between(&candidate.found.sequence).is_ok()
         };
         let lowest = candidates.first().filter(|lowest| counts(lowest));
         let bar = lowest.map_or(f64::INFINITY, |lowest| lowest.found.energy * (1.0 - DIFFERENT));
-        let is_lower = |candidate: &Candidate<'e, D>| {
+        let is_lower = |candidate: &Candidate<'e>| {
             counts(candidate) && {
                 let start = candidate.start(self.n, self.energy, Vec::new()).ok();
-                let energy = start.and_then(|start| self.energy.admissible(start.points()));
+                let energy = start.and_then(|start| self.energy.admissible(start.coordinates()));
                 energy.is_some_and(|energy| energy < bar)
             }
         };
@@ -180,7 +176,7 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 
     /// Follows all candidates to `grid`, and sorts them.
-    fn follow_all<'e>(&mut self, candidates: &mut Vec<Candidate<'e, D>>, grid: usize)
+    fn follow_all<'e>(&mut self, candidates: &mut Vec<Candidate<'e>>, grid: usize)
     where
         'a: 'e,
     {
@@ -191,7 +187,7 @@ impl<'a, const D: usize> Search<'a, D> {
 
     /// Follows a local minimiser to a finer grid. On a fine grid it is followed without damping, if
     /// that converges.
-    fn follow<'e>(&mut self, candidate: Candidate<'e, D>, grid: usize) -> Option<Candidate<'e, D>>
+    fn follow<'e>(&mut self, candidate: Candidate<'e>, grid: usize) -> Option<Candidate<'e>>
     where
         'a: 'e,
     {
@@ -202,21 +198,23 @@ impl<'a, const D: usize> Search<'a, D> {
         let start = |memory| candidate.start(grid, search.energy, memory);
         let mut in_vain = 0;
         let refined = (grid >= FINE).then(|| {
-            let start = start(self.workspace.spare.take(grid + 1)).ok()?;
+            let numbers = (grid + 1) * self.energy.dimension();
+            let start = start(self.workspace.spare.take(numbers)).ok()?;
             search.refine(start, &candidate.found, self.workspace, &mut in_vain)
         });
         let found = refined.flatten().map_or_else(
             || {
                 // If memory is short, the error reports what an undamped step needs.
-                self.workspace.check_undamped(grid)?;
-                Workspace::<D>::check_damped(grid)?;
+                let dimension = self.energy.dimension();
+                self.workspace.check_undamped(dimension, grid)?;
+                Workspace::check_damped(dimension, grid)?;
                 let found = search.run(start(Vec::new())?)?;
                 Ok(Found { iterations: in_vain + found.iterations, ..found })
             },
             Ok,
         );
         let (candidate, unused) = candidate.refined(self.accept(found)?);
-        unused.into_iter().for_each(|x| self.workspace.spare.give(x.into_points()));
+        unused.into_iter().for_each(|x| self.workspace.spare.give(x.into_coordinates()));
         Some(candidate)
     }
 
@@ -224,8 +222,8 @@ impl<'a, const D: usize> Search<'a, D> {
     /// a leap. If the finest grid is small, it adds the starts that a coarser grid cannot replace.
     fn try_new_starts<'e>(
         &mut self,
-        candidates: &mut Vec<Candidate<'e, D>>,
-        pieces: &[Pieces<'e, D>],
+        candidates: &mut Vec<Candidate<'e>>,
+        pieces: &[Pieces<'e>],
         grid: usize,
     ) where
         'a: 'e,
@@ -245,7 +243,7 @@ impl<'a, const D: usize> Search<'a, D> {
             (false, _) => &[],
         };
         if grid > SETTLED
-            && let Err(error) = Workspace::<D>::check_damped(grid)
+            && let Err(error) = Workspace::check_damped(self.energy.dimension(), grid)
         {
             self.refused = Some(error);
             return;
@@ -273,11 +271,11 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 
     /// Keeps local minimisers that have the energy of another one, but run along another curve.
-    fn keep_ties(&mut self, ties: Vec<Candidate<'_, D>>) {
+    fn keep_ties(&mut self, ties: Vec<Candidate<'_>>) {
         self.ties.extend(ties.into_iter().filter_map(Candidate::into_other));
     }
 
-    fn between<'e>(&self, ends: Pieces<'e, D>) -> LocalSearch<'e, D>
+    fn between<'e>(&self, ends: Pieces<'e>) -> LocalSearch<'e>
     where
         'a: 'e,
     {
@@ -287,7 +285,7 @@ impl<'a, const D: usize> Search<'a, D> {
 
     /// Counts the steps of a search. If the energy is finite, the result of the search is returned;
     /// otherwise the error is kept.
-    fn accept(&mut self, found: Result<Found<D>, SolveError>) -> Option<Found<D>> {
+    fn accept(&mut self, found: Result<Found, SolveError>) -> Option<Found> {
         let found = found.and_then(|found| {
             self.iterations += found.iterations;
             let energy = found.energy;
@@ -309,8 +307,8 @@ impl<'a, const D: usize> Search<'a, D> {
     /// than a refused start.
     fn lowest_with_a_metric<'e>(
         &mut self,
-        candidates: Vec<Candidate<'e, D>>,
-    ) -> Result<(Candidate<'e, D>, Vec<Candidate<'e, D>>), SolveError> {
+        candidates: Vec<Candidate<'e>>,
+    ) -> Result<(Candidate<'e>, Vec<Candidate<'e>>), SolveError> {
         let mut defect = None;
         let mut candidates = candidates.into_iter();
         while let Some(candidate) = candidates.next() {
@@ -325,7 +323,7 @@ impl<'a, const D: usize> Search<'a, D> {
 }
 
 /// Returns the energies of the candidates that converged.
-fn converged_energies<const D: usize>(candidates: &[Candidate<'_, D>]) -> Vec<f64> {
+fn converged_energies(candidates: &[Candidate<'_>]) -> Vec<f64> {
     candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect()
 }
 

@@ -89,8 +89,8 @@ impl<'c, const D: usize> Trace<'c, D> {
         let (seconds, n) = ((self.clock)(), sequence.n().get());
         let before = self.last.as_ref().filter(|before| iteration > 0 && before.n().get() == n);
         let step = before.map_or(f64::INFINITY, |before| {
-            let moves = sequence.points().iter().zip(before.points()).map(|(x, y)| (x - y).amax());
-            moves.fold(0.0, f64::max)
+            let moves = sequence.coordinates().iter().zip(before.coordinates());
+            moves.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
         });
         self.entries.push(Entry { n, iteration, energy, residual, step, seconds });
         self.last = Some(sequence.clone());

@@ -5,14 +5,16 @@ use std::{
     ops::ControlFlow,
 };
 
+use tautline_discretizations::ANY;
+
 use crate::{Iterate, Watcher};
 
 /// Told of each iterate by the local searches, which share it.
-pub(crate) trait Watch<const D: usize> {
+pub(crate) trait Watch {
     /// Tells the watcher of an iterate, unless it has ended the solve before or there is none, and
     /// returns whether the search goes on. The iterate is computed only if there is somebody to see
     /// it.
-    fn goes_on<'i>(&self, iterate: &dyn Fn() -> Iterate<'i, D>) -> bool;
+    fn goes_on<'i>(&self, iterate: &dyn Fn() -> Iterate<'i, ANY>) -> bool;
 
     /// Returns whether the watcher has ended the solve.
     fn has_ended(&self) -> bool;
@@ -21,8 +23,8 @@ pub(crate) trait Watch<const D: usize> {
 /// Nobody watches.
 pub(crate) struct Unwatched;
 
-impl<const D: usize> Watch<D> for Unwatched {
-    fn goes_on<'i>(&self, _: &dyn Fn() -> Iterate<'i, D>) -> bool {
+impl Watch for Unwatched {
+    fn goes_on<'i>(&self, _: &dyn Fn() -> Iterate<'i, ANY>) -> bool {
         true
     }
 
@@ -32,19 +34,19 @@ impl<const D: usize> Watch<D> for Unwatched {
 }
 
 /// A watcher, and whether it has ended the solve.
-pub(crate) struct Watched<'w, const D: usize> {
-    watcher: RefCell<&'w mut Watcher<'w, D>>,
+pub(crate) struct Watched<'w> {
+    watcher: RefCell<&'w mut Watcher<'w, ANY>>,
     ended: Cell<bool>,
 }
 
-impl<'w, const D: usize> Watched<'w, D> {
-    pub(crate) fn by(watcher: &'w mut Watcher<'w, D>) -> Self {
+impl<'w> Watched<'w> {
+    pub(crate) fn by(watcher: &'w mut Watcher<'w, ANY>) -> Self {
         Self { watcher: RefCell::new(watcher), ended: Cell::new(false) }
     }
 }
 
-impl<const D: usize> Watch<D> for Watched<'_, D> {
-    fn goes_on<'i>(&self, iterate: &dyn Fn() -> Iterate<'i, D>) -> bool {
+impl Watch for Watched<'_> {
+    fn goes_on<'i>(&self, iterate: &dyn Fn() -> Iterate<'i, ANY>) -> bool {
         if !self.ended.get() {
             let answer = (self.watcher.borrow_mut())(&iterate());
             self.ended.set(answer == ControlFlow::Break(()));

@@ -3,8 +3,7 @@
 use std::ops::Range;
 
 use tautline::{
-    Formula, Metric,
-    formula::AnyFormula,
+    ANY, Formula, Metric,
     gallery::{self as metrics, GalleryError},
 };
 
@@ -46,7 +45,7 @@ pub(crate) fn formula(
     at: Range<usize>,
     numbers: &Numbers<'_>,
     dimension: usize,
-) -> Result<AnyFormula, Diagnostic> {
+) -> Result<Formula<ANY>, Diagnostic> {
     let refuse = |refused| match refused {
         Refused::Number(diagnostic) => diagnostic,
         Refused::Gallery(error) => Diagnostic::new(error.to_string(), at.clone()),
@@ -62,10 +61,10 @@ pub(crate) fn formula(
         .map_err(refuse)
 }
 
-fn recorded<const D: usize>(metric: &impl Metric<D>) -> Result<AnyFormula, Refused> {
+fn recorded<const D: usize>(metric: &impl Metric<D>) -> Result<Formula<ANY>, Refused> {
     let formula = Formula::<D>::record(metric);
     let formula = formula.map_err(|error| Refused::Count(error.to_string()))?;
-    Ok(AnyFormula::from(&formula))
+    Ok(formula.into_any())
 }
 
 /// A metric that exists in one dimension only.
@@ -77,7 +76,7 @@ struct InPlane<'q> {
 
 impl InPlane<'_> {
     /// Returns the formula, or `None` if the metric exists in any dimension.
-    fn formula(&self) -> Result<Option<AnyFormula>, Refused> {
+    fn formula(&self) -> Result<Option<Formula<ANY>>, Refused> {
         let number = |text| self.numbers.number(text);
         let only = |dimension: usize| {
             let what = format!(
@@ -156,7 +155,7 @@ struct InAny<'q> {
 }
 
 impl InDimension for InAny<'_> {
-    type Output = Result<AnyFormula, Refused>;
+    type Output = Result<Formula<ANY>, Refused>;
 
     fn run<const D: usize>(self) -> Self::Output {
         let number = |text| self.numbers.number(text);

@@ -74,6 +74,7 @@
 //! No mathematical library is trusted. A [`FastInterval`] additionally relies on the functions of
 //! `pxfm` never being off by more than one unit in the last place.
 
+mod any;
 pub mod decimal;
 #[cfg(test)]
 mod exact_decimal;
@@ -89,6 +90,7 @@ mod scalar;
 mod short;
 mod table;
 
+pub use any::ANY;
 pub use interval::{Enclosure, Fast, FastInterval, Interval, IntervalError, Kernel, Rigorous};
 pub use jet1::Jet1;
 pub use jet2::Jet2;

@@ -1,9 +1,10 @@
 //! A common point of two closed sets, by projections.
 
 use nalgebra::SVector;
+use smallvec::SmallVec;
 
-use crate::ClosedSet;
-use crate::norm::norm;
+use crate::norm::norm_of;
+use crate::{AnySet, ClosedSet, InAny};
 
 /// The number of sweeps of alternating projections for each start. The step of each sweep is
 /// doubled as long as that helps. Sets that cross need about ten sweeps. Sets that touch smoothly
@@ -49,41 +50,65 @@ pub fn common_point<const D: usize>(
     a: &dyn ClosedSet<D>,
     b: &dyn ClosedSet<D>,
 ) -> Option<SVector<f64, D>> {
-    let origin = SVector::zeros();
-    let starts = [origin, b.project(&origin)].into_iter().chain(a.seeds()).chain(b.seeds());
-    starts.into_iter().find_map(|start| search(a, b, &start))
+    common_point_of(&InAny(a), &InAny(b)).map(|x| SVector::from_column_slice(&x))
+}
+
+/// Looks for a point that lies in both sets like [`common_point`], in a dimension that is a value.
+#[must_use]
+pub fn common_point_of(a: &dyn AnySet, b: &dyn AnySet) -> Option<Vec<f64>> {
+    let origin = vec![0.0; a.dimension()];
+    let mut projected = origin.clone();
+    b.project(&mut projected);
+    let starts = [origin, projected].into_iter().chain(a.seeds()).chain(b.seeds());
+    starts.into_iter().find_map(|start| search(a, b, &start)).map(|x| x.to_vec())
+}
+
+/// A point, which needs no allocation up to four dimensions.
+type Place = SmallVec<[f64; 4]>;
+
+/// Returns the sum of `x` and a multiple of `y`.
+fn plus(x: &[f64], y: &[f64], factor: f64) -> Place {
+    x.iter().zip(y).map(|(x, y)| x + y * factor).collect()
+}
+
+/// Returns `x − y`.
+fn minus(x: &[f64], y: &[f64]) -> Place {
+    x.iter().zip(y).map(|(x, y)| x - y).collect()
+}
+
+fn projected(set: &dyn AnySet, x: &[f64]) -> Place {
+    let mut nearest = Place::from_slice(x);
+    set.project(&mut nearest);
+    nearest
 }
 
 /// A point of `a`, its projection to `b`, and their distance.
-struct Sweep<const D: usize> {
-    in_a: SVector<f64, D>,
-    in_b: SVector<f64, D>,
+struct Sweep {
+    in_a: Place,
+    in_b: Place,
     gap: f64,
 }
 
-impl<const D: usize> Sweep<D> {
-    fn from(a: &dyn ClosedSet<D>, b: &dyn ClosedSet<D>, x: &SVector<f64, D>) -> Sweep<D> {
-        let in_a = a.project(x);
-        let in_b = b.project(&in_a);
-        Sweep { in_a, in_b, gap: norm(&(in_b - in_a)) }
+impl Sweep {
+    fn from(a: &dyn AnySet, b: &dyn AnySet, x: &[f64]) -> Sweep {
+        let in_a = projected(a, x);
+        let in_b = projected(b, &in_a);
+        let gap = norm_of(&minus(&in_b, &in_a));
+        Sweep { in_a, in_b, gap }
     }
 }
 
-fn search<const D: usize>(
-    a: &dyn ClosedSet<D>,
-    b: &dyn ClosedSet<D>,
-    start: &SVector<f64, D>,
-) -> Option<SVector<f64, D>> {
+fn search(a: &dyn AnySet, b: &dyn AnySet, start: &[f64]) -> Option<Place> {
     let mut here = Sweep::from(a, b, start);
     for _ in 0..SWEEPS {
-        if let Some(&x) = [&here.in_b, &here.in_a].into_iter().find(|x| lies_in_both(a, b, x)) {
-            return Some(x);
+        if let Some(x) = [&here.in_b, &here.in_a].into_iter().find(|x| lies_in_both(a, b, x)) {
+            return Some(x.clone());
         }
         let mut best = Sweep::from(a, b, &here.in_b);
-        let step = best.in_a - here.in_a;
+        let step = minus(&best.in_a, &here.in_a);
         let mut factor = 2.0;
         for _ in 0..DOUBLINGS {
-            let trial = Sweep::from(a, b, &(here.in_a + step * factor));
+            let trial = Sweep::from(a, b, &plus(&here.in_a, &step, factor));
             if !(trial.gap < best.gap) {
                 break;
             }
@@ -102,7 +127,7 @@ fn search<const D: usize>(
         .into_iter()
         .flatten()
         .reduce(f64::min)
-        .unwrap_or_else(|| norm(&here.in_a));
+        .unwrap_or_else(|| norm_of(&here.in_a));
     // At a contact the gap stalls at ε^{2/3} = 4e-11 of the size. A gap a thousand times as wide
     // separates the sets.
     if !(here.gap <= 1e-7 * size) {
@@ -110,44 +135,39 @@ fn search<const D: usize>(
     }
     // A large distance makes the iteration slow if both sets are strongly curved. It makes the
     // iteration fail beyond the centre of a hollow sphere.
-    let unit = (here.in_b - here.in_a) / here.gap;
+    let unit: Place = minus(&here.in_b, &here.in_a).iter().map(|x| x / here.gap).collect();
     [1.0, 0.125, 1.0 / 64.0]
         .iter()
-        .find_map(|fraction| reflect(a, b, here.in_a + unit * (size * fraction)))
+        .find_map(|fraction| reflect(a, b, plus(&here.in_a, &unit, size * fraction)))
 }
 
 /// One step of the Douglas–Rachford iteration: `z ← z + P_b(2 P_a(z) − z) − P_a(z)`.
 ///
 /// At a fixed point, `p = P_a(z)` lies in both sets: with `w = z − p`,
 /// `p = P_a(p + w) = P_b(p − w)`.
-fn reflect<const D: usize>(
-    a: &dyn ClosedSet<D>,
-    b: &dyn ClosedSet<D>,
-    mut z: SVector<f64, D>,
-) -> Option<SVector<f64, D>> {
+fn reflect(a: &dyn AnySet, b: &dyn AnySet, mut z: Place) -> Option<Place> {
     for _ in 0..REFLECTIONS {
-        let in_a = a.project(&z);
-        let in_b = b.project(&(in_a * 2.0 - z));
+        let in_a = projected(a, &z);
+        let reflected: Place = in_a.iter().zip(&z).map(|(x, z)| x * 2.0 - z).collect();
+        let in_b = projected(b, &reflected);
+        let step = minus(&in_b, &in_a);
         if let Some(x) = [in_b, in_a].into_iter().find(|x| lies_in_both(a, b, x)) {
             return Some(x);
         }
-        z += in_b - in_a;
+        z.iter_mut().zip(&step).for_each(|(z, step)| *z += step);
     }
     None
 }
 
-fn lies_in_both<const D: usize>(
-    a: &dyn ClosedSet<D>,
-    b: &dyn ClosedSet<D>,
-    x: &SVector<f64, D>,
-) -> bool {
+fn lies_in_both(a: &dyn AnySet, b: &dyn AnySet, x: &[f64]) -> bool {
     // Let M be the largest coordinate. A coordinate of a projection such as c + r u makes two
     // roundings of numbers up to 2M, 2 · 2M · ε/2, for each of the two sets: 4 ε M. A product n·x
     // adds D roundings of at most ε/2 · √D M · |nᵢ| ≤ ε M each.
-    let tolerance = (D + 4) as f64 * f64::EPSILON * x.amax();
-    // NaN fails this comparison, while amax would ignore it.
-    let agrees = |p: SVector<f64, D>| (p - x).iter().all(|d| d.abs() <= tolerance);
-    agrees(a.project(x)) && agrees(b.project(x))
+    let largest = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let tolerance = (x.len() + 4) as f64 * f64::EPSILON * largest;
+    // NaN fails this comparison, while the largest coordinate would ignore it.
+    let agrees = |p: Place| p.iter().zip(x).all(|(p, x)| (p - x).abs() <= tolerance);
+    agrees(projected(a, x)) && agrees(projected(b, x))
 }
 
 #[cfg(test)]

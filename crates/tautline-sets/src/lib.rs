@@ -53,6 +53,7 @@
 //! types of your own, and are not written.
 
 mod affine_subspace;
+mod any_set;
 mod axis_box;
 mod ball;
 mod closed_set;
@@ -77,10 +78,11 @@ mod sphere;
 mod union;
 
 pub use affine_subspace::AffineSubspace;
+pub use any_set::{AnySet, InAny};
 pub use axis_box::AxisBox;
 pub use ball::Ball;
 pub use closed_set::ClosedSet;
-pub use common_point::common_point;
+pub use common_point::{common_point, common_point_of};
 pub use ends::Ends;
 pub use finite_set::FiniteSet;
 pub use half_space::HalfSpace;

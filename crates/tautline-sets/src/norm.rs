@@ -60,6 +60,18 @@ pub(crate) fn norm<const D: usize>(v: &SVector<f64, D>) -> f64 {
     }
 }
 
+/// Returns `|v|` like [`norm`], in a dimension that is a value.
+pub(crate) fn norm_of(v: &[f64]) -> f64 {
+    let largest = v.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let root = |scale: f64| v.iter().map(|x| x / scale).map(|x| x * x).sum::<f64>().sqrt();
+    let is_ordinary = (1e-140..=1e140).contains(&largest);
+    if !is_ordinary && largest > 0.0 && largest.is_finite() {
+        root(largest) * largest
+    } else {
+        root(1.0)
+    }
+}
+
 /// Returns `|v|` and the unit vector `v/|v|`, or `None` for `v = 0`.
 pub(crate) fn polar<const D: usize>(v: &SVector<f64, D>) -> Option<(f64, SVector<f64, D>)> {
     let largest = v.amax();

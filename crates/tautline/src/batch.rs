@@ -71,7 +71,7 @@ where
 }
 
 /// Calls `task` with each index below `count`, on all threads. Without a type for the task, the threads are
-/// compiled once for each dimension, not for each metric.
-fn for_each<const D: usize>(count: usize, task: &(dyn Fn(&mut Workspace<D>, usize) + Sync)) {
+/// compiled once for each dimension, not for each metric and rule.
+fn for_each(count: usize, task: &(dyn Fn(&mut Workspace, usize) + Sync)) {
     (0..count).into_par_iter().for_each_init(Workspace::default, task);
 }

@@ -95,7 +95,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
             let peaks = Punctures::prominent(metric, lattice)?;
             let graph = LatticeGraph::usual(metric, lattice.clone());
             let paths = class_paths(&graph, self.ends(), &peaks, classes.max(1), SLACK)?;
-            Workspace::<D>::check_points(n, paths.len())?;
+            Workspace::check_points(D, n, paths.len())?;
             Ok(paths.iter().map(|path| path.path().sequence(n)).collect::<Result<_, _>>()?)
         })
     }

@@ -110,13 +110,14 @@ pub use tautline_certify::{
 };
 pub use tautline_check as check;
 pub use tautline_discretizations::{
-    ChordBatch, ChordModel, Integral, Interpolation, LARGEST_N, LinearModel, Node, PeanoConstants,
-    PointSequence, Rule, SequenceError, admissible_energy, energy_gradient,
+    ANY, ChordBatch, ChordModel, Integral, Interpolation, LARGEST_N, LinearModel, Node,
+    PeanoConstants, PointSequence, Rule, SequenceError, admissible_energy, coordinates,
+    energy_gradient,
 };
 pub use tautline_distance as distance;
 pub use tautline_formula::{
-    self as formula, AnyMetric, Batch, Batches, BlackBox, Formula, Kind, Plain, Prepared,
-    RecordError, TextError, Values,
+    self as formula, AnyBatches, AnyMetric, Batch, Batches, BlackBox, Formula, Kind, Plain,
+    Prepared, RecordError, TextError, Values,
     spline::{Spline, SplineError},
 };
 pub use tautline_grid::{

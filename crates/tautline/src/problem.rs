@@ -19,7 +19,7 @@ use crate::TautLine;
 pub struct Problem<M, const D: usize> {
     metric: Arc<Prepared<M, D>>,
     ends: Ends<D>,
-    workspace: Arc<Mutex<Workspace<D>>>,
+    workspace: Arc<Mutex<Workspace>>,
 }
 
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
@@ -88,7 +88,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// Solves like [`solve_with`](Problem::solve_with), in the given memory.
     pub(crate) fn solve_in(
         &self,
-        workspace: &mut Workspace<D>,
+        workspace: &mut Workspace,
         rule: Rule,
         n: usize,
         options: &Options<D>,

@@ -14,7 +14,7 @@ pub(crate) fn chord_models<const D: usize>(
     let mut models = Vec::with_capacity(n);
     for begin in (0..n).step_by(batch.capacity()) {
         let chords = begin..n.min(begin + batch.capacity());
-        batch.evaluate_from(0, sequence.chords_in(chords.clone()));
+        batch.evaluate(&sequence.coordinates()[chords.start * D..(chords.end + 1) * D]);
         let some = batch.singles().first(chords.len());
         models.extend((0..chords.len()).map(|lane| some.model(lane)));
     }

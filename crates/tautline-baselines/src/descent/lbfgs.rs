@@ -7,7 +7,9 @@ use basin::{
     StepOutcome,
 };
 use nalgebra::SVector;
-use tautline::{Batches, LinearModel, Node, PointSequence, Rule, Watcher, admissible_energy};
+use tautline::{
+    Batches, LinearModel, Node, PointSequence, Rule, Watcher, admissible_energy, coordinates,
+};
 
 use crate::descent::{
     Descended, DescentError, Ended, Limits,
@@ -136,7 +138,7 @@ impl<const D: usize> EnergyOf<'_, D> {
         // The ends do not move, so that nothing depends on the gradients there.
         gradient.insert(0, SVector::zeros());
         gradient.push(SVector::zeros());
-        let model = LinearModel { energy: cost * self.unit, gradient, is_metric: true };
+        let model = LinearModel::with_gradient(cost * self.unit, gradient);
         Some(Here { sequence, model })
     }
 }
@@ -148,7 +150,7 @@ impl<const D: usize> CostFunction for EnergyOf<'_, D> {
 
     /// Returns infinity where the metric is not positive, which makes a line search turn back.
     fn cost(&self, y: &Vec<f64>) -> Result<f64, Infallible> {
-        let energy = admissible_energy(self.nodes, self.metric, &self.points_at(y));
+        let energy = admissible_energy(self.nodes, self.metric, coordinates(&self.points_at(y)));
         Ok(energy.map_or(f64::INFINITY, |energy| energy / self.unit))
     }
 }
@@ -168,7 +170,7 @@ impl<const D: usize> Gradient for EnergyOf<'_, D> {
         if !model.is_metric || !model.energy.is_finite() {
             return Ok((f64::INFINITY, vec![0.0; y.len()]));
         }
-        let mut gradient = model.gradient[1..sequence.n().get()].to_vec();
+        let mut gradient = model.gradient::<D>()[1..sequence.n().get()].to_vec();
         if let Some(laplacian) = self.laplacian {
             laplacian.forward(&mut gradient);
         }

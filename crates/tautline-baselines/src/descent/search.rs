@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use nalgebra::SVector;
 use tautline::{
     Batches, Iterate, LinearModel, Point, PointSequence, Rule, Watcher, admissible_energy,
-    check_matrix,
+    check_matrix, coordinates,
 };
 
 use crate::descent::{Descended, DescentError, Ended, Limits};
@@ -25,7 +25,7 @@ pub(crate) struct Search<'a, const D: usize> {
 /// A sequence with its energy and gradient.
 pub(crate) struct Here<const D: usize> {
     pub(crate) sequence: PointSequence<D>,
-    pub(crate) model: LinearModel<D>,
+    pub(crate) model: LinearModel,
 }
 
 /// An energy that has risen by this multiple of itself may have fallen: the sums of trials are
@@ -118,7 +118,7 @@ impl<'a, const D: usize> Search<'a, D> {
     /// Returns the energy at other inner points, or `None` if the metric is not positive there.
     pub(crate) fn energy(&mut self, points: &[SVector<f64, D>]) -> Option<f64> {
         self.evaluations += 1;
-        admissible_energy(self.rule.nodes(), self.metric, points)
+        admissible_energy(self.rule.nodes(), self.metric, coordinates(points))
     }
 
     /// Returns the result of a descent that ends here, at the iterate that was shown last.
@@ -138,7 +138,7 @@ impl<const D: usize> Here<D> {
 
     /// Returns the gradient with respect to the inner points, in `m²/ℓ`.
     pub(crate) fn gradient(&self) -> &[SVector<f64, D>] {
-        &self.model.gradient[1..self.sequence.n().get()]
+        &self.model.gradient()[1..self.sequence.n().get()]
     }
 
     /// Returns `2 N E/K₃²` with the root mean square `K₃` of the differences, in `m²/ℓ²`: the
@@ -179,7 +179,7 @@ mod tests {
     #[test]
     fn a_step_has_to_achieve_a_fraction_of_what_it_promises() {
         let sequence = PointSequence::straight([0.0], [2.0], 1).expect("finite");
-        let model = LinearModel { energy: 4.0, gradient: Vec::new(), is_metric: true };
+        let model = LinearModel { energy: 4.0, slopes: Vec::new(), is_metric: true };
         let here = Here { sequence, model };
         let promised = 1e-2;
         assert!(here.falls_enough(4.0 - promised, promised));

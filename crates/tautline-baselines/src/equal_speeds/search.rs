@@ -122,7 +122,7 @@ impl<const D: usize> At<D> {
             gradient[k + 1] += chord.gradient[1] * (n as f64 * multiplier);
         }
         let energy = chords.iter().map(|chord| chord.energy).sum();
-        let model = LinearModel { energy, gradient, is_metric: true };
+        let model = LinearModel::with_gradient(energy, gradient);
         Some(Self { here: Here { sequence, model }, chords, multipliers })
     }
 

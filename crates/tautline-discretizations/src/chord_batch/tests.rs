@@ -1,16 +1,40 @@
 //! Batches of chords against one chord at a time.
 
 use nalgebra::{SMatrix, SVector, vector};
-use tautline_formula::{Batches, Kind, Plain, Prepared};
+use tautline_formula::{AnyBatches, Kind, Plain, Prepared};
 use tautline_metrics::{Lanes, Metric, Pair, Scalar, gallery::Swirl};
 
 use super::ChordBatch;
-use crate::{ChordModel, LinearModel, Node, PointSequence, Rule};
+use crate::{ChordModel, ChordModels, LinearModel, Node, PointSequence, Rule};
 
 type Chord<'p, const D: usize> = (&'p SVector<f64, D>, SVector<f64, D>);
 
-fn batch<const D: usize>(rule: Rule, metric: &dyn Batches<D>, n: f64) -> ChordBatch<'_, D> {
+fn batch(rule: Rule, metric: &dyn AnyBatches, n: f64) -> ChordBatch<'_> {
     ChordBatch::new(metric, Kind::Contraction, rule.nodes(), n, 2)
+}
+
+/// Returns the coordinates of both points of a chord.
+fn points<const D: usize>((x, d): Chord<'_, D>) -> Vec<f64> {
+    x.iter().copied().chain((x + d).iter().copied()).collect()
+}
+
+/// Returns the model of one chord as it is assembled in any dimension.
+fn assembled<const D: usize>(batch: &ChordBatch<'_>, end: usize) -> ChordModel<D> {
+    let mut models = ChordModels::default();
+    // Memory of other chords before: nothing of it remains.
+    batch.assemble(1 - end, 1, &mut models);
+    batch.assemble(end, 1, &mut models);
+    let symmetric = |end: usize| {
+        let lower = SMatrix::<f64, D, D>::from_column_slice(models.hessian(end, 0));
+        SMatrix::from_fn(|i, j| lower[(i.max(j), i.min(j))])
+    };
+    ChordModel {
+        energy: models.energy(0),
+        trace: models.trace(0),
+        gradient: [0, 1].map(|end| SVector::from_column_slice(models.gradient(end, 0))),
+        hessian: [symmetric(0), symmetric(1)],
+        coupling: SMatrix::<f64, D, D>::from_column_slice(models.lower(0)).transpose(),
+    }
 }
 
 /// Returns the model of one chord from one of its ends, by both implementations of a metric,
@@ -23,10 +47,17 @@ fn model_from<const D: usize>(
     n: f64,
 ) -> (ChordModel<D>, bool) {
     let (plain, prepared) = (Plain::new(metric), Prepared::new(metric));
-    let [one, other] = [&plain as &dyn Batches<D>, &prepared].map(|metric| {
+    let [one, other] = [&plain as &dyn AnyBatches, &prepared].map(|metric| {
         let mut batch = batch(rule, metric, n);
-        batch.evaluate_from(end, [chord].into_iter());
-        (batch.singles().model_from(end, 0), batch.is_metric)
+        match end {
+            0 => batch.evaluate(&points(chord)),
+            _ => batch.evaluate_reversed(&points(chord)),
+        }
+        let model = batch.singles().model_from(end, 0);
+        if batch.is_metric {
+            assert_agrees(0, &model, &assembled(&batch, end));
+        }
+        (model, batch.is_metric)
     });
     assert_eq!(one.1, other.1);
     if one.1 {
@@ -43,9 +74,9 @@ fn facing<const D: usize>(
     n: f64,
 ) -> (ChordModel<D, Pair>, bool) {
     let (plain, prepared) = (Plain::new(metric), Prepared::new(metric));
-    let [one, other] = [&plain as &dyn Batches<D>, &prepared].map(|metric| {
+    let [one, other] = [&plain as &dyn AnyBatches, &prepared].map(|metric| {
         let mut batch = batch(rule, metric, n);
-        batch.evaluate_facing([chords].into_iter());
+        batch.evaluate_facing(&points(chords[0]), &points(chords[1]));
         (batch.pairs().model(0), batch.is_metric)
     });
     assert_eq!(one.1, other.1);
@@ -104,24 +135,23 @@ fn compare(rule: Rule) {
 #[test]
 fn the_model_at_the_midpoint_is_the_general_model() {
     let metric = Prepared::new(Swirl::new(0.5, 1.0).expect("a width"));
-    let x = [vector![0.3, -0.2], vector![-0.6, 0.1], vector![0.4, 0.9]];
-    let chords = x.each_ref().map(|x| (x, vector![0.5, 0.25] - x));
+    let points = [0.3, -0.2, -0.6, 0.1, 0.4, 0.9, 0.5, 0.25];
     let mut batch = ChordBatch::new(&metric, Kind::Contraction, Rule::TRAPEZOIDAL.nodes(), 8.0, 4);
-    batch.evaluate_from(0, chords.into_iter());
-    let models = batch.singles().first(3);
+    batch.evaluate(&points);
+    let models = batch.singles::<2>().first(3);
     assert!(models.is_midpoint());
     for k in 0..3 {
         assert_eq!(models.model_at_midpoint(k), models.model(k));
     }
-    batch.evaluate_facing([[chords[0], chords[1]], [chords[2], chords[0]]].into_iter());
-    let models = batch.pairs().first(2);
+    batch.evaluate_facing(&points[..6], &points[2..]);
+    let models = batch.pairs::<2>().first(2);
     for k in 0..2 {
         assert_eq!(models.model_at_midpoint(k), models.model(k));
     }
     for nodes in [Rule::LEFT_ENDPOINT.nodes(), Rule::TRUE_TRAPEZOID.nodes(), LOPSIDED.nodes(), &[]]
     {
         let batch = ChordBatch::new(&metric, Kind::Contraction, nodes, 8.0, 2);
-        assert!(!batch.singles().is_midpoint(), "{nodes:?}");
+        assert!(!batch.singles::<2>().is_midpoint(), "{nodes:?}");
     }
 }
 
@@ -201,10 +231,12 @@ fn spoilt_matrices_are_noticed<const D: usize>() {
         assert_eq!(is_metric, expected, "{entry} at {place:?} of {D}");
         let linear = LinearModel::new(Rule::TRAPEZOIDAL, &metric, &sequence);
         assert_eq!(linear.is_metric, expected, "{entry} at {place:?} of {D}");
-        for metric in [&Plain::new(&metric) as &dyn Batches<D>, &Prepared::new(&metric)] {
+        for metric in
+            [&Plain::<_, D>::new(&metric) as &dyn AnyBatches, &Prepared::<_, D>::new(&metric)]
+        {
             let mut batch =
                 ChordBatch::new(metric, Kind::Checked, Rule::TRAPEZOIDAL.nodes(), 1.0, 1);
-            batch.evaluate_from(0, sequence.chords());
+            batch.evaluate(sequence.coordinates());
             assert_eq!(batch.is_metric, expected, "{entry} at {place:?} of {D}");
         }
         let (_, is_metric) = facing(Rule::TRAPEZOIDAL, &metric, [(&x, d), (&x, d)], 1.0);

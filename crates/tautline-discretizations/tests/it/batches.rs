@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{
     Interpolation, LinearModel, PointSequence, QuadraticModel, Rule, admissible_energy,
 };
-use tautline_formula::{Batches, Plain, Prepared};
+use tautline_formula::{AnyBatches, Plain, Prepared};
 use tautline_metrics::{
     Metric, Scalar,
     gallery::{Bump, GaussianFisher, Swirl, Valleys},
@@ -24,7 +24,7 @@ fn compare<M: Metric<2>>(metric: M, [from, to]: [[f64; 2]; 2]) {
         });
         let sequence = PointSequence::new(bent.collect()).expect("finite");
         let curve = Interpolation::new(&sequence);
-        let pairs = |batches: &dyn Batches<2>| {
+        let pairs = |batches: &dyn AnyBatches| {
             [
                 (curve.energy(&metric), curve.energy_by_batches(batches)),
                 (curve.length(&metric), curve.length_by_batches(batches)),
@@ -74,18 +74,18 @@ fn a_model_of_many_chords_is_the_sum_of_the_models_of_each() {
                 let model = QuadraticModel::new(rule, &swirl, &chord);
                 energy += factor * model.energy;
                 for end in 0..2 {
-                    gradient[k + end] += model.gradient[end] * factor;
-                    diagonal[k + end] += model.hessian.diagonal[end] * factor;
+                    gradient[k + end] += model.gradient::<2>()[end] * factor;
+                    diagonal[k + end] += model.hessian::<2>().diagonal[end] * factor;
                 }
-                upper.push(model.hessian.upper[0] * factor);
+                upper.push(model.hessian::<2>().upper[0] * factor);
             }
-            for metric in [&plain as &dyn Batches<2>, &prepared] {
+            for metric in [&plain as &dyn AnyBatches, &prepared] {
                 let linear = LinearModel::by_batches(rule.nodes(), metric, &sequence);
                 let mut quadratic = QuadraticModel::default();
                 quadratic.expand_by_batches(rule.nodes(), metric, &sequence);
                 // Sums of numbers of the size of an energy below 10, and of N times that of a metric.
                 let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * energy;
-                let admissible = admissible_energy(rule.nodes(), metric, sequence.points());
+                let admissible = admissible_energy(rule.nodes(), metric, sequence.coordinates());
                 let admissible = admissible.expect("a metric");
                 for found in [linear.energy, quadratic.energy, admissible] {
                     assert!(close(found, energy), "{rule} {n}: {found} {energy}");
@@ -93,13 +93,22 @@ fn a_model_of_many_chords_is_the_sum_of_the_models_of_each() {
                 assert!(linear.is_metric);
                 let small = 1e-12 * factor;
                 for k in 0..=n {
-                    assert!((linear.gradient[k] - gradient[k]).amax() <= small, "{rule} {n} {k}");
-                    assert!((quadratic.gradient[k] - gradient[k]).amax() <= small, "{n} {k}");
-                    let off = (quadratic.hessian.diagonal[k] - diagonal[k]).amax();
-                    assert!(off <= 10.0 * small, "{rule} {n} {k}: {off:e}");
+                    assert!(
+                        (linear.gradient::<2>()[k] - gradient[k]).amax() <= small,
+                        "{rule:?} {n} {k}"
+                    );
+                    assert!(
+                        (quadratic.gradient::<2>()[k] - gradient[k]).amax() <= small,
+                        "{n} {k}"
+                    );
+                    let off = (quadratic.hessian::<2>().diagonal[k] - diagonal[k]).amax();
+                    assert!(off <= 10.0 * small, "{rule:?} {n} {k}: {off:e}");
                 }
                 for (k, block) in upper.iter().enumerate() {
-                    assert!((quadratic.hessian.upper[k] - block).amax() <= 10.0 * small, "{n} {k}");
+                    assert!(
+                        (quadratic.hessian::<2>().upper[k] - block).amax() <= 10.0 * small,
+                        "{n} {k}"
+                    );
                 }
             }
         }
@@ -128,12 +137,12 @@ fn one_chord_without_a_metric_is_enough() {
             vector![x, 0.01 * k as f64]
         };
         let sequence = PointSequence::new((0..=n).map(at).collect()).expect("finite");
-        for metric in [&plain as &dyn Batches<2>, &prepared] {
+        for metric in [&plain as &dyn AnyBatches, &prepared] {
             let nodes = Rule::TRAPEZOIDAL.nodes();
             let model = LinearModel::by_batches(nodes, metric, &sequence);
             assert!(model.energy > 0.0, "{wrong:?}");
             assert_eq!(model.is_metric, wrong.is_none(), "{wrong:?}");
-            let energy = admissible_energy(nodes, metric, sequence.points());
+            let energy = admissible_energy(nodes, metric, sequence.coordinates());
             assert_eq!(energy.is_some(), wrong.is_none(), "{wrong:?}");
         }
     }

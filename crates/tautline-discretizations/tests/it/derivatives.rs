@@ -60,14 +60,14 @@ fn check(rule: Rule, fractions: &[f64], coordinates: [f64; 8]) -> Result<(), Tes
     for n in 0..4 {
         for i in 0..2 {
             let exact = g[2 * n + i];
-            prop_assert!(close(model.gradient[n][i], exact), "gradient {n} {i}");
+            prop_assert!(close(model.gradient::<2>()[n][i], exact), "gradient {n} {i}");
             prop_assert!(close(gradient[n][i], exact), "first-order gradient {n} {i}");
             for m in 0..4 {
                 for j in 0..2 {
                     let ours = match (n, m) {
-                        _ if n == m => model.hessian.diagonal[n][(i, j)],
-                        _ if n + 1 == m => model.hessian.upper[n][(i, j)],
-                        _ if m + 1 == n => model.hessian.upper[m][(j, i)],
+                        _ if n == m => model.hessian::<2>().diagonal[n][(i, j)],
+                        _ if n + 1 == m => model.hessian::<2>().upper[n][(i, j)],
+                        _ if m + 1 == n => model.hessian::<2>().upper[m][(j, i)],
                         _ => 0.0,
                     };
                     let exact = h[(2 * n + i, 2 * m + j)];
@@ -117,13 +117,13 @@ fn check_four(rule: Rule, fraction: f64, v: [f64; 8]) -> Result<(), TestCaseErro
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-11 * (1.0 + b.abs());
     prop_assert!(close(model.energy, e) && close(energy, e));
     for i in 0..8 {
-        prop_assert!(close(model.gradient[i / 4][i % 4], g[i]), "gradient {i}");
+        prop_assert!(close(model.gradient::<4>()[i / 4][i % 4], g[i]), "gradient {i}");
         prop_assert!(close(gradient[i / 4][i % 4], g[i]), "first-order gradient {i}");
         for j in 0..8 {
             let ours = match (i / 4, j / 4) {
-                (0, 1) => model.hessian.upper[0][(i % 4, j % 4)],
-                (1, 0) => model.hessian.upper[0][(j % 4, i % 4)],
-                (n, _) => model.hessian.diagonal[n][(i % 4, j % 4)],
+                (0, 1) => model.hessian::<4>().upper[0][(i % 4, j % 4)],
+                (1, 0) => model.hessian::<4>().upper[0][(j % 4, i % 4)],
+                (n, _) => model.hessian::<4>().diagonal[n][(i % 4, j % 4)],
             };
             prop_assert!(close(ours, h[(i, j)]), "Hessian {i} {j}: {ours} {}", h[(i, j)]);
         }
@@ -151,7 +151,7 @@ proptest! {
         let line = PointSequence::straight([0.0, 0.1], [1.0, 0.4], 3).expect("finite");
         let direction: Vec<_> = (0..4).map(|k| SVector::from([v[2 * k], v[2 * k + 1]])).collect();
         let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &Skew, &line);
-        let product = model.hessian.mul(&direction);
+        let product = model.hessian::<2>().mul(&direction);
         let gradient = |s: f64| {
             let moved = line.points().iter().zip(&direction).map(|(x, u)| x + u * s).collect();
             energy_gradient(Rule::TRAPEZOIDAL, &Skew, &PointSequence::new(moved).expect("finite")).1

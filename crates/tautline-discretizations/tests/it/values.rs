@@ -223,9 +223,9 @@ fn a_model_in_used_memory_equals_a_new_one() {
     let line = |n| PointSequence::straight([-0.5, 0.2], [1.4, 0.3], n).expect("finite");
     let mut used = QuadraticModel::default();
     for n in [9, 4, 4, 1, 6] {
-        used.expand_by_batches(Rule::TRUE_TRAPEZOID.nodes(), &Plain::new(Sphere), &line(n));
+        used.expand_by_batches(Rule::TRUE_TRAPEZOID.nodes(), &Plain::<_, 2>::new(Sphere), &line(n));
         assert_eq!(used, QuadraticModel::new(Rule::TRUE_TRAPEZOID, &Sphere, &line(n)), "N = {n}");
-        assert_eq!((used.gradient.len(), used.hessian.upper.len()), (n + 1, n));
+        assert_eq!((used.slopes.len(), used.upper.len()), (2 * (n + 1), 4 * n));
     }
 }
 

@@ -1,6 +1,7 @@
 //! `Batch`: a metric at many points at once.
 
 mod contraction;
+mod interpreted;
 mod kernel;
 mod layout;
 mod plain;
@@ -12,15 +13,19 @@ pub(crate) use contraction::CHUNKED;
 pub use layout::{Kind, Layout};
 pub use plain::Plain;
 pub(crate) use plain::{contiguous, rows};
-pub use prepared::Prepared;
+pub use prepared::{Prepared, PreparedFormula};
 
 use crate::program::{InstructionSet, Register, Registers};
 
 /// A metric, behind a pointer, that is evaluated in batches. It provides all that a discrete energy
-/// needs.
-pub trait Batches<const D: usize>: Sync {
-    /// Returns `H(x)`.
-    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D>;
+/// needs. What takes it is compiled once for all dimensions.
+pub trait AnyBatches: Sync {
+    /// Returns the dimension `D` of the space.
+    fn dimension(&self) -> usize;
+
+    /// Writes `H(x)` to `gram`, as `D²` numbers column by column, both halves as the metric gives
+    /// them.
+    fn gram_into(&self, x: &[f64], gram: &mut [f64]);
 
     /// Returns the layout of a kind.
     fn layout(&self, kind: Kind) -> &Layout;
@@ -38,20 +43,32 @@ pub trait Batches<const D: usize>: Sync {
     fn evaluate(&self, kind: Kind, registers: &mut Registers);
 }
 
-/// The Gram matrix `H` at many points `x` at once, with its derivatives contracted with a vector
-/// `d`. Each point has one lane.
-pub struct Batch<'f, const D: usize> {
-    registers: Registers,
-    metric: &'f dyn Batches<D>,
-    kind: Kind,
+/// Batches of a metric on `R^D`, where `D` is known at compile time.
+pub trait Batches<const D: usize>: AnyBatches {
+    /// Returns `H(x)`.
+    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        let mut gram = SMatrix::<f64, D, D>::zeros();
+        self.gram_into(x.as_slice(), gram.as_mut_slice());
+        gram
+    }
 }
 
-impl<'f, const D: usize> Batch<'f, D> {
+/// The Gram matrix `H` at many points `x` at once, with its derivatives contracted with a vector
+/// `d`. Each point has one lane.
+pub struct Batch<'f> {
+    registers: Registers,
+    metric: &'f dyn AnyBatches,
+    kind: Kind,
+    dimension: usize,
+}
+
+impl<'f> Batch<'f> {
     /// Allocates memory for a batch of this kind. It has room for at least `unit` points, which
     /// must stay together, and for at most `units` times as many.
     #[must_use]
-    pub fn new(metric: &'f dyn Batches<D>, kind: Kind, unit: usize, units: usize) -> Self {
-        Self { registers: metric.registers(kind, unit, units), metric, kind }
+    pub fn new(metric: &'f dyn AnyBatches, kind: Kind, unit: usize, units: usize) -> Self {
+        let registers = metric.registers(kind, unit, units);
+        Self { registers, metric, kind, dimension: metric.dimension() }
     }
 
     /// Returns the greatest number of lanes.
@@ -60,13 +77,14 @@ impl<'f, const D: usize> Batch<'f, D> {
         self.registers.lanes()
     }
 
-    /// Returns the points and vectors of the first `count` lanes for writing.
+    /// Returns the points and vectors of the first `count` lanes for writing, in a dimension that is
+    /// known at compile time.
     ///
     /// # Panics
     ///
-    /// If `count` exceeds [`lanes`](Self::lanes).
+    /// If `count` exceeds [`lanes`](Self::lanes), or if there are not `2 D` registers.
     #[inline(always)]
-    pub fn inputs(&mut self, count: usize) -> Inputs<'_, D> {
+    pub fn inputs<const D: usize>(&mut self, count: usize) -> Inputs<'_, D> {
         let [mut x, mut d] = self.registers.inputs();
         // This tells the compiler that all rows have the same length.
         for i in 0..D {
@@ -74,6 +92,16 @@ impl<'f, const D: usize> Batch<'f, D> {
             d[i] = &mut std::mem::take(&mut d[i])[..count];
         }
         Inputs { x, d }
+    }
+
+    /// Returns coordinate `i` of the points, and of the vectors, of all lanes, for writing.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such coordinate.
+    #[inline]
+    pub fn input(&mut self, i: usize) -> [&mut [f64]; 2] {
+        self.registers.input_rows(self.dimension, i)
     }
 
     /// Evaluates the first `count` lanes. Returns whether `H` is finite, symmetric and positive
@@ -86,7 +114,7 @@ impl<'f, const D: usize> Batch<'f, D> {
         assert!(count > 0 && count <= self.lanes(), "{count} of {} lanes", self.lanes());
         let used = self.registers.set_used(count);
         // Unused lanes repeat the last point.
-        self.registers.repeat(2 * D, count, used);
+        self.registers.repeat(2 * self.dimension, count, used);
         self.metric.evaluate(self.kind, &mut self.registers);
         self.layout().is_metric(&self.registers, count)
     }

@@ -7,7 +7,7 @@ use tautline_metrics::{Metric, is_gram, norm_squared};
 
 use crate::{
     batch::{
-        Batches, Kind, Layout,
+        AnyBatches, Batches, Kind, Layout,
         contraction::{Contraction, momentum},
     },
     program::{Register, Registers},
@@ -80,9 +80,16 @@ pub(crate) fn rows(layout: &Layout, dimension: usize) -> usize {
 /// pass.
 const LANES: usize = 16;
 
-impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {
-    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        self.metric.gram(x)
+impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {}
+
+impl<M: Metric<D>, const D: usize> AnyBatches for Plain<M, D> {
+    fn dimension(&self) -> usize {
+        D
+    }
+
+    fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
+        let h = self.metric.gram(&SVector::from_column_slice(x));
+        gram.copy_from_slice(h.as_slice());
     }
 
     fn layout(&self, kind: Kind) -> &Layout {

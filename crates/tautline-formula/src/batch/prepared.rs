@@ -2,12 +2,15 @@
 
 use std::sync::OnceLock;
 
-use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
+use tautline_scalar::ANY;
 
 use crate::{
     BlackBox, BlackBoxBatches, Formula,
-    batch::{Batches, Kind, Layout, Plain, kernel::Kernel},
+    batch::{
+        AnyBatches, Batches, Kind, Layout, Plain, contiguous, interpreted, kernel::Kernel, rows,
+    },
+    formula::Tape,
     program::{InstructionSet, Registers},
 };
 
@@ -20,9 +23,7 @@ use crate::{
 pub struct Prepared<M, const D: usize> {
     plain: Plain<M, D>,
     formula: Option<Formula<D>>,
-    kernels: [OnceLock<Option<Kernel>>; 4],
-    instruction_set: InstructionSet,
-    lanes: usize,
+    programs: Programs,
     /// The metric, if it is known by its values only.
     black_box: Option<BlackBoxBatches<D>>,
 }
@@ -42,8 +43,8 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     #[must_use]
     pub fn with(metric: M, instruction_set: InstructionSet, lanes: usize) -> Self {
         let formula = Formula::record(&metric).ok();
-        let (plain, kernels) = (Plain::new(metric), Default::default());
-        Self { plain, formula, kernels, instruction_set, lanes, black_box: None }
+        let programs = Programs::new(instruction_set, lanes);
+        Self { plain: Plain::new(metric), formula, programs, black_box: None }
     }
 
     /// Wraps a metric that computes what a black box does. Batches are evaluated by the latter, all
@@ -53,9 +54,7 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
         Self {
             plain: Plain::new(metric),
             formula: None,
-            kernels: Default::default(),
-            instruction_set: InstructionSet::Widest,
-            lanes: LANES,
+            programs: Programs::new(InstructionSet::Widest, LANES),
             black_box: Some(BlackBoxBatches::new(black_box)),
         }
     }
@@ -79,19 +78,134 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     }
 
     /// Returns what evaluates the batches that no program evaluates.
-    fn otherwise(&self) -> &dyn Batches<D> {
+    fn otherwise(&self) -> &dyn AnyBatches {
         self.black_box.as_ref().map_or(&self.plain, |black_box| black_box)
     }
 
     fn kernel(&self, kind: Kind) -> Option<&Kernel> {
-        let derive = || Kernel::new(self.formula.as_ref()?.tape(), kind);
-        self.kernels[kind as usize].get_or_init(derive).as_ref()
+        self.programs.kernel(self.formula.as_ref()?.tape(), kind)
     }
 }
 
-impl<M: Metric<D>, const D: usize> Batches<D> for Prepared<M, D> {
-    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        self.plain.gram(x)
+/// The programs of a formula, which are derived on first use.
+#[derive(Debug)]
+struct Programs {
+    kernels: [OnceLock<Option<Kernel>>; 4],
+    instruction_set: InstructionSet,
+    lanes: usize,
+}
+
+impl Programs {
+    fn new(instruction_set: InstructionSet, lanes: usize) -> Self {
+        Self { kernels: Default::default(), instruction_set, lanes }
+    }
+
+    /// Returns the program of a kind, or `None` if the formula is faster.
+    fn kernel(&self, tape: Tape<'_>, kind: Kind) -> Option<&Kernel> {
+        self.kernels[kind as usize].get_or_init(|| Kernel::new(tape, kind)).as_ref()
+    }
+
+    /// Returns registers for a program.
+    fn registers(&self, kernel: &Kernel, unit: usize, units: usize) -> Registers {
+        let lanes = unit.saturating_mul(units).min(self.lanes).min(kernel.lanes()).max(unit);
+        Registers::new(kernel.program(), lanes, self.instruction_set)
+    }
+}
+
+/// A formula in a dimension that is a value, ready to be evaluated at many points at once.
+///
+/// It runs programs that are derived from the formula on first use. If a program would be slow because
+/// it is very long, the formula is evaluated point by point. The results agree up to rounding.
+///
+/// ```
+/// use tautline_formula::{AnyBatches, Formula, PreparedFormula};
+///
+/// let formula = Formula::parse_in(20, "(2 - cos(x20)) I", &[], &[])?;
+/// let metric = PreparedFormula::new(formula);
+/// let mut gram = [0.0; 400];
+/// metric.gram_into(&[0.0; 20], &mut gram);
+/// assert_eq!((gram[0], gram[1], gram[399]), (1.0, 0.0, 1.0));
+/// # Ok::<(), tautline_formula::TextError>(())
+/// ```
+#[derive(Debug)]
+pub struct PreparedFormula {
+    formula: Formula<ANY>,
+    programs: Programs,
+    /// The layouts of the kinds that no program evaluates.
+    layouts: [OnceLock<Layout>; 4],
+}
+
+/// The number of lanes of a batch that no program evaluates.
+const FEW: usize = 16;
+
+impl PreparedFormula {
+    /// Takes a formula.
+    #[must_use]
+    pub fn new(formula: Formula<ANY>) -> Self {
+        let programs = Programs::new(InstructionSet::Widest, LANES);
+        Self { formula, programs, layouts: Default::default() }
+    }
+
+    /// Returns the formula.
+    #[must_use]
+    pub fn formula(&self) -> &Formula<ANY> {
+        &self.formula
+    }
+
+    fn kernel(&self, kind: Kind) -> Option<&Kernel> {
+        self.programs.kernel(self.formula.tape(), kind)
+    }
+}
+
+impl AnyBatches for PreparedFormula {
+    fn dimension(&self) -> usize {
+        self.formula.dimension()
+    }
+
+    fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
+        gram.copy_from_slice(&interpreted::gram(self.formula.tape(), x));
+    }
+
+    fn layout(&self, kind: Kind) -> &Layout {
+        self.kernel(kind).map_or_else(
+            || self.layouts[kind as usize].get_or_init(|| contiguous(kind, self.dimension())),
+            Kernel::layout,
+        )
+    }
+
+    fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
+        match self.kernel(kind) {
+            Some(kernel) => self.programs.registers(kernel, unit, units),
+            None => {
+                let lanes = unit.saturating_mul(units).clamp(unit, unit.max(FEW));
+                Registers::empty(rows(self.layout(kind), self.dimension()), lanes)
+            }
+        }
+    }
+
+    fn instruction_set(&self) -> InstructionSet {
+        self.programs.instruction_set
+    }
+
+    fn evaluate(&self, kind: Kind, registers: &mut Registers) {
+        match self.kernel(kind) {
+            Some(kernel) => registers.run(kernel.program()),
+            None => {
+                interpreted::evaluate(self.formula.tape(), self.layout(kind), kind, registers);
+            }
+        }
+    }
+}
+
+impl<M: Metric<D>, const D: usize> Batches<D> for Prepared<M, D> {}
+
+impl<M: Metric<D>, const D: usize> AnyBatches for Prepared<M, D> {
+    fn dimension(&self) -> usize {
+        D
+    }
+
+    fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
+        self.plain.gram_into(x, gram);
     }
 
     fn layout(&self, kind: Kind) -> &Layout {
@@ -99,15 +213,14 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Prepared<M, D> {
     }
 
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
-        let Some(kernel) = self.kernel(kind) else {
-            return self.otherwise().registers(kind, unit, units);
-        };
-        let lanes = unit.saturating_mul(units).min(self.lanes).min(kernel.lanes()).max(unit);
-        Registers::new(kernel.program(), lanes, self.instruction_set)
+        match self.kernel(kind) {
+            Some(kernel) => self.programs.registers(kernel, unit, units),
+            None => self.otherwise().registers(kind, unit, units),
+        }
     }
 
     fn instruction_set(&self) -> InstructionSet {
-        self.instruction_set
+        self.programs.instruction_set
     }
 
     fn evaluate(&self, kind: Kind, registers: &mut Registers) {

@@ -7,7 +7,7 @@ use tautline_metrics::{Metric, is_gram};
 
 use super::{BlackBox, differences::Derivatives};
 use crate::{
-    batch::{Batches, Kind, Layout, contiguous, rows},
+    batch::{AnyBatches, Batches, Kind, Layout, contiguous, rows},
     program::Registers,
 };
 
@@ -29,9 +29,16 @@ impl<const D: usize> BlackBoxBatches<D> {
     }
 }
 
-impl<const D: usize> Batches<D> for BlackBoxBatches<D> {
-    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        self.metric.gram(x)
+impl<const D: usize> Batches<D> for BlackBoxBatches<D> {}
+
+impl<const D: usize> AnyBatches for BlackBoxBatches<D> {
+    fn dimension(&self) -> usize {
+        D
+    }
+
+    fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
+        let h = self.metric.gram(&SVector::from_column_slice(x));
+        gram.copy_from_slice(h.as_slice());
     }
 
     fn layout(&self, kind: Kind) -> &Layout {

@@ -78,6 +78,13 @@ impl Registers {
         (SVector::from_fn(|i, _| row(i)), SVector::from_fn(|i, _| row(D + i)))
     }
 
+    /// Returns coordinate `i` of the points and of the vectors.
+    #[inline]
+    pub(crate) fn input_rows(&mut self, dimension: usize, i: usize) -> [&mut [f64]; 2] {
+        let (places, vectors) = self.rows.split_at_mut(dimension);
+        [&mut places[i], &mut vectors[i]].map(|row| row.as_flattened_mut())
+    }
+
     /// Overwrites a result in one lane until the program runs again. Do not overwrite other
     /// registers, such as constants, because the program reads them.
     ///

@@ -12,4 +12,4 @@ mod written;
 
 pub use form::Form;
 pub use text_error::{Problem, TextError};
-pub use written::{AnyFormula, Part, Written, WrittenError, number};
+pub use written::{Part, Written, WrittenError, number};

@@ -2,7 +2,7 @@
 
 use std::{collections::HashMap, ops::Range, sync::Arc};
 
-use tautline_scalar::Table;
+use tautline_scalar::{ANY, Table};
 
 use super::{
     Problem, TextError,
@@ -95,9 +95,18 @@ impl<const D: usize> Formula<D> {
         parameters: &[(&str, f64)],
         tables: &[(&str, Arc<dyn Table>)],
     ) -> Result<Self, TextError> {
-        let (entries, recording) = record(D, |x| {
+        Self::parsed(D, text, parameters, tables)
+    }
+
+    fn parsed(
+        dimension: usize,
+        text: &str,
+        parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
+    ) -> Result<Self, TextError> {
+        let (entries, recording) = record(dimension, |x| {
             let mut names = Names::new();
-            let coordinates: Vec<usize> = (0..D).collect();
+            let coordinates: Vec<usize> = (0..dimension).collect();
             let mut parser = Parser::new(text, x, &coordinates, &mut names);
             for &(name, value) in parameters {
                 parser.define(name, Value::Number(value))?;
@@ -109,8 +118,24 @@ impl<const D: usize> Formula<D> {
             parser.metric()
         });
         let end = text.len()..text.len();
-        Self::of(&entries?, &recording)
+        Self::of(dimension, &entries?, &recording)
             .map_err(|error| TextError { at: end, problem: error.into() })
+    }
+}
+
+impl Formula<ANY> {
+    /// Parses a formula in `R^dimension` like [`parse_with`](Formula::parse_with).
+    ///
+    /// # Errors
+    ///
+    /// [`TextError`] with the offending bytes.
+    pub fn parse_in(
+        dimension: usize,
+        text: &str,
+        parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
+    ) -> Result<Self, TextError> {
+        Self::parsed(dimension, text, parameters, tables)
     }
 }
 

@@ -10,8 +10,9 @@ use crate::{
 /// Each step has its own line and a name. When parsed, the text gives the same formula.
 impl<const D: usize> fmt::Display for Formula<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = |step: Step| Name { step, dimension: D };
-        for (place, &operation) in self.operations().iter().enumerate().skip(D) {
+        let d = self.dimension();
+        let name = |step: Step| Name { step, dimension: d };
+        for (place, &operation) in self.operations().iter().enumerate().skip(d) {
             let this = name(place as Step);
             match operation {
                 // It is printed on the line of the first.
@@ -52,8 +53,8 @@ impl<const D: usize> fmt::Display for Formula<D> {
             writeln!(f, ";")?;
         }
         f.write_str("[")?;
-        for i in 0..D {
-            for j in 0..D {
+        for i in 0..d {
+            for j in 0..d {
                 let before = if j > 0 {
                     ", "
                 } else if i > 0 {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tautline_scalar::Table;
+use tautline_scalar::{ANY, Table};
 
 use super::{
     Problem, TextError,
@@ -12,8 +12,6 @@ use super::{
 };
 use crate::{
     Formula,
-    formula::Tape,
-    operation::{Operation, Step},
     recording::{Symbol, record},
 };
 
@@ -34,23 +32,6 @@ pub struct WrittenError {
     pub id: usize,
     /// What is wrong with it, and where.
     pub error: TextError,
-}
-
-/// A formula whose dimension is a value.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct AnyFormula {
-    dimension: usize,
-    operations: Vec<Operation>,
-    entries: Vec<Step>,
-    tables: Vec<Arc<dyn Table>>,
-}
-
-impl<const D: usize> From<&Formula<D>> for AnyFormula {
-    fn from(formula: &Formula<D>) -> Self {
-        let Tape { dimension, operations, entries, tables } = formula.tape();
-        let (operations, entries) = (operations.to_vec(), entries.to_vec());
-        Self { dimension, operations, entries, tables: tables.to_vec() }
-    }
 }
 
 /// A metric written as several texts. The texts are those of [`Formula::parse`]; all of them read
@@ -76,7 +57,7 @@ pub enum Written<'a> {
     /// coordinate belongs to one block.
     Product(Vec<(Vec<usize>, Written<'a>)>),
     /// A recorded formula, whose coordinates are those of the block.
-    Recorded(AnyFormula),
+    Recorded(Formula<ANY>),
 }
 
 impl<const D: usize> Formula<D> {
@@ -104,14 +85,24 @@ impl<const D: usize> Formula<D> {
         definitions: &[[Part<'_>; 2]],
         metric: &Written<'_>,
     ) -> Result<Self, WrittenError> {
+        Self::composed(D, parameters, tables, definitions, metric)
+    }
+
+    fn composed(
+        dimension: usize,
+        parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
+        definitions: &[[Part<'_>; 2]],
+        metric: &Written<'_>,
+    ) -> Result<Self, WrittenError> {
         let id = metric.first_id();
-        let (entries, recording) = record(D, |x| {
+        let (entries, recording) = record(dimension, |x| {
             let mut writer = Writer { x, names: Names::new(), id };
             writer.define(parameters, tables, definitions)?;
-            writer.entries(metric, &(0..D).collect::<Vec<_>>())
+            writer.entries(metric, &(0..dimension).collect::<Vec<_>>())
         });
         let whole = |problem| WrittenError { id, error: TextError { at: 0..0, problem } };
-        Self::of(&entries?, &recording).map_err(|error| whole(error.into()))
+        Self::of(dimension, &entries?, &recording).map_err(|error| whole(error.into()))
     }
 
     /// Returns the function `f` of a metric in one text that is `cost(f)` or `speed(f)`, as the metric
@@ -137,10 +128,20 @@ impl<const D: usize> Formula<D> {
         definitions: &[[Part<'_>; 2]],
         text: Part<'_>,
     ) -> Result<Option<(Form, Self)>, WrittenError> {
+        Self::squared(D, parameters, tables, definitions, text)
+    }
+
+    fn squared(
+        dimension: usize,
+        parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
+        definitions: &[[Part<'_>; 2]],
+        text: Part<'_>,
+    ) -> Result<Option<(Form, Self)>, WrittenError> {
         let Part { id, .. } = text;
         let wrong = |error| WrittenError { id, error };
-        let coordinates: Vec<usize> = (0..D).collect();
-        let (found, recording) = record(D, |x| {
+        let coordinates: Vec<usize> = (0..dimension).collect();
+        let (found, recording) = record(dimension, |x| {
             let mut writer = Writer { x, names: Names::new(), id };
             writer.define(parameters, tables, definitions)?;
             let mut parser = writer.parser(text.text, &coordinates);
@@ -148,10 +149,27 @@ impl<const D: usize> Formula<D> {
             Ok(found.map(|(form, f)| (form, Form::Phi.entries(&[f], &coordinates))))
         });
         let Some((form, entries)) = found? else { return Ok(None) };
-        let formula = Self::of(&entries, &recording);
+        let formula = Self::of(dimension, &entries, &recording);
         let formula =
             formula.map_err(|error| wrong(TextError { at: 0..0, problem: error.into() }))?;
         Ok(Some((form, formula)))
+    }
+}
+
+impl Formula<ANY> {
+    /// Parses a metric on `R^dimension` like [`compose`](Formula::compose).
+    ///
+    /// # Errors
+    ///
+    /// As for [`compose`](Formula::compose).
+    pub fn compose_in(
+        dimension: usize,
+        parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
+        definitions: &[[Part<'_>; 2]],
+        metric: &Written<'_>,
+    ) -> Result<Self, WrittenError> {
+        Self::composed(dimension, parameters, tables, definitions, metric)
     }
 }
 
@@ -275,15 +293,15 @@ impl Writer<'_> {
                 Ok(self.entries(metric, coordinates)?.into_iter().map(|h| by * h).collect())
             }
             Written::Product(blocks) => self.product(blocks, coordinates),
-            Written::Recorded(formula) if formula.dimension == dimension => {
+            Written::Recorded(formula) if formula.dimension() == dimension => {
                 let x: Vec<Symbol> = coordinates.iter().map(|&i| self.x[i]).collect();
-                let AnyFormula { dimension, ref operations, ref entries, ref tables } = *formula;
-                let values = Tape { dimension, operations, entries, tables }.values(&x);
-                Ok(entries.iter().map(|&entry| values[entry as usize]).collect())
+                let tape = formula.tape();
+                let values = tape.values(&x);
+                Ok(tape.entries.iter().map(|&entry| values[entry as usize]).collect())
             }
             Written::Recorded(formula) => {
                 let what = "coordinates of a recorded formula";
-                self.refuse(Problem::Shape { found: formula.dimension, what, dimension })
+                self.refuse(Problem::Shape { found: formula.dimension(), what, dimension })
             }
         }
     }

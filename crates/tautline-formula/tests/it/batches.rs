@@ -1,7 +1,7 @@
 //! Batches of every number of points, in memory that held other points before.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::{Batch, Batches, InstructionSet, Kind, Plain, Prepared, WIDTH};
+use tautline_formula::{AnyBatches, Batch, InstructionSet, Kind, Plain, Prepared, WIDTH};
 use tautline_metrics::Metric;
 use tautline_scalar::Scalar;
 
@@ -37,7 +37,7 @@ fn extreme(count: usize) -> Vec<Place<2>> {
 const KINDS: [Kind; 4] = [Kind::Square, Kind::Checked, Kind::Momentum, Kind::Contraction];
 
 /// All rows, lane by lane, in bits.
-fn bits(batch: &Batch<'_, 2>, count: usize) -> Vec<Vec<u64>> {
+fn bits(batch: &Batch<'_>, count: usize) -> Vec<Vec<u64>> {
     let rows = rows(batch, count).concat();
     let lane = |lane: usize| rows.iter().skip(lane).step_by(count).map(|x| x.to_bits()).collect();
     (0..count).map(lane).collect()
@@ -45,7 +45,7 @@ fn bits(batch: &Batch<'_, 2>, count: usize) -> Vec<Vec<u64>> {
 
 /// Evaluates each point alone, and then the first `count` of them for every count, each time after a
 /// full batch of extreme points in the same memory. `check` sees the batch.
-fn compare(metric: &dyn Batches<2>, name: &str, check: impl Fn(&Batch<'_, 2>, usize)) {
+fn compare(metric: &dyn AnyBatches, name: &str, check: impl Fn(&Batch<'_>, usize)) {
     for kind in KINDS {
         let mut batch = Batch::new(metric, kind, 1, 64);
         let lanes = batch.lanes();
@@ -78,7 +78,7 @@ fn a_batch_is_that_of_a_metric_only_if_every_lane_is() {
     let good = place([0.5, 0.5]);
     for kind in [Kind::Checked, Kind::Momentum, Kind::Contraction] {
         assert!(prepared.size(kind).is_some(), "{kind:?}");
-        for metric in [&prepared as &dyn Batches<2>, &plain] {
+        for metric in [&prepared as &dyn AnyBatches, &plain] {
             let mut batch = Batch::new(metric, kind, 2 * WIDTH, 1);
             for bad in [[0.5, -0.5], [3.0, 3.0], [-1.95, -1.95]].map(place) {
                 for count in [1, 3, WIDTH, WIDTH + 1] {
@@ -105,7 +105,7 @@ fn halves_that_differ_by_more_than_roundings_are_no_metric() {
         let (prepared, plain) = (Prepared::new(parsed::<3>(text)), Plain::new(parsed::<3>(text)));
         for kind in [Kind::Checked, Kind::Momentum, Kind::Contraction] {
             assert!(prepared.size(kind).is_some(), "{text} {kind:?}");
-            for metric in [&prepared as &dyn Batches<3>, &plain] {
+            for metric in [&prepared as &dyn AnyBatches, &plain] {
                 let mut batch = Batch::new(metric, kind, 1, 1);
                 for (off, is_metric) in [(0.0, true), (0.9, true), (1.1, false)] {
                     let (one, other) = (1.0, 1.0 + off * 6e-12);

@@ -7,7 +7,7 @@ use std::sync::{
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_formula::{
-    Batch, Batches, BlackBox, Formula, Kind, Plain, Prepared, RecordError, Values,
+    AnyBatches, Batch, BlackBox, Formula, Kind, Plain, Prepared, RecordError, Values,
 };
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Jet2, Scalar};
@@ -66,7 +66,7 @@ const H: f64 = 1e-3;
 const SIZE: f64 = 9.0 * 320.0;
 
 /// Returns all rows of a kind at some points.
-fn rows(metric: &dyn Batches<3>, kind: Kind) -> Vec<(&'static str, Vec<f64>)> {
+fn rows(metric: &dyn AnyBatches, kind: Kind) -> Vec<(&'static str, Vec<f64>)> {
     let mut batch = Batch::new(metric, kind, 5, 1);
     let mut inputs = batch.inputs(5);
     for lane in 0..5 {

@@ -2,7 +2,7 @@
 //! metrics.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::{Batch, Batches, Kind, Plain, Prepared};
+use tautline_formula::{AnyBatches, Batch, Kind, Plain, Prepared};
 use tautline_metrics::{
     Metric,
     gallery::{SineProjection, SineProjections},
@@ -44,7 +44,7 @@ fn a_long_formula_is_evaluated_as_compiled() {
     assert!(long.formula().is_some() && long.size(Kind::Contraction).is_none());
     let places = places::<3>(20);
     let plain = Plain::new(Sum(400));
-    let [found, expected] = [&long as &dyn Batches<3>, &plain].map(|metric| {
+    let [found, expected] = [&long as &dyn AnyBatches, &plain].map(|metric| {
         let mut batch = Batch::new(metric, Kind::Contraction, 20, 1);
         assert!(evaluate(&mut batch, &places));
         rows(&batch, 20)
@@ -71,7 +71,7 @@ fn compare_in_32_coordinates() {
     let (plain, prepared) = (Plain::new(&metric), Prepared::new(&metric));
     assert!(prepared.size(Kind::Contraction).is_some_and(|[length, _]| length > 10_000));
     let places = places::<32>(6);
-    let [found, expected] = [&prepared as &dyn Batches<32>, &plain].map(|metric| {
+    let [found, expected] = [&prepared as &dyn AnyBatches, &plain].map(|metric| {
         let mut batch = Batch::new(metric, Kind::Contraction, 6, 1);
         assert!(evaluate(&mut batch, &places));
         rows(&batch, 6)
@@ -131,7 +131,7 @@ fn factors_whose_product_is_no_number_stay_apart() {
         let (prepared, plain) = (Prepared::new(metric.clone()), Plain::new(metric));
         for kind in [Kind::Checked, Kind::Momentum, Kind::Contraction] {
             assert!(prepared.size(kind).is_some(), "{text} has a program");
-            let [found, expected] = [&prepared as &dyn Batches<1>, &plain].map(|metric| {
+            let [found, expected] = [&prepared as &dyn AnyBatches, &plain].map(|metric| {
                 let mut batch = Batch::new(metric, kind, 1, 1);
                 assert!(evaluate(&mut batch, &[([x].into(), [1.0].into())]), "{text} {kind:?}");
                 rows(&batch, 1).concat()

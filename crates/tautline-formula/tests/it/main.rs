@@ -1,5 +1,6 @@
 //! Formulas as data: recorded, printed, parsed, and run as programs.
 
+mod any_dimension;
 mod any_metric;
 mod batches;
 mod black_box;

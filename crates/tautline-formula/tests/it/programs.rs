@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
-use tautline_formula::{Batch, Batches, Formula, InstructionSet, Kind, Layout, Plain, Prepared};
+use tautline_formula::{AnyBatches, Batch, Formula, InstructionSet, Kind, Layout, Plain, Prepared};
 use tautline_metrics::{Metric, gallery, is_gram};
 use tautline_scalar::{Interval, Jet2, Scalar};
 
@@ -51,7 +51,7 @@ fn is_near(found: f64, expected: Interval) -> bool {
 
 pub(crate) type Place<const D: usize> = (SVector<f64, D>, SVector<f64, D>);
 
-pub(crate) fn evaluate<const D: usize>(batch: &mut Batch<'_, D>, places: &[Place<D>]) -> bool {
+pub(crate) fn evaluate<const D: usize>(batch: &mut Batch<'_>, places: &[Place<D>]) -> bool {
     let mut inputs = batch.inputs(places.len());
     for (lane, (x, d)) in places.iter().enumerate() {
         inputs.set(lane, x, d);
@@ -73,7 +73,7 @@ fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usiz
 
 pub(crate) fn compare_one<const D: usize>(
     metric: &impl Metric<D>,
-    batches: &dyn Batches<D>,
+    batches: &dyn AnyBatches,
     places: &[Place<D>],
     text: &str,
 ) -> usize {
@@ -118,7 +118,7 @@ const KINDS: [Kind; 3] = [Kind::Square, Kind::Momentum, Kind::Contraction];
 
 /// Returns the first `count` lanes of the rows of `dᵀHd`, `Hd`, `G`, `H`, `P` and `Q`, one list for
 /// each.
-pub(crate) fn rows<const D: usize>(batch: &Batch<'_, D>, count: usize) -> [Vec<f64>; 6] {
+pub(crate) fn rows(batch: &Batch<'_>, count: usize) -> [Vec<f64>; 6] {
     let Layout { square, momentum, slope, gram, turn, bend, .. } = batch.layout();
     [square, momentum, slope, gram, turn, bend].map(|registers| {
         registers.iter().flat_map(|&register| &batch.row(register)[..count]).copied().collect()
@@ -169,7 +169,7 @@ fn random_formulas_are_contracted_by_programs() {
 /// This is checked for all block sizes and instruction sets.
 #[test]
 fn neither_the_block_nor_the_processor_changes_a_bit() {
-    fn bits<const D: usize>(programs: &dyn Batches<D>, places: &[Place<D>]) -> Vec<u64> {
+    fn bits<const D: usize>(programs: &dyn AnyBatches, places: &[Place<D>]) -> Vec<u64> {
         let mut all = Vec::new();
         for kind in KINDS {
             let mut batch = Batch::new(programs, kind, 1, usize::MAX);

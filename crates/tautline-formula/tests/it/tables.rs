@@ -5,7 +5,7 @@ use std::{any::Any, sync::Arc};
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_chance::{cases, seed};
 use tautline_formula::{
-    AnyFormula, Batch, Batches, Formula, Kind, Operation, Part, Plain, Prepared, Problem, Written,
+    AnyBatches, Batch, Formula, Kind, Operation, Part, Plain, Prepared, Problem, Written,
     spline::Spline,
 };
 use tautline_metrics::{Metric, is_gram};
@@ -145,7 +145,7 @@ fn programs_have_the_rows_of_the_formula() {
             let places: Vec<_> = (0..5).map(|_| place(&mut random)).collect();
             for kind in [Kind::Square, Kind::Checked, Kind::Momentum, Kind::Contraction] {
                 assert!(prepared.size(kind).is_some(), "{text} has a program");
-                let [found, expected] = [&prepared as &dyn Batches<2>, &plain].map(|metric| {
+                let [found, expected] = [&prepared as &dyn AnyBatches, &plain].map(|metric| {
                     let mut batch = tautline_formula::Batch::new(metric, kind, 5, 1);
                     let is_metric = evaluate(&mut batch, &places);
                     let layout = batch.layout();
@@ -275,7 +275,7 @@ fn texts_together_and_recorded_formulas_call_tables() {
     let composed = Formula::<2>::compose(&[], &tables, &[], &metric).expect("a formula");
     let parsed = Formula::<2>::parse_with("cost(h(x1, x2))", &[], &tables).expect("a formula");
     assert_eq!(composed, parsed);
-    let recorded = Written::Recorded(AnyFormula::from(&parsed));
+    let recorded = Written::Recorded(parsed.clone().into_any());
     let twice = Written::Sum(vec![recorded, metric]);
     let twice = Formula::<2>::compose(&[], &tables, &[], &twice).expect("a formula");
     let x = vector![1.5, 2.25];
@@ -337,7 +337,7 @@ fn tables_with_the_same_fingerprint_are_not_taken_for_each_other() {
     let [a, b, c] = ["[a(x1)]", "[b(x1)]", "[c(x1)]"].map(parsed);
     assert!(a != b && a == c && a.operations() == b.operations());
     // Neither are those of recorded formulas that are put together.
-    let recorded = [a, b].map(|one| Written::Recorded(AnyFormula::from(&one)));
+    let recorded = [a, b].map(|one| Written::Recorded(one.into_any()));
     let sum = Formula::<1>::compose(&[], &[], &[], &Written::Sum(recorded.to_vec()));
     let sum = sum.expect("a formula");
     assert_eq!((sum.gram(&vector![0.5])[(0, 0)], sum.tables().len()), (5.0, 2));

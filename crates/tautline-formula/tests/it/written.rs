@@ -1,7 +1,7 @@
 //! Metrics written as several texts.
 
 use nalgebra::vector;
-use tautline_formula::{AnyFormula, Form, Formula, Part, Problem, Written, WrittenError, number};
+use tautline_formula::{Form, Formula, Part, Problem, Written, WrittenError, number};
 use tautline_metrics::{Metric, gallery};
 
 fn part(id: usize, text: &str) -> Part<'_> {
@@ -72,7 +72,7 @@ fn each_entry_is_in_its_row_and_column() {
         0.0, 0.5, 0.0, 8.0
     ];
     assert_eq!(h.gram(&vector![0.5, 1.5, -1.0, 2.5]), expected);
-    let recorded = Written::Recorded(AnyFormula::from(&h));
+    let recorded = Written::Recorded(h.clone().into_any());
     let again = Formula::<4>::compose(&[], &[], &[], &recorded).expect("a metric");
     assert_eq!(again.gram(&vector![0.5, 1.5, -1.0, 2.5]), expected);
 }
@@ -98,8 +98,7 @@ fn a_product_has_its_blocks_on_the_diagonal() {
 #[test]
 fn a_block_of_a_product_is_not_transposed() {
     let text = "[2, x1; x2, 3]";
-    let recorded =
-        Written::Recorded(AnyFormula::from(&Formula::<2>::parse(text, &[]).expect(text)));
+    let recorded = Written::Recorded(Formula::<2>::parse(text, &[]).expect(text).into_any());
     let whole = Written::Whole(part(0, "[2, x3; x1, 3]"));
     let matrix = Written::Matrix(vec![parts(&["2", "x3"]), parts(&["x1", "3"])]);
     let x = vector![0.1, 0.2, 0.3];
@@ -123,7 +122,7 @@ fn a_block_of_a_product_is_not_transposed() {
 fn a_recorded_formula_is_a_block_with_the_same_bits() {
     let shear = gallery::Shear::new(0.7, 1.3).expect("a wave number");
     let recorded = Formula::<2>::record(&shear).expect("recorded");
-    let recorded = Written::Recorded(AnyFormula::from(&recorded));
+    let recorded = Written::Recorded(recorded.clone().into_any());
     let alone = Formula::<2>::compose(&[], &[], &[], &recorded).expect("a metric");
     assert_eq!(Ok(alone), Formula::record(&shear));
     let line = Written::Form(Form::Phi, vec![part(0, "x2^2 + 1")]);

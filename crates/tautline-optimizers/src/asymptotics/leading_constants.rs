@@ -1,9 +1,9 @@
 //! `LeadingConstants`: the predicted leading errors of both rules on smooth data.
 
 use nalgebra::SVector;
-use tautline_discretizations::{QuadraticModel, Rule, energy_gradient};
+use tautline_discretizations::{LinearModel, QuadraticModel, Rule};
 use tautline_metrics::Metric;
-use tautline_sets::{ClosedSet, Ends};
+use tautline_sets::{ClosedSet, Ends, InAny};
 
 use crate::{
     AsymptoticsError, Minimum, Stop,
@@ -123,7 +123,7 @@ fn displacement_energy<const D: usize>(
     minimum: &Minimum<D>,
 ) -> Result<f64, AsymptoticsError> {
     let sequence = &minimum.sequence;
-    let (points, n) = (sequence.points(), sequence.n().get());
+    let n = sequence.n().get();
     // Selects the pieces of the sets in which the curve begins and ends.
     let gap = |set: &dyn ClosedSet<D>, x: &SVector<f64, D>| (set.project(x) - x).norm();
     let pairs = ends.pairs().map(|(first, second)| {
@@ -133,17 +133,19 @@ fn displacement_energy<const D: usize>(
     let (_, [first, second]) = nearest.ok_or(AsymptoticsError::Degenerate)?;
     let model = QuadraticModel::new(Rule::TRAPEZOIDAL, metric, sequence);
     // The system subtracts the margin. With the margin as the shift, the Hessian is unchanged.
-    let system = ReducedSystem::new(&model, [&*first, &*second], points, margin(n));
+    let ends: [InAny<'_, D>; 2] = [InAny(&*first), InAny(&*second)];
+    let system =
+        ReducedSystem::new(&model, [&ends[0], &ends[1]], sequence.coordinates(), margin(n));
     let factorization = system.factorize().ok_or(AsymptoticsError::Degenerate)?;
     let decrement = system.newton_step(&factorization).decrement / model.energy;
     if !(decrement <= STATIONARY) {
         return Err(AsymptoticsError::NotStationary { decrement });
     }
-    let (_, left) = energy_gradient(Rule::LEFT_ENDPOINT, metric, sequence);
-    let (_, right) = energy_gradient(Rule::RIGHT_ENDPOINT, metric, sequence);
+    let left = LinearModel::new(Rule::LEFT_ENDPOINT, metric, sequence).slopes;
+    let right = LinearModel::new(Rule::RIGHT_ENDPOINT, metric, sequence).slopes;
     let half = 0.5 * n as f64;
-    let gradient: Vec<_> = left.iter().zip(&right).map(|(l, r)| (l - r) * half).collect();
-    Ok(system.decrement_of(&factorization, &gradient))
+    let slopes: Vec<f64> = left.iter().zip(&right).map(|(l, r)| (l - r) * half).collect();
+    Ok(system.decrement_of(&factorization, &slopes))
 }
 
 #[cfg(test)]

@@ -1,53 +1,50 @@
 //! `Chain`: the chords of a point sequence, in the order in which they are eliminated from both
 //! ends.
 
-use std::ops::Range;
-
 use nalgebra::SVector;
-use tautline_discretizations::{ChordBatch, PointSequence};
+use tautline_discretizations::{ANY, ChordBatch, ChordModels, PointSequence};
 use tautline_formula::Kind;
 use tautline_metrics::Pair;
-use tautline_sets::ClosedSet;
+use tautline_sets::AnySet;
 
 use crate::newton::{
+    blocks::{Blocks, PivotMut},
     discrete_energy::DiscreteEnergy,
     end_frame::EndFrame,
-    factorization::{Pivot, Regulariser},
+    factorization::Regulariser,
     front::Front,
     pairs::{Kept, Rest, eliminate},
-    residual::Residual,
-    twisted_factorization::TwistedFactorization,
+    residual::Scale,
+    side::Side,
+    twisted_factorization::{InLanes, Pairs, Pivots},
     two_threads::join,
 };
 
 /// A point sequence, together with what its elimination reads.
-pub(crate) struct Chain<'a, const D: usize> {
-    pub(crate) energy: &'a DiscreteEnergy<'a, D>,
-    pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
-    pub(crate) sequence: &'a PointSequence<D>,
+pub(crate) struct Chain<'a> {
+    pub(crate) energy: &'a DiscreteEnergy<'a>,
+    pub(crate) ends: [&'a dyn AnySet; 2],
+    pub(crate) sequence: &'a PointSequence<ANY>,
     pub(crate) regulariser: Regulariser,
     /// The `τ` of the frames at the ends.
     pub(crate) tau: f64,
-    pub(crate) residual: &'a Residual<D>,
+    pub(crate) scale: Scale,
 }
 
-/// The state of one side of an elimination.
-pub(crate) struct Side<const D: usize> {
-    pub(crate) front: Front<D>,
-    /// The coordinates at the end of this side, once that end is eliminated.
-    pub(crate) frame: Option<EndFrame<D>>,
-}
-
-/// Where both sides write: the factorisation, and the right hand sides after elimination.
-pub(crate) type Memory<'m, const D: usize> =
-    Option<(&'m mut TwistedFactorization<D>, &'m mut [SVector<f64, D>])>;
+/// Where both sides in lanes write: the pivots, and the right hand sides after elimination.
+pub(crate) type MemoryOfPairs<'m, const D: usize> =
+    Option<(&'m mut Pairs, &'m mut [SVector<f64, D>])>;
 
 /// Where one side writes.
-type MemoryOfSide<'m, const D: usize> = Option<(&'m mut Vec<Pivot<D>>, &'m mut [SVector<f64, D>])>;
+type MemoryOfSide<'m> = Option<(&'m mut Pivots, &'m mut [f64])>;
 
-impl<const D: usize> Chain<'_, D> {
+impl Chain<'_> {
     fn n(&self) -> usize {
         self.sequence.n().get()
+    }
+
+    fn dimension(&self) -> usize {
+        self.sequence.dimension()
     }
 
     /// Returns the number of chords on each side. If `N` is odd, one more chord is in the middle.
@@ -55,40 +52,46 @@ impl<const D: usize> Chain<'_, D> {
         self.n() / 2
     }
 
-    /// Returns the indices of chords that are counted from an end.
-    fn numbers(&self, end: usize, counted: Range<usize>) -> Range<usize> {
-        if end == 0 { counted } else { self.n() - counted.end..self.n() - counted.start }
+    /// Returns the points from one to another.
+    pub(crate) fn points(&self, from: usize, to: usize) -> &[f64] {
+        let d = self.dimension();
+        &self.sequence.coordinates()[from * d..(to + 1) * d]
     }
 
     /// Returns memory for the models of blocks of `chords` chords.
-    pub(crate) fn batch(&self, chords: usize) -> ChordBatch<'_, D> {
+    pub(crate) fn batch(&self, chords: usize) -> ChordBatch<'_> {
         self.energy.batch(Kind::Contraction, self.n() as f64, chords)
     }
 
     /// Returns the coordinates at an end, given the gradient there.
-    pub(crate) fn frame(&self, end: usize, gradient: &SVector<f64, D>) -> EndFrame<D> {
-        let x = if end == 0 { self.sequence.first() } else { self.sequence.last() };
+    pub(crate) fn frame(&self, end: usize, gradient: &[f64]) -> EndFrame {
+        let x = self.sequence.row(if end == 0 { 0 } else { self.n() });
         EndFrame::new(self.ends[end], x, gradient, self.tau)
     }
 
-    /// Eliminates both sides, a block of each at a time. The result is `None` if the Hessian is not
-    /// positive definite.
-    pub(crate) fn in_lanes(&self, mut memory: Memory<'_, D>) -> Option<[Side<D>; 2]> {
+    /// Eliminates both sides, a block of each at a time. Returns the fronts and the frames of the ends;
+    /// `None` if the Hessian is not positive definite.
+    pub(crate) fn in_lanes<const D: usize>(
+        &self,
+        mut memory: MemoryOfPairs<'_, D>,
+    ) -> Option<([Front<D>; 2], [Option<EndFrame>; 2])>
+    where
+        Pairs: InLanes<D>,
+    {
+        let (n, half) = (self.n(), self.half());
         let mut frames = [None, None];
         let mut both = Front::<D, Pair>::new(self.regulariser);
-        let mut batch = self.batch(self.n());
+        let mut batch = self.batch(n);
         let room = batch.capacity() / 2;
-        for begin in (0..self.half()).step_by(room) {
-            let end = (begin + room).min(self.half());
-            let [first, last] = [0, 1].map(|side| self.numbers(side, begin..end));
-            let pairs = self.sequence.chords_in(first).zip(self.sequence.chords_in(last).rev());
-            batch.evaluate_facing(pairs.map(|(first, last)| [first, last]));
+        for begin in (0..half).step_by(room) {
+            let end = (begin + room).min(half);
+            batch.evaluate_facing(self.points(begin, end), self.points(n - end, n - begin));
             let models = batch.pairs();
-            let mut kept = memory.as_mut().map(|(factorization, eliminated)| {
-                let (first, last) = eliminated.split_at_mut(self.half());
+            let mut kept = memory.as_mut().map(|(pivots, eliminated)| {
+                let (first, last) = eliminated.split_at_mut(half);
                 let from_the_end = last.len() - end..last.len() - begin;
                 Kept {
-                    pivots: &mut factorization.pairs[begin..end],
+                    pivots: &mut pivots.pivots_mut()[begin..end],
                     first: &mut first[begin..end],
                     last: &mut last[from_the_end],
                 }
@@ -97,7 +100,8 @@ impl<const D: usize> Chain<'_, D> {
             if begin == 0 {
                 let mut ahead = both.add(&models.model(0), self.regulariser);
                 let fronts = both.apart();
-                let [first, last] = [0, 1].map(|end| self.frame(end, &fronts[end].row.gradient));
+                let [first, last] =
+                    [0, 1].map(|end| self.frame(end, fronts[end].row.gradient.as_slice()));
                 both.enter([&first, &last], &mut ahead, self.tau);
                 frames = [Some(first), Some(last)];
                 let (pivot, z) = both.advance(ahead)?;
@@ -107,63 +111,80 @@ impl<const D: usize> Chain<'_, D> {
                 // The points of the first pair are the ends, which are already eliminated.
                 pairs.start = 1;
             }
-            let rest = Rest { regulariser: self.regulariser, residual: self.residual };
+            let rest = Rest { regulariser: self.regulariser, scale: self.scale };
             let instructions = self.energy.instruction_set();
             both = eliminate(instructions, &models, pairs, both, rest, kept)?;
         }
         both.is_metric = batch.is_metric;
-        let [first, last] = frames;
-        let [front, back] = both.apart();
-        Some([Side { front, frame: first }, Side { front: back, frame: last }])
+        Some((both.apart(), frames))
     }
 
-    /// Eliminates one side after the other, or both `at_once`. The result is `None` if the Hessian
-    /// is not positive definite.
-    pub(crate) fn in_turn(&self, memory: Memory<'_, D>, at_once: bool) -> Option<[Side<D>; 2]> {
-        let half = self.half();
+    /// Eliminates one side after the other, or both `at_once`. Returns the sides and the frames of the
+    /// ends; `None` if the Hessian is not positive definite.
+    pub(crate) fn in_turn<B: Blocks>(
+        &self,
+        blocks: B,
+        memory: Option<(&mut [Pivots; 2], &mut [f64])>,
+        at_once: bool,
+    ) -> Option<[(Side<B>, Option<EndFrame>); 2]> {
+        let (half, d) = (self.half(), self.dimension());
         let [one, other] = match memory {
-            Some((TwistedFactorization { sides: [one, other], .. }, eliminated)) => {
-                let (first, last) = eliminated.split_at_mut(self.n() + 1 - half);
-                [Some((one, &mut first[..half])), Some((other, last))]
+            Some(([one, other], eliminated)) => {
+                let (first, last) = eliminated.split_at_mut((self.n() + 1 - half) * d);
+                [Some((one, &mut first[..half * d])), Some((other, last))]
             }
             None => [None, None],
         };
-        join(at_once, || self.side(0, one), || self.side(1, other))
+        join(at_once, || self.side(blocks, 0, one), || self.side(blocks, 1, other))
     }
 
     /// Eliminates the side that begins at one end.
-    fn side(&self, end: usize, mut memory: MemoryOfSide<'_, D>) -> Option<Side<D>> {
-        let half = self.half();
-        let mut side = Side { front: Front::new(self.regulariser), frame: None };
-        let Side { front, frame } = &mut side;
+    fn side<B: Blocks>(
+        &self,
+        blocks: B,
+        end: usize,
+        mut memory: MemoryOfSide<'_>,
+    ) -> Option<(Side<B>, Option<EndFrame>)> {
+        let (n, half, d) = (self.n(), self.half(), blocks.dimension());
+        let size = d * d;
+        let (mut side, mut frame) = (Side::new(blocks, self.regulariser), None);
+        // What is not kept is overwritten by the next pivot.
+        let (mut pivot, mut eliminated) = (Pivots::default(), vec![0.0; d]);
+        if memory.is_none() {
+            pivot.resize(1, size);
+        }
+        let mut models = ChordModels::default();
         let mut batch = self.batch(half);
         let room = batch.capacity();
         for begin in (0..half).step_by(room) {
             let stop = (begin + room).min(half);
-            let chords = self.sequence.chords_in(self.numbers(end, begin..stop));
             if end == 0 {
-                batch.evaluate_from(end, chords);
+                batch.evaluate(self.points(begin, stop));
             } else {
-                batch.evaluate_from(end, chords.rev());
+                batch.evaluate_reversed(self.points(n - stop, n - begin));
             }
-            let models = batch.singles();
+            batch.assemble(end, stop - begin, &mut models);
             for k in begin..stop {
-                let chord = models.model_from(end, k - begin);
-                let mut ahead = front.add(&chord, self.regulariser);
+                side.add(&models, k - begin, self.regulariser);
                 if k == 0 {
-                    let frame = frame.insert(self.frame(end, &front.row.gradient));
-                    front.enter(frame, &mut ahead, self.tau);
+                    let frame = frame.insert(self.frame(end, side.gradient()));
+                    side.enter(frame, self.tau);
                 } else {
-                    front.count(self.residual);
+                    side.count(self.scale);
                 }
-                let (pivot, z) = front.advance(ahead)?;
-                if let Some((pivots, eliminated)) = &mut memory {
-                    pivots.push(pivot);
-                    eliminated[if end == 0 { k } else { half - 1 - k }] = z;
+                let (pivot, z): (PivotMut<'_>, &mut [f64]) = match &mut memory {
+                    Some((pivots, eliminated)) => {
+                        let place = if end == 0 { k } else { half - 1 - k };
+                        (pivots.get_mut(k, size), &mut eliminated[place * d..][..d])
+                    }
+                    None => (pivot.get_mut(0, size), &mut eliminated),
+                };
+                if !side.advance(pivot, z) {
+                    return None;
                 }
             }
         }
-        front.is_metric = batch.is_metric;
-        Some(side)
+        side.set_metric(batch.is_metric);
+        Some((side, frame))
     }
 }

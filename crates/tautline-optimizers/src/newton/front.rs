@@ -8,7 +8,7 @@ use crate::newton::{
     end_frame::EndFrame,
     factorization::{Pivot, Regulariser},
     ldl::Ldl,
-    residual::Residual,
+    residual::Scale,
 };
 
 /// The block row of a point, as far as it is assembled.
@@ -35,7 +35,7 @@ pub(crate) struct Front<const D: usize, T = f64> {
     /// `Σ yₙᵀ Dₙ⁻¹ yₙ` over the eliminated points, in `m²`.
     pub(crate) square: T,
     /// `Σ |gₙ|²` over the inner points behind, divided by the square of the unit of the
-    /// [`Residual`].
+    /// [`Residual`](crate::newton::residual::Residual).
     pub(crate) inner: T,
     /// Whether the metric is positive definite at every node behind.
     pub(crate) is_metric: bool,
@@ -88,8 +88,8 @@ impl<T: Lanes, const D: usize> Front<D, T> {
 
     /// Counts the current point as an inner one.
     #[inline(always)]
-    pub(crate) fn count(&mut self, residual: &Residual<D>) {
-        self.inner += residual.square(&self.row.gradient);
+    pub(crate) fn count(&mut self, scale: Scale) {
+        self.inner += scale.square(&self.row.gradient);
     }
 
     /// Eliminates the row and moves to the point ahead; returns the pivot and `zₙ`. The result is
@@ -126,7 +126,7 @@ impl<T: Lanes, const D: usize> Row<D, T> {
 
 impl<const D: usize> Front<D> {
     /// Transforms the current point, which is an end, to the coordinates of its frame.
-    pub(crate) fn enter(&mut self, frame: &EndFrame<D>, ahead: &mut Ahead<D>, tau: f64) {
+    pub(crate) fn enter(&mut self, frame: &EndFrame, ahead: &mut Ahead<D>, tau: f64) {
         let mut coupling = ahead.lower.transpose();
         self.row.enter(frame, &mut coupling, &mut ahead.row.right, tau);
         ahead.lower = coupling.transpose();
@@ -152,7 +152,7 @@ impl<const D: usize> Front<D> {
 
 impl<const D: usize> Ahead<D> {
     /// Transforms the point ahead, which is an end, to the coordinates of its frame.
-    pub(crate) fn enter(&mut self, frame: &EndFrame<D>, front: &mut Front<D>, tau: f64) {
+    pub(crate) fn enter(&mut self, frame: &EndFrame, front: &mut Front<D>, tau: f64) {
         self.row.enter(frame, &mut self.lower, &mut front.row.right, tau);
     }
 }
@@ -162,7 +162,7 @@ impl<const D: usize> Row<D> {
     /// end, and `beside` is the right hand side of the neighbour.
     fn enter(
         &mut self,
-        frame: &EndFrame<D>,
+        frame: &EndFrame,
         coupling: &mut SMatrix<f64, D, D>,
         beside: &mut SVector<f64, D>,
         tau: f64,
@@ -170,7 +170,12 @@ impl<const D: usize> Row<D> {
         // The frame supplies the force at the end, while the contribution of a fixed neighbour
         // stays.
         self.right += self.gradient;
-        frame.enter(&mut self.block, coupling, [&mut self.right, beside], tau);
+        frame.enter(
+            self.block.as_mut_slice(),
+            coupling.as_mut_slice(),
+            [self.right.as_mut_slice(), beside.as_mut_slice()],
+            tau,
+        );
     }
 }
 
@@ -199,12 +204,7 @@ impl<const D: usize> Front<D, Pair> {
     }
 
     /// Transforms the current points, which are the two ends, to the coordinates of their frames.
-    pub(crate) fn enter(
-        &mut self,
-        frames: [&EndFrame<D>; 2],
-        ahead: &mut Ahead<D, Pair>,
-        tau: f64,
-    ) {
+    pub(crate) fn enter(&mut self, frames: [&EndFrame; 2], ahead: &mut Ahead<D, Pair>, tau: f64) {
         let mut fronts = self.apart();
         let mut both = [0, 1].map(|lane| Ahead {
             row: ahead.row.lane(lane),

@@ -10,7 +10,7 @@ use tautline_metrics::Lanes;
 pub(crate) struct Ldl<const D: usize, T = f64> {
     /// `L` below the diagonal and the reciprocals of `D` on it. Entries above the diagonal are
     /// arbitrary.
-    factors: SMatrix<T, D, D>,
+    pub(crate) factors: SMatrix<T, D, D>,
 }
 
 impl<T: Lanes, const D: usize> Ldl<D, T> {

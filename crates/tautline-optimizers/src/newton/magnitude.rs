@@ -14,7 +14,7 @@ pub(crate) struct Magnitude {
 
 impl Magnitude {
     /// Returns the magnitude at the expansion point of a model.
-    pub(crate) fn of<const D: usize>(model: &QuadraticModel<D>) -> Self {
+    pub(crate) fn of(model: &QuadraticModel) -> Self {
         Self { energy: model.energy, mean_gram: model.mean_gram }
     }
 

@@ -24,31 +24,34 @@ fn check(n: usize, numbers: usize, kept: usize) -> Result<(), SolveError> {
     if is_available(new) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
 }
 
-impl<const D: usize> Workspace<D> {
-    /// Checks that there is memory for the points of this number of sequences of `n` chords.
+impl Workspace {
+    /// Checks that there is memory for the points of this number of sequences of `n` chords in
+    /// `R^dimension`.
     ///
     /// # Errors
     ///
     /// [`SolveError::OutOfMemory`].
-    pub fn check_points(n: usize, sequences: usize) -> Result<(), SolveError> {
-        check(n, D.saturating_mul(sequences), 0)
+    pub fn check_points(dimension: usize, n: usize, sequences: usize) -> Result<(), SolveError> {
+        check(n, dimension.saturating_mul(sequences), 0)
     }
 
     /// Checks that there is memory for an undamped step on `n` chords, which overwrites the
     /// factorisation of earlier searches.
-    pub(crate) fn check_undamped(&self, n: usize) -> Result<(), SolveError> {
-        check(n, Self::UNDAMPED, self.factorization.bytes())
+    pub(crate) fn check_undamped(&self, dimension: usize, n: usize) -> Result<(), SolveError> {
+        check(n, undamped(dimension), self.factorization.bytes())
     }
 
     /// Checks that there is memory for damped steps on `n` chords, which do not use the workspace.
-    pub(crate) fn check_damped(n: usize) -> Result<(), SolveError> {
-        check(n, 4 * Self::UNDAMPED, 0)
+    pub(crate) fn check_damped(dimension: usize, n: usize) -> Result<(), SolveError> {
+        check(n, 4 * undamped(dimension), 0)
     }
+}
 
-    /// The number of doubles that an undamped Newton step stores for each point, including the
-    /// coordinates of the point. A damped step stores four times as many, since it assembles,
-    /// shifts and factorises one after the other.
-    const UNDAMPED: usize = 2 * D * D + 2 * D;
+/// Returns the number of doubles that an undamped Newton step stores for each point, including the
+/// coordinates of the point. A damped step stores four times as many, since it assembles, shifts and
+/// factorises one after the other.
+fn undamped(dimension: usize) -> usize {
+    2 * dimension * dimension + 2 * dimension
 }
 
 #[cfg(test)]
@@ -67,21 +70,21 @@ mod tests {
 
     #[test]
     fn the_error_reports_chords_and_bytes() {
-        let workspace = Workspace::<64>::default();
+        let workspace = Workspace::default();
         let n = 1 << 44;
         let bytes = (n + 1) * (2 * 64 * 64 + 2 * 64) * 8;
-        assert_eq!(workspace.check_undamped(n), Err(SolveError::OutOfMemory { n, bytes }));
-        let damped = Workspace::<64>::check_damped(n);
+        assert_eq!(workspace.check_undamped(64, n), Err(SolveError::OutOfMemory { n, bytes }));
+        let damped = Workspace::check_damped(64, n);
         assert_eq!(damped, Err(SolveError::OutOfMemory { n, bytes: 4 * bytes }));
-        let all = Workspace::<64>::check_damped(usize::MAX);
+        let all = Workspace::check_damped(64, usize::MAX);
         assert_eq!(all, Err(SolveError::OutOfMemory { n: usize::MAX, bytes: usize::MAX }));
         assert_eq!(
-            (workspace.check_undamped(100), Workspace::<64>::check_damped(100)),
+            (workspace.check_undamped(64, 100), Workspace::check_damped(64, 100)),
             (Ok(()), Ok(()))
         );
         let bytes = (n + 1) * 64 * 8 * (1 << 10);
-        let points = Workspace::<64>::check_points(n, 1 << 10);
+        let points = Workspace::check_points(64, n, 1 << 10);
         assert_eq!(points, Err(SolveError::OutOfMemory { n, bytes }));
-        assert_eq!(Workspace::<64>::check_points(100, 100), Ok(()));
+        assert_eq!(Workspace::check_points(64, 100, 100), Ok(()));
     }
 }

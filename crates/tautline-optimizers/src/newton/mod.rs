@@ -1,6 +1,8 @@
 //! Newton steps: the energy and its derivatives, the factorisation of the Hessian, and the step.
 
+pub(crate) mod blocks;
 pub(crate) mod chain;
+pub(crate) mod dense;
 pub(crate) mod discrete_energy;
 pub(crate) mod end_frame;
 pub(crate) mod factorization;
@@ -14,6 +16,8 @@ pub(crate) mod pairs;
 pub(crate) mod reduced_system;
 pub(crate) mod residual;
 pub(crate) mod rounding;
+pub(crate) mod side;
+pub(crate) mod small;
 pub(crate) mod stationarity;
 pub(crate) mod sweep;
 pub(crate) mod twisted_factorization;

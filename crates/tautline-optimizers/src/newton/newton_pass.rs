@@ -1,8 +1,7 @@
 //! `NewtonPass`: a Newton step computed in one pass over the chords and back.
 
-use nalgebra::SVector;
-use tautline_discretizations::{LinearModel, PointSequence};
-use tautline_sets::ClosedSet;
+use tautline_discretizations::{ANY, LinearModel, PointSequence};
+use tautline_sets::AnySet;
 
 use crate::{
     Workspace,
@@ -20,25 +19,25 @@ use crate::{
 ///
 /// It is the step of a [`ReducedSystem`](crate::newton::reduced_system::ReducedSystem) without a
 /// shift, computed by one [sweep] and back substitution.
-pub(crate) struct NewtonPass<'a, const D: usize> {
-    sweep: Sweep<D>,
+pub(crate) struct NewtonPass<'a> {
+    sweep: Sweep,
     /// The right hand side after elimination.
-    eliminated: Vec<SVector<f64, D>>,
-    workspace: &'a mut Workspace<D>,
+    eliminated: Vec<f64>,
+    workspace: &'a mut Workspace,
 }
 
-impl<'a, const D: usize> NewtonPass<'a, D> {
+impl<'a> NewtonPass<'a> {
     /// Sweeps over the chords; `None` if the Hessian is not positive definite. The factorisation in
     /// `workspace` is overwritten.
     pub(crate) fn new(
-        energy: &DiscreteEnergy<'_, D>,
-        ends: [&dyn ClosedSet<D>; 2],
-        sequence: &PointSequence<D>,
+        energy: &DiscreteEnergy<'_>,
+        ends: [&dyn AnySet; 2],
+        sequence: &PointSequence<ANY>,
         about: Magnitude,
         at_once: bool,
-        workspace: &'a mut Workspace<D>,
+        workspace: &'a mut Workspace,
     ) -> Option<Self> {
-        let mut eliminated = workspace.spare.take(sequence.points().len());
+        let mut eliminated = workspace.spare.take(sequence.coordinates().len());
         let memory = Some((&mut workspace.factorization, &mut eliminated));
         match sweep(energy, ends, sequence, about, at_once, memory) {
             Some(sweep) => Some(Self { sweep, eliminated, workspace }),
@@ -59,13 +58,14 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
         self.workspace.spare.give(self.eliminated);
     }
 
-    /// Returns the displacement of each point by the Newton step.
-    pub(crate) fn take_step(&mut self) -> Vec<SVector<f64, D>> {
+    /// Returns the displacement of each coordinate by the Newton step, point by point.
+    pub(crate) fn take_step(&mut self) -> Vec<f64> {
         let mut step = std::mem::take(&mut self.eliminated);
         self.workspace.factorization.substitute_back(&mut step);
-        let last = step.len() - 1;
+        let d = self.sweep.frames[0].gradient.len();
+        let last = step.len() - d;
         for (end, frame) in [0, last].into_iter().zip(&self.sweep.frames) {
-            step[end] = frame.basis * step[end];
+            frame.leave(&mut step[end..][..d]);
         }
         step
     }
@@ -74,21 +74,24 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
     /// many dimensions this costs a fraction of a sweep.
     pub(crate) fn stationarity_at(
         &self,
-        energy: &DiscreteEnergy<'_, D>,
-        ends: [&dyn ClosedSet<D>; 2],
-        sequence: &PointSequence<D>,
+        energy: &DiscreteEnergy<'_>,
+        ends: [&dyn AnySet; 2],
+        sequence: &PointSequence<ANY>,
     ) -> Stationarity {
         let Magnitude { mean_gram, .. } = self.stationarity().magnitude;
-        let LinearModel { energy, gradient, is_metric } = energy.linear_model(sequence);
-        let count = sequence.n().get();
-        let mut residual = Residual::new(count, self.stationarity().magnitude);
-        residual.push_all(&gradient);
-        let mut right = gradient;
+        let LinearModel { energy, slopes, is_metric } = energy.linear_model(sequence);
+        let (count, d) = (sequence.n().get(), sequence.dimension());
+        let mut residual = Residual::new(d, count, self.stationarity().magnitude);
+        residual.push_all(&slopes);
+        let mut right = slopes;
         right.iter_mut().for_each(|g| *g = -*g);
         for (end, k) in [(0, 0), (1, count)] {
-            let (x, tau) = (&sequence.points()[k], self.sweep.tau);
-            let force = EndFrame::new(ends[end], x, &-right[k], tau).force(tau);
-            right[k] = self.sweep.frames[end].basis.tr_mul(&force);
+            let right = &mut right[k * d..][..d];
+            let gradient: Vec<f64> = right.iter().map(|g| -g).collect();
+            let tau = self.sweep.tau;
+            let force = EndFrame::new(ends[end], sequence.row(k), &gradient, tau).force(tau);
+            right.copy_from_slice(&force);
+            self.sweep.frames[end].turn(right);
         }
         let decrement = self.workspace.factorization.half_square(&right);
         let magnitude = Magnitude { energy, mean_gram };
@@ -100,13 +103,13 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::SVector;
-    use tautline_discretizations::{PointSequence, QuadraticModel, Rule, energy_gradient};
+    use tautline_discretizations::{LinearModel, PointSequence, QuadraticModel, Rule};
     use tautline_formula::Prepared;
     use tautline_metrics::{
         Metric,
         gallery::{SineProjection, SineProjections, Swirl},
     };
-    use tautline_sets::{Ball, ClosedSet, HalfSpace, Point, Sphere};
+    use tautline_sets::{AnySet, Ball, ClosedSet, HalfSpace, InAny, Point, Sphere};
 
     use super::{Magnitude, NewtonPass, Residual, Stationarity};
     use crate::{
@@ -124,7 +127,7 @@ mod tests {
         metric: &impl Metric<D>,
         ends: [&dyn ClosedSet<D>; 2],
         n: usize,
-        memory: &mut Workspace<D>,
+        memory: &mut Workspace,
     ) {
         let once = |at_once| compare_once(rule, metric, ends, n, at_once, memory);
         let [one, other] = [false, true].map(once);
@@ -139,8 +142,8 @@ mod tests {
         ends: [&dyn ClosedSet<D>; 2],
         n: usize,
         at_once: bool,
-        memory: &mut Workspace<D>,
-    ) -> (Stationarity, Vec<SVector<f64, D>>, Stationarity) {
+        memory: &mut Workspace,
+    ) -> (Stationarity, Vec<f64>, Stationarity) {
         let at = |k: usize| {
             let t = k as f64 / n as f64;
             SVector::from_fn(|i, _| if i == 0 { 2.0 * t - 1.0 } else { 0.3 * (2.0 * t).sin() })
@@ -150,13 +153,16 @@ mod tests {
         points[n] = ends[1].project(&points[n]);
         let sequence = PointSequence::new(points).expect("finite");
         let model = QuadraticModel::new(rule, metric, &sequence);
-        let system = ReducedSystem::new(&model, ends, sequence.points(), 0.0);
+        let pieces = ends.map(InAny);
+        let sets: [&dyn AnySet; 2] = [&pieces[0], &pieces[1]];
+        let any = sequence.clone().into_any();
+        let system = ReducedSystem::new(&model, sets, any.coordinates(), 0.0);
         let factorization = system.factorize().expect("definite");
         let Step { step, decrement } = system.newton_step(&factorization);
         let magnitude = Magnitude { energy: model.energy, mean_gram: model.mean_gram };
         let batches = Prepared::new(metric);
         let functional = &DiscreteEnergy::new(rule, &batches);
-        let pass = NewtonPass::new(functional, ends, &sequence, magnitude, at_once, memory);
+        let pass = NewtonPass::new(functional, sets, &any, magnitude, at_once, memory);
         let mut pass = pass.expect("definite");
         // The condition number of the system is at most 100, its entries are about 10, and there
         // are about a thousand roundings.
@@ -164,23 +170,24 @@ mod tests {
         let at = pass.stationarity();
         assert!(at.is_metric && close(at.magnitude.energy, model.energy));
         assert!(close(at.magnitude.mean_gram, model.mean_gram));
-        let mut residual = Residual::new(n, magnitude);
-        residual.push_all(&model.gradient);
-        let (residual, floor) = residual.value(ends, &sequence, magnitude);
+        let mut residual = Residual::new(D, n, magnitude);
+        residual.push_all(&model.slopes);
+        let (residual, floor) = residual.value(sets, &any, magnitude);
         assert!(close(at.residual, residual) && close(at.residual_floor, floor));
         assert!(close(at.decrement, decrement), "{} {decrement}", at.decrement);
         let found = pass.take_step();
         for (one, other) in found.iter().zip(&step) {
-            assert!((one - other).amax() <= 1e-12, "{one} {other}");
+            assert!((one - other).abs() <= 1e-12, "{one} {other}");
         }
-        let moved: Vec<_> = sequence.points().iter().zip(&step).map(|(x, s)| x + s * 0.5).collect();
-        let moved = PointSequence::new(moved).expect("finite");
-        let (energy, gradient) = energy_gradient(rule, metric, &moved);
-        let expected = system.decrement_at(&factorization, ends, moved.points(), &gradient);
-        let mut residual = Residual::new(n, magnitude);
-        residual.push_all(&gradient);
-        let there = pass.stationarity_at(functional, ends, &moved);
-        let (residual, floor) = residual.value(ends, &moved, there.magnitude);
+        let moved = any.coordinates().iter().zip(&step).map(|(x, s)| x + s * 0.5).collect();
+        let moved = PointSequence::from_coordinates(D, moved).expect("finite");
+        let model = LinearModel::new(rule, metric, &moved.clone().into_dimension().expect("D"));
+        let LinearModel { energy, slopes, .. } = model;
+        let expected = system.decrement_at(&factorization, sets, moved.coordinates(), &slopes);
+        let mut residual = Residual::new(D, n, magnitude);
+        residual.push_all(&slopes);
+        let there = pass.stationarity_at(functional, sets, &moved);
+        let (residual, floor) = residual.value(sets, &moved, there.magnitude);
         assert!(close(there.decrement, expected) && expected > 0.0, "{there:?} {expected}");
         assert!(there.is_metric && close(there.magnitude.energy, energy));
         assert!(close(there.residual, residual) && close(there.residual_floor, floor));

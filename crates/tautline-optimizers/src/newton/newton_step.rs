@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
 use tautline_formula::Batches;
-use tautline_sets::ClosedSet;
+use tautline_sets::{ClosedSet, InAny};
 
 use crate::{
     Workspace,
@@ -32,13 +32,13 @@ pub struct NewtonStep<const D: usize> {
 /// Assembly and factorisation take one pass over the chords, `O(N D³)`, on one thread and in the
 /// memory of `workspace`.
 pub fn newton_step<const D: usize>(
-    workspace: &mut Workspace<D>,
+    workspace: &mut Workspace,
     metric: &dyn Batches<D>,
     ends: [&dyn ClosedSet<D>; 2],
     rule: Rule,
     sequence: &PointSequence<D>,
 ) -> Option<NewtonStep<D>> {
-    workspace.check_undamped(sequence.n().get()).ok()?;
+    workspace.check_undamped(D, sequence.n().get()).ok()?;
     // Three points give a scale for the rounding and for the step that finds the active faces of
     // the sets.
     let points = sequence.points();
@@ -48,10 +48,12 @@ pub fn newton_step<const D: usize>(
     let energy = mean_gram * (sequence.last() - sequence.first()).norm_squared();
     let about = Magnitude { energy, mean_gram };
     let energy = &DiscreteEnergy::new(rule, metric);
-    let mut pass = NewtonPass::new(energy, ends, sequence, about, false, workspace)?;
+    let [first, second] = ends.map(InAny);
+    let sequence = sequence.clone().into_any();
+    let mut pass = NewtonPass::new(energy, [&first, &second], &sequence, about, false, workspace)?;
     let at = pass.stationarity();
     Some(NewtonStep {
-        step: pass.take_step(),
+        step: bytemuck::cast_slice(&pass.take_step()).to_vec(),
         energy: at.magnitude.energy,
         decrement: at.decrement,
     })

@@ -10,14 +10,14 @@ use tautline_metrics::{Lanes, Pair};
 use crate::newton::{
     factorization::{Pivot, Regulariser},
     front::Front,
-    residual::Residual,
+    residual::Scale,
 };
 
 /// What an elimination needs in addition to the pairs of chords.
 #[derive(Clone, Copy)]
-pub(crate) struct Rest<'a, const D: usize> {
+pub(crate) struct Rest {
     pub(crate) regulariser: Regulariser,
-    pub(crate) residual: &'a Residual<D>,
+    pub(crate) scale: Scale,
 }
 
 /// Memory for the pivots of some pairs and for the right hand sides after elimination. The right
@@ -45,7 +45,7 @@ pub(crate) fn eliminate<const D: usize>(
     models: &Contractions<'_, Pair, D>,
     pairs: Range<usize>,
     front: Front<D, Pair>,
-    rest: Rest<'_, D>,
+    rest: Rest,
     kept: Option<Kept<'_, D>>,
 ) -> Option<Front<D, Pair>> {
     let keeps = kept.is_some();
@@ -68,7 +68,7 @@ fn baseline<const MIDPOINT: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,
     pairs: Range<usize>,
     front: Front<D, Pair>,
-    rest: Rest<'_, D>,
+    rest: Rest,
     kept: Kept<'_, D>,
 ) -> Option<Front<D, Pair>> {
     inline::<MIDPOINT, KEEPS, D>(models, pairs, front, rest, kept)
@@ -80,7 +80,7 @@ fn widest<const MIDPOINT: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,
     pairs: Range<usize>,
     front: Front<D, Pair>,
-    rest: Rest<'_, D>,
+    rest: Rest,
     kept: Kept<'_, D>,
 ) -> Option<Front<D, Pair>> {
     inline::<MIDPOINT, KEEPS, D>(models, pairs, front, rest, kept)
@@ -92,15 +92,15 @@ fn inline<const MIDPOINT: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,
     pairs: Range<usize>,
     mut front: Front<D, Pair>,
-    rest: Rest<'_, D>,
+    rest: Rest,
     mut kept: Kept<'_, D>,
 ) -> Option<Front<D, Pair>> {
-    let Rest { regulariser, residual } = rest;
+    let Rest { regulariser, scale } = rest;
     let models = models.first(pairs.end);
     for k in pairs {
         let model = if MIDPOINT { models.model_at_midpoint(k) } else { models.model(k) };
         let ahead = front.add(&model, regulariser);
-        front.count(residual);
+        front.count(scale);
         let (pivot, z) = front.advance(ahead)?;
         if KEEPS {
             kept.keep(k, pivot, &z);

@@ -1,13 +1,14 @@
 //! `ReducedSystem`: the Newton system of a discrete energy, with the ends confined to their sets.
 
-use nalgebra::SVector;
 use tautline_discretizations::QuadraticModel;
-use tautline_sets::ClosedSet;
+use tautline_sets::AnySet;
 
 use crate::newton::{
+    blocks::{Blocks, with_blocks},
     end_frame::{Coordinate, EndFrame},
     factorization::{Factorization, Regulariser, Shifted},
     rounding::margin,
+    small::{amax, transpose},
 };
 
 /// The quadratic model of an energy in the coordinates of both [`EndFrame`]s.
@@ -15,41 +16,45 @@ use crate::newton::{
 /// A fixed coordinate keeps its place in the system, as a separate equation that is already solved.
 /// Hence the blocks stay `D × D` whatever face is active, and the system is positive definite if
 /// and only if its part in the free coordinates is.
-pub(crate) struct ReducedSystem<'a, const D: usize> {
-    matrix: Shifted<'a, D>,
-    right: Vec<SVector<f64, D>>,
-    frames: [EndFrame<D>; 2],
+pub(crate) struct ReducedSystem<'a> {
+    matrix: Shifted<'a>,
+    right: Vec<f64>,
+    frames: [EndFrame; 2],
     tau: f64,
 }
 
 /// A Newton step.
-pub(crate) struct Step<const D: usize> {
-    pub(crate) step: Vec<SVector<f64, D>>,
+pub(crate) struct Step {
+    /// The displacements of the coordinates, point by point.
+    pub(crate) step: Vec<f64>,
     /// The decrease of the energy in the quadratic model, which is half the square of the Newton
     /// decrement.
     pub(crate) decrement: f64,
 }
 
-impl<'a, const D: usize> ReducedSystem<'a, D> {
+impl<'a> ReducedSystem<'a> {
     /// Sets up the system for the shift `mu` (see [`Shifted`]), less the [`margin`]. If this system
     /// is definite, the Hessian with the shift is definite beyond rounding.
     pub(crate) fn new(
-        model: &'a QuadraticModel<D>,
-        ends: [&dyn ClosedSet<D>; 2],
-        points: &[SVector<f64, D>],
+        model: &'a QuadraticModel,
+        ends: [&dyn AnySet; 2],
+        points: &[f64],
         mu: f64,
     ) -> Self {
-        let n = points.len() - 1;
+        let d = model.dimension;
+        let n = points.len() / d - 1;
         let regulariser = Regulariser { n: n as f64, weight: (mu - margin(n)) * model.mean_gram };
         // τ is the inverse of a typical diagonal block, so that z is about a chord away from x.
         let tau = 1.0 / (2.0 * n as f64 * model.mean_gram * (1.0 + mu));
-        let frame = |set, k: usize| EndFrame::new(set, &points[k], &model.gradient[k], tau);
-        let mut right: Vec<_> = model.gradient.iter().map(|g| -g).collect();
+        let frame = |set, k: usize| {
+            EndFrame::new(set, &points[k * d..][..d], &model.slopes[k * d..][..d], tau)
+        };
+        let mut right: Vec<f64> = model.slopes.iter().map(|g| -g).collect();
         // The frames supply the forces at the ends.
-        right[0].fill(0.0);
-        right[n].fill(0.0);
+        right[..d].fill(0.0);
+        right[n * d..].fill(0.0);
         let mut system = Self {
-            matrix: Shifted::new(&model.hessian, regulariser),
+            matrix: Shifted::new(model, regulariser),
             right,
             frames: [frame(ends[0], 0), frame(ends[1], n)],
             tau,
@@ -59,21 +64,39 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         system
     }
 
+    fn dimension(&self) -> usize {
+        self.matrix.dimension()
+    }
+
     /// Transforms the row of an end to the coordinates of its frame.
     fn enter_frame(&mut self, end: usize) {
-        let n = self.matrix.n();
-        let (k, neighbour) = if end == 0 { (0, 1) } else { (n, n - 1) };
+        let (n, d) = (self.matrix.n(), self.dimension());
         let upper = &mut self.matrix.end_upper[if n == 1 { 0 } else { end }];
-        let mut coupling = if end == 0 { *upper } else { upper.transpose() };
-        let [right, beside] = self.right.get_disjoint_mut([k, neighbour]).expect("two points");
+        // The rows of the block are those of the first end.
+        if end == 1 {
+            transpose(d, upper);
+        }
+        let (first, last) = self.right.split_at_mut(if end == 0 { d } else { n * d });
+        let [right, beside] = match end {
+            0 => [first, &mut last[..d]],
+            _ => [last, &mut first[(n - 1) * d..]],
+        };
         let block = &mut self.matrix.end_diagonal[end];
-        self.frames[end].enter(block, &mut coupling, [right, beside], self.tau);
-        *upper = if end == 0 { coupling } else { coupling.transpose() };
+        self.frames[end].enter(block, upper, [right, beside], self.tau);
+        if end == 1 {
+            transpose(d, upper);
+        }
     }
 
     /// Factorises the system; `None` if it is not positive definite.
-    pub(crate) fn factorize(&self) -> Option<Factorization<D>> {
+    pub(crate) fn factorize(&self) -> Option<Factorization> {
         Factorization::new(&self.matrix)
+    }
+
+    /// Factorises the system in the memory of another factorisation; returns whether it is positive
+    /// definite.
+    pub(crate) fn factorize_in(&self, factorization: &mut Factorization) -> bool {
+        factorization.factorize(&self.matrix)
     }
 
     /// Returns the number of negative eigenvalues in the free coordinates.
@@ -82,77 +105,72 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
     }
 
     /// Solves for the Newton step.
-    pub(crate) fn newton_step(&self, factorization: &Factorization<D>) -> Step<D> {
+    pub(crate) fn newton_step(&self, factorization: &Factorization) -> Step {
         let mut step = self.right.clone();
         factorization.solve(&mut step);
-        let decrement = half_dot(&step, &self.right);
+        let decrement = self.half_dot(&step, &self.right);
         self.leave_frames(&mut step);
         Step { step, decrement }
     }
 
     /// Returns half the square of the Newton decrement at other points nearby, computed with the
-    /// factorisation from here.
+    /// factorisation from here. `slopes` are the derivatives of the energy there.
     pub(crate) fn decrement_at(
         &self,
-        factorization: &Factorization<D>,
-        ends: [&dyn ClosedSet<D>; 2],
-        points: &[SVector<f64, D>],
-        gradient: &[SVector<f64, D>],
+        factorization: &Factorization,
+        ends: [&dyn AnySet; 2],
+        points: &[f64],
+        slopes: &[f64],
     ) -> f64 {
-        let n = self.matrix.n();
-        let mut right: Vec<_> = gradient.iter().map(|g| -g).collect();
+        let (n, d) = (self.matrix.n(), self.dimension());
+        let mut right: Vec<f64> = slopes.iter().map(|g| -g).collect();
         for (end, k) in [(0, 0), (1, n)] {
-            let frame = EndFrame::new(ends[end], &points[k], &gradient[k], self.tau);
-            right[k] = self.frames[end].basis.tr_mul(&frame.force(self.tau));
+            let place = k * d..(k + 1) * d;
+            let (x, slope) = (&points[place.clone()], &slopes[place.clone()]);
+            let frame = EndFrame::new(ends[end], x, slope, self.tau);
+            let mut force = frame.force(self.tau);
+            self.frames[end].turn(&mut force);
+            right[place].copy_from_slice(&force);
         }
         let mut step = right.clone();
         factorization.solve(&mut step);
-        half_dot(&step, &right)
+        self.half_dot(&step, &right)
     }
 
     /// Returns `½ gᵀA⁻¹g` over the free coordinates: half the square of the Newton decrement of
-    /// another functional with the gradient `g`, in the Hessian `A` of the system.
+    /// another functional with the derivatives `g`, in the Hessian `A` of the system.
     ///
     /// If the energy is stationary here and the functional is added as a small perturbation, the
     /// result is `½ δᵀAδ` for the shift `δ` of the minimiser. Fixed coordinates do not move under
     /// any force.
-    pub(crate) fn decrement_of(
-        &self,
-        factorization: &Factorization<D>,
-        gradient: &[SVector<f64, D>],
-    ) -> f64 {
-        let mut right: Vec<_> = gradient.iter().map(|g| -g).collect();
-        for (frame, k) in self.frames.iter().zip([0, self.matrix.n()]) {
-            right[k] = frame.basis.tr_mul(&right[k]);
+    pub(crate) fn decrement_of(&self, factorization: &Factorization, slopes: &[f64]) -> f64 {
+        let (n, d) = (self.matrix.n(), self.dimension());
+        let mut right: Vec<f64> = slopes.iter().map(|g| -g).collect();
+        for (frame, k) in self.frames.iter().zip([0, n]) {
+            frame.turn(&mut right[k * d..][..d]);
         }
         self.clear_fixed(&mut right);
         let mut step = right.clone();
         factorization.solve(&mut step);
-        half_dot(&step, &right)
+        self.half_dot(&step, &right)
     }
 
     /// Returns the eigenvector of the smallest eigenvalue, by inverse iteration. It is the
     /// direction of most negative curvature if the shift is just large enough to make the system
     /// definite.
-    pub(crate) fn flattest_direction(
-        &self,
-        factorization: &Factorization<D>,
-    ) -> Vec<SVector<f64, D>> {
+    pub(crate) fn flattest_direction(&self, factorization: &Factorization) -> Vec<f64> {
         // The start is smooth and lacks the symmetries of typical curves, so that no component
         // along a low eigenvector vanishes by accident.
-        let n = self.matrix.n() as f64;
-        let mut v: Vec<_> = (0..=self.matrix.n())
-            .map(|k| {
-                SVector::<f64, D>::from_fn(|i, _| {
-                    let t = k as f64 / n;
-                    (0.7 + 1.3 * i as f64 + (2.0 + i as f64) * t).sin() + 0.3 * (5.1 * t).cos()
-                })
-            })
-            .collect();
+        let (n, d) = (self.matrix.n(), self.dimension());
+        let entry = |place: usize| {
+            let (t, i) = ((place / d) as f64 / n as f64, (place % d) as f64);
+            (0.7 + 1.3 * i + (2.0 + i) * t).sin() + 0.3 * (5.1 * t).cos()
+        };
+        let mut v: Vec<f64> = (0..(n + 1) * d).map(entry).collect();
         self.clear_fixed(&mut v);
         for _ in 0..20 {
             // The norm is not used, since the square of an inverse of a metric may overflow.
-            let largest = v.iter().map(|v| v.amax()).fold(0.0, f64::max);
+            let largest = amax(&v);
             v.iter_mut().for_each(|v| *v /= largest);
             factorization.solve(&mut v);
         }
@@ -161,25 +179,32 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
     }
 
     /// Sets the fixed coordinates to 0.
-    fn clear_fixed(&self, v: &mut [SVector<f64, D>]) {
-        for (frame, k) in self.frames.iter().zip([0, self.matrix.n()]) {
+    fn clear_fixed(&self, v: &mut [f64]) {
+        let (n, d) = (self.matrix.n(), self.dimension());
+        for (frame, k) in self.frames.iter().zip([0, n]) {
             for (i, coordinate) in frame.coordinates.iter().enumerate() {
                 if matches!(coordinate, Coordinate::Fixed { .. }) {
-                    v[k][i] = 0.0;
+                    v[k * d + i] = 0.0;
                 }
             }
         }
     }
 
-    fn leave_frames(&self, v: &mut [SVector<f64, D>]) {
-        let n = self.matrix.n();
-        v[0] = self.frames[0].basis * v[0];
-        v[n] = self.frames[1].basis * v[n];
+    fn leave_frames(&self, v: &mut [f64]) {
+        let (n, d) = (self.matrix.n(), self.dimension());
+        for (frame, k) in self.frames.iter().zip([0, n]) {
+            frame.leave(&mut v[k * d..][..d]);
+        }
     }
-}
 
-fn half_dot<const D: usize>(a: &[SVector<f64, D>], b: &[SVector<f64, D>]) -> f64 {
-    0.5 * a.iter().zip(b).map(|(a, b)| a.dot(b)).sum::<f64>()
+    /// Returns `½ a · b`, summed point by point.
+    fn half_dot(&self, a: &[f64], b: &[f64]) -> f64 {
+        with_blocks!(self.dimension(), blocks => {
+            let d = blocks.dimension();
+            let points = a.chunks_exact(d).zip(b.chunks_exact(d));
+            0.5 * points.map(|(a, b)| blocks.dot(a, b)).sum::<f64>()
+        })
+    }
 }
 
 #[cfg(test)]
@@ -187,7 +212,7 @@ mod tests {
     use nalgebra::{SMatrix, SVector, matrix, vector};
     use tautline_discretizations::{PointSequence, QuadraticModel, Rule};
     use tautline_metrics::gallery::Constant;
-    use tautline_sets::{AxisBox, ClosedSet, Point};
+    use tautline_sets::{AnySet, AxisBox, InAny, Point};
 
     use super::ReducedSystem;
 
@@ -195,18 +220,22 @@ mod tests {
     /// is quadratic, so the step leads to the minimum, up to the margin of `10⁻⁸`.
     fn step(
         h: SMatrix<f64, 2, 2>,
-        ends: [&dyn ClosedSet<2>; 2],
+        ends: [&dyn AnySet; 2],
         points: Vec<SVector<f64, 2>>,
-    ) -> (QuadraticModel<2>, QuadraticModel<2>, Vec<SVector<f64, 2>>, f64) {
+    ) -> (QuadraticModel, QuadraticModel, Vec<SVector<f64, 2>>, f64) {
         let metric = Constant::new(h).expect("definite");
         let expand = |points: &[SVector<f64, 2>]| {
             let sequence = PointSequence::new(points.to_vec()).expect("finite");
             QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &sequence)
         };
         let before = expand(&points);
-        let system = ReducedSystem::new(&before, ends, &points, 0.0);
+        let system = ReducedSystem::new(&before, ends, bytemuck::cast_slice(&points), 0.0);
         let newton = system.newton_step(&system.factorize().expect("definite"));
-        let points: Vec<_> = points.iter().zip(&newton.step).map(|(x, s)| x + s).collect();
+        let points: Vec<_> = points
+            .iter()
+            .zip(bytemuck::cast_slice::<f64, SVector<f64, 2>>(&newton.step))
+            .map(|(x, s)| x + s)
+            .collect();
         let after = expand(&points);
         (before, after, points, newton.decrement)
     }
@@ -220,7 +249,8 @@ mod tests {
         let (a, b) = (Point::new([0.0, 0.0]).expect("finite"), Point::new([2.0, 1.0]));
         let points =
             vec![vector![0.0, 0.0], vector![1.0, -1.0], vector![0.3, 0.9], vector![2.0, 1.0]];
-        let (before, after, _, decrement) = step(oblique(), [&a, &b.expect("finite")], points);
+        let (before, after, _, decrement) =
+            step(oblique(), [&InAny(&a), &InAny(&b.expect("finite"))], points);
         let shed = before.energy - after.energy;
         assert!((decrement / shed - 1.0).abs() < 1e-7, "{decrement} {shed}");
     }
@@ -232,10 +262,15 @@ mod tests {
         let ends = [&points[0], &points[2]].map(|x| Point::new(*x).expect("finite"));
         let sequence = PointSequence::new(points.clone()).expect("finite");
         let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &sequence);
-        let system = ReducedSystem::new(&model, [&ends[0], &ends[1]], &points, 0.0);
+        let system = ReducedSystem::new(
+            &model,
+            [&InAny(&ends[0]), &InAny(&ends[1])],
+            sequence.coordinates(),
+            0.0,
+        );
         let v = system.flattest_direction(&system.factorize().expect("definite"));
-        assert_eq!((v[0], v[2]), (vector![0.0, 0.0], vector![0.0, 0.0]));
-        assert!(v[1].amax() > 0.0, "{}", v[1]);
+        assert_eq!((&v[..2], &v[4..]), (&[0.0, 0.0][..], &[0.0, 0.0][..]));
+        assert!(super::amax(&v[2..4]) > 0.0, "{v:?}");
     }
 
     /// Each end lies inside its box and is pulled across a face. One step moves it to the face and
@@ -244,6 +279,7 @@ mod tests {
     fn one_step_moves_to_the_face_and_along_it_with_the_whole_curve() {
         let origin = Point::new([0.0, 0.0]).expect("finite");
         let wide = AxisBox::from_corners([2.0, -9.0], [9.0, 9.0]).expect("in order");
+        let (origin, wide) = (InAny(&origin), InAny(&wide));
         let (there, back) = ([2.05, 0.3], [0.0, 0.0]);
         for n in [1_usize, 2, 5] {
             let line: Vec<_> = (0..=n)
@@ -251,14 +287,14 @@ mod tests {
                 .collect();
             let reversed = line.iter().rev().copied().collect();
             for (ends, points, end) in
-                [([&origin as &dyn ClosedSet<2>, &wide], line, n), ([&wide, &origin], reversed, 0)]
+                [([&origin as &dyn AnySet, &wide], line, n), ([&wide, &origin], reversed, 0)]
             {
                 let (_, after, points, _) = step(oblique(), ends, points);
                 assert!((points[end][0] - 2.0).abs() < 1e-15);
                 // The sequence is stationary inside and along the face. There hᵀ(2, y) = 0.6 · 2 +
                 // 2 y = 0.
                 assert!((points[end][1] + 0.6).abs() < 1e-6, "{}", points[end]);
-                assert!(after.gradient[1..n].iter().all(|g| g.amax() < 1e-6));
+                assert!(after.gradient::<2>()[1..n].iter().all(|g| g.amax() < 1e-6));
             }
         }
     }

@@ -1,15 +1,21 @@
 //! `Residual`: how far a point sequence is from solving the discrete geodesic equation.
 
 use nalgebra::SVector;
-use tautline_discretizations::PointSequence;
+use tautline_discretizations::{ANY, PointSequence};
 use tautline_metrics::Lanes;
-use tautline_sets::ClosedSet;
+use tautline_sets::AnySet;
 
-use crate::newton::{end_frame::EndFrame, magnitude::Magnitude, rounding::rounding};
+use crate::newton::{
+    end_frame::EndFrame,
+    magnitude::Magnitude,
+    rounding::rounding,
+    small::{Vector, dot},
+};
 
 /// The [residual](crate::Minimum::residual), computed from the gradients with respect to all
 /// points.
-pub(crate) struct Residual<const D: usize> {
+pub(crate) struct Residual {
+    dimension: usize,
     /// A unit close to the momentum, in `m²/ℓ`. Gradients are divided by it first, since their
     /// squares may overflow.
     unit: f64,
@@ -18,36 +24,44 @@ pub(crate) struct Residual<const D: usize> {
     /// `Σ |gₙ|²` over the inner points, divided by the square of the unit.
     pub(crate) inner: f64,
     /// The gradients with respect to the two ends.
-    pub(crate) ends: [SVector<f64, D>; 2],
+    pub(crate) ends: [Vector; 2],
 }
 
-impl<const D: usize> Residual<D> {
-    /// Begins a residual for `n` subintervals and a magnitude near `about`.
-    pub(crate) fn new(n: usize, about: Magnitude) -> Self {
+impl Residual {
+    /// Begins a residual in `R^dimension` for `n` subintervals and a magnitude near `about`.
+    pub(crate) fn new(dimension: usize, n: usize, about: Magnitude) -> Self {
         // The reciprocal of the unit has to be finite.
         let unit = about.momentum().max(f64::MIN_POSITIVE);
-        Self { unit, reciprocal: 1.0 / unit, last: n, inner: 0.0, ends: [SVector::zeros(); 2] }
+        let zero = Vector::from_elem(0.0, dimension);
+        let ends = [zero.clone(), zero];
+        Self { dimension, unit, reciprocal: 1.0 / unit, last: n, inner: 0.0, ends }
     }
 
-    /// Returns the squared gradient with respect to a point, divided by the square of the unit.
-    #[inline(always)]
-    pub(crate) fn square<T: Lanes>(&self, gradient: &SVector<T, D>) -> T {
-        let scaled = gradient * T::constant(self.reciprocal);
-        scaled.dot(&scaled)
+    /// Returns the factor by which gradients are multiplied before they are squared.
+    pub(crate) fn scale(&self) -> Scale {
+        Scale { reciprocal: self.reciprocal }
     }
 
-    /// Adds the gradients with respect to all points.
-    pub(crate) fn push_all(&mut self, gradient: &[SVector<f64, D>]) {
-        let [first, inner @ .., last] = gradient else { return };
-        self.ends = [*first, *last];
-        self.inner = inner.iter().map(|gradient| self.square(gradient)).sum();
+    /// Adds the gradients with respect to all points, of which these are the coordinates.
+    pub(crate) fn push_all(&mut self, slopes: &[f64]) {
+        let d = self.dimension;
+        let (first, rest) = slopes.split_at(d);
+        let (inner, last) = rest.split_at(rest.len() - d);
+        self.ends = [Vector::from_slice(first), Vector::from_slice(last)];
+        let scale = self.scale();
+        self.inner = match d {
+            1 => scale.sum::<1>(inner),
+            2 => scale.sum::<2>(inner),
+            3 => scale.sum::<3>(inner),
+            _ => inner.chunks_exact(d).map(|slope| scale.square_of(slope)).sum(),
+        };
     }
 
     /// Returns the residual and its floor, once the gradients are known.
     pub(crate) fn value(
         &self,
-        sets: [&dyn ClosedSet<D>; 2],
-        sequence: &PointSequence<D>,
+        sets: [&dyn AnySet; 2],
+        sequence: &PointSequence<ANY>,
         magnitude: Magnitude,
     ) -> (f64, f64) {
         let n = self.last as f64;
@@ -61,18 +75,44 @@ impl<const D: usize> Residual<D> {
         }
         // A coordinate is rounded with the variance u²/12, where u ≤ ε max |x|, so that xₙ₋₁ − 2xₙ
         // + xₙ₊₁ has the variance u²/2. There are D coordinates, and the factor is N⁴ c².
-        let dimensions = (D as f64 / 2.0).max(1.0).sqrt();
+        let dimensions = (self.dimension as f64 / 2.0).max(1.0).sqrt();
         let floor = dimensions * n * rounding(sequence) * (magnitude.mean_gram / momentum);
         // The metric may have no derivative here.
         let infinite_if_nan = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
         let root = (self.inner / n).sqrt() * (self.unit / momentum);
         let tau = magnitude.tau(self.last);
-        let at_end = |end: usize, x: &SVector<f64, D>| {
+        let at_end = |end: usize, x: &[f64]| {
             let frame = EndFrame::new(sets[end], x, &self.ends[end], tau);
-            infinite_if_nan(0.5 * (frame.projected_gradient / momentum).norm())
+            let scaled: Vector = frame.projected_gradient.iter().map(|g| g / momentum).collect();
+            infinite_if_nan(0.5 * dot(&scaled, &scaled).sqrt())
         };
-        let ends = at_end(0, sequence.first()).max(at_end(1, sequence.last()));
+        let ends = at_end(0, sequence.row(0)).max(at_end(1, sequence.row(self.last)));
         (infinite_if_nan(0.5 * n * root) + ends, floor)
+    }
+}
+
+/// The unit in which gradients are squared.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scale {
+    reciprocal: f64,
+}
+
+impl Scale {
+    /// Returns the squared gradient with respect to a point, divided by the square of the unit.
+    #[inline(always)]
+    pub(crate) fn square<T: Lanes, const D: usize>(self, gradient: &SVector<T, D>) -> T {
+        let scaled = gradient * T::constant(self.reciprocal);
+        scaled.dot(&scaled)
+    }
+
+    /// Returns the same in any dimension.
+    pub(crate) fn square_of(self, slope: &[f64]) -> f64 {
+        slope.iter().map(|g| g * self.reciprocal).map(|g| g * g).sum()
+    }
+
+    fn sum<const D: usize>(self, slopes: &[f64]) -> f64 {
+        let gradients: &[SVector<f64, D>] = bytemuck::cast_slice(slopes);
+        gradients.iter().map(|gradient| self.square(gradient)).sum()
     }
 }
 
@@ -81,7 +121,7 @@ mod tests {
     use nalgebra::{SMatrix, SVector};
     use tautline_discretizations::{PointSequence, QuadraticModel, Rule};
     use tautline_metrics::{Lanes, Pair, gallery::Constant};
-    use tautline_sets::{ClosedSet, HalfSpace, Point};
+    use tautline_sets::{ClosedSet, HalfSpace, InAny, Point};
 
     use super::Residual;
     use crate::newton::magnitude::Magnitude;
@@ -94,10 +134,11 @@ mod tests {
         let line = PointSequence::straight(a, b, 1000).expect("finite");
         let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &line);
         let magnitude = Magnitude::of(&model);
-        let mut residual = Residual::new(1000, magnitude);
-        residual.push_all(&model.gradient);
+        let mut residual = Residual::new(D, 1000, magnitude);
+        residual.push_all(&model.slopes);
         let [a, b] = [a, b].map(|x| Point::new(x).expect("finite"));
-        let (residual, floor) = residual.value([&a, &b], &line, magnitude);
+        let (residual, floor) =
+            residual.value([&InAny(&a), &InAny(&b)], &line.into_any(), magnitude);
         residual / floor
     }
 
@@ -131,10 +172,10 @@ mod tests {
             let line = PointSequence::straight(a, b, n).expect("finite");
             let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &line);
             let magnitude = Magnitude::of(&model);
-            let mut residual = Residual::new(n, magnitude);
-            residual.push_all(&model.gradient);
+            let mut residual = Residual::new(2, n, magnitude);
+            residual.push_all(&model.slopes);
             let value = |one: &dyn ClosedSet<2>, other: &dyn ClosedSet<2>| {
-                residual.value([one, other], &line, magnitude).0
+                residual.value([&InAny(one), &InAny(other)], &line.clone().into_any(), magnitude).0
             };
             for (found, expected) in [
                 (value(&first[0], &second[1]), 0.8),
@@ -154,7 +195,7 @@ mod tests {
 
     #[test]
     fn each_lane_has_its_own_square() {
-        let residual = Residual::<2>::new(3, Magnitude { energy: 2.0, mean_gram: 1.0 });
+        let residual = Residual::new(2, 3, Magnitude { energy: 2.0, mean_gram: 1.0 }).scale();
         let gradients = [[1.0, 2.0], [3.0, -4.0]].map(SVector::from);
         let squares = residual.square(&gradients[0].zip_map(&gradients[1], Pair::new));
         // The squares 1 + 4 and 9 + 16 are divided by the square of the momentum, 2, with three

@@ -1,9 +1,13 @@
 //! `TwistedFactorization`: the factorisation of a block-tridiagonal matrix from both ends.
 
 use nalgebra::SVector;
-use tautline_metrics::{Lanes, Pair};
+use tautline_metrics::{Lanes, Pair, Scalar};
 
-use crate::newton::{factorization::Pivot, ldl::Ldl};
+use crate::newton::{
+    blocks::{Blocks, PivotMut, with_blocks},
+    factorization::Pivot,
+    small::Vector,
+};
 
 /// The block factorisation of a positive definite block-tridiagonal matrix, from both ends towards
 /// the middle. It eliminates block `n` from the front and block `N − n` from the back for
@@ -13,121 +17,279 @@ use crate::newton::{factorization::Pivot, ldl::Ldl};
 /// The two sides are eliminated either in the lanes of a register, as `pairs`, or separately, as
 /// `sides`.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct TwistedFactorization<const D: usize> {
+pub(crate) struct TwistedFactorization {
+    dimension: usize,
+    /// The number of blocks that are eliminated from each end, before those in the middle.
+    half: usize,
     /// The pivots of the blocks `n` and `N − n`, from the ends on.
-    pub(crate) pairs: Vec<Pivot<D, Pair>>,
+    pub(crate) pairs: Pairs,
     /// The pivots of the blocks from the front, and of those from the back.
-    pub(crate) sides: [Vec<Pivot<D>>; 2],
-    /// The pivot of the first of two blocks in the middle.
-    pub(crate) middle: Option<Pivot<D>>,
-    /// The factorisation of the last block.
-    pub(crate) last: Option<Ldl<D>>,
+    pub(crate) sides: [Pivots; 2],
+    /// The pivot of the first of two blocks in the middle, if there are two.
+    pub(crate) middle: Pivots,
+    /// The factors of the last block.
+    pub(crate) last: Vec<f64>,
 }
 
-impl<const D: usize> TwistedFactorization<D> {
-    /// Provides `pairs`, which are to be overwritten, and empty `sides` with room for
-    /// `on_each_side` pivots.
-    pub(crate) fn clear(&mut self, pairs: usize, on_each_side: usize) {
-        self.pairs.reserve_exact(pairs.saturating_sub(self.pairs.len()));
-        self.pairs.resize(pairs, Pivot::zero());
-        for side in &mut self.sides {
-            side.clear();
-            side.reserve_exact(on_each_side);
+/// The pivots of some blocks, one after the other.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Pivots {
+    /// The factors of the Schur complements.
+    factors: Vec<f64>,
+    /// The blocks `Wₙ Dₙ⁻¹`.
+    lower: Vec<f64>,
+}
+
+impl Pivots {
+    /// Provides memory for this number of blocks of some size, which are to be overwritten.
+    pub(crate) fn resize(&mut self, blocks: usize, size: usize) {
+        for list in [&mut self.factors, &mut self.lower] {
+            list.reserve_exact((blocks * size).saturating_sub(list.len()));
+            list.resize(blocks * size, 0.0);
         }
-        (self.middle, self.last) = (None, None);
+    }
+
+    /// Returns pivot `k` for writing.
+    #[inline(always)]
+    pub(crate) fn get_mut(&mut self, k: usize, size: usize) -> PivotMut<'_> {
+        PivotMut {
+            factors: &mut self.factors[k * size..][..size],
+            lower: &mut self.lower[k * size..][..size],
+        }
+    }
+
+    /// Returns the two blocks of pivot `k`.
+    #[inline(always)]
+    fn get(&self, k: usize, size: usize) -> [&[f64]; 2] {
+        [&self.factors[k * size..][..size], &self.lower[k * size..][..size]]
+    }
+
+    fn capacity(&self) -> usize {
+        self.factors.capacity() + self.lower.capacity()
+    }
+}
+
+/// The pivots of pairs of blocks, in each of the dimensions in which both sides share the lanes of a
+/// register. Only the pivots of one dimension are in use.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Pairs {
+    one: Vec<Pivot<1, Pair>>,
+    two: Vec<Pivot<2, Pair>>,
+    three: Vec<Pivot<3, Pair>>,
+}
+
+/// A list of pivots of pairs in `R^D`.
+pub(crate) trait InLanes<const D: usize> {
+    fn pivots(&self) -> &[Pivot<D, Pair>];
+    fn pivots_mut(&mut self) -> &mut Vec<Pivot<D, Pair>>;
+}
+
+macro_rules! in_lanes {
+    ($($dimension:literal $list:ident),*) => {$(
+        impl InLanes<$dimension> for Pairs {
+            fn pivots(&self) -> &[Pivot<$dimension, Pair>] {
+                &self.$list
+            }
+
+            fn pivots_mut(&mut self) -> &mut Vec<Pivot<$dimension, Pair>> {
+                &mut self.$list
+            }
+        }
+    )*};
+}
+in_lanes!(1 one, 2 two, 3 three);
+
+impl Pairs {
+    fn bytes(&self) -> usize {
+        self.one.capacity() * size_of::<Pivot<1, Pair>>()
+            + self.two.capacity() * size_of::<Pivot<2, Pair>>()
+            + self.three.capacity() * size_of::<Pivot<3, Pair>>()
+    }
+}
+
+impl TwistedFactorization {
+    /// Provides memory for a factorisation in lanes, with so many pairs of blocks.
+    pub(crate) fn clear_pairs<const D: usize>(&mut self, pairs: usize)
+    where
+        Pairs: InLanes<D>,
+    {
+        self.clear(D, pairs);
+        let list = self.pairs.pivots_mut();
+        list.reserve_exact(pairs.saturating_sub(list.len()));
+        list.resize(pairs, Pivot::zero());
+    }
+
+    /// Provides memory for a factorisation from one end after the other, with so many blocks on each
+    /// side.
+    pub(crate) fn clear_sides(&mut self, dimension: usize, on_each_side: usize) {
+        self.clear(dimension, on_each_side);
+        self.sides.iter_mut().for_each(|side| side.resize(on_each_side, dimension * dimension));
+    }
+
+    fn clear(&mut self, dimension: usize, half: usize) {
+        (self.dimension, self.half) = (dimension, half);
+        self.middle.resize(0, 0);
+        self.last.clear();
+        self.last.resize(dimension * dimension, 0.0);
     }
 
     /// Returns the allocated memory, in bytes.
     pub(crate) fn bytes(&self) -> usize {
-        let sides: usize = self.sides.iter().map(Vec::capacity).sum();
-        self.pairs.capacity() * size_of::<Pivot<D, Pair>>() + sides * size_of::<Pivot<D>>()
+        let sides: usize = self.sides.iter().map(Pivots::capacity).sum();
+        self.pairs.bytes() + sides * size_of::<f64>()
     }
 
-    /// Returns the number of blocks for which there is memory.
-    pub(crate) fn capacity(&self) -> usize {
-        2 * self.pairs.capacity() + self.sides.iter().map(Vec::capacity).sum::<usize>()
+    fn size(&self) -> usize {
+        self.dimension * self.dimension
     }
 
-    /// Returns the number of blocks that are eliminated from each end, before those in the middle.
-    fn half(&self) -> usize {
-        self.pairs.len() + self.sides[0].len()
+    fn has_middle(&self) -> bool {
+        !self.middle.factors.is_empty()
     }
 
     /// Returns `½ bᵀ A⁻¹ b = ½ Σ yₙᵀ Dₙ⁻¹ yₙ`, which needs no back substitution.
-    pub(crate) fn half_square(&self, b: &[SVector<f64, D>]) -> f64 {
-        let (half, end) = (self.half(), b.len() - 1);
-        let [(front, left), (back, right)] = if self.sides[0].is_empty() {
-            let both = |n: usize| b[n].zip_map(&b[end - n], Pair::new);
-            let (square, carried) = eliminate(&self.pairs, both);
-            [0, 1].map(|lane| (square.lane(lane), carried.map(|x| x.lane(lane))))
-        } else {
-            let [front, back] = &self.sides;
-            [eliminate(front, |n| b[n]), eliminate(back, |n| b[end - n])]
-        };
-        let mut square = front + back;
-        let mut next = b[half] + left;
-        if let Some(middle) = &self.middle {
-            let here = std::mem::replace(&mut next, b[end - half]);
-            let [y, z] = middle.forward(here, &mut next);
+    pub(crate) fn half_square(&self, b: &[f64]) -> f64 {
+        match self.dimension {
+            1 => self.half_square_of(self.by_pairs::<1>(b), b),
+            2 => self.half_square_of(self.by_pairs::<2>(b), b),
+            3 => self.half_square_of(self.by_pairs::<3>(b), b),
+            d => {
+                let end = b.len() / d - 1;
+                let [front, back] = &self.sides;
+                let sides = with_blocks!(d, blocks => [
+                    self.by_side(blocks, front, |n| &b[n * d..][..d]),
+                    self.by_side(blocks, back, |n| &b[(end - n) * d..][..d]),
+                ]);
+                self.half_square_of(sides, b)
+            }
+        }
+    }
+
+    /// Eliminates the right hand sides of all pairs. Returns, for both sides, `Σ yₙᵀ Dₙ⁻¹ yₙ` and the
+    /// contribution to the right hand side of the block behind them.
+    fn by_pairs<const D: usize>(&self, b: &[f64]) -> [(f64, Vector); 2]
+    where
+        Pairs: InLanes<D>,
+    {
+        let b: &[SVector<f64, D>] = bytemuck::cast_slice(b);
+        let end = b.len() - 1;
+        let (mut square, mut carried) = (Pair::constant(0.0), SVector::<Pair, D>::zeros());
+        for (n, pivot) in self.pairs.pivots().iter().enumerate() {
+            let here = b[n].zip_map(&b[end - n], Pair::new) + carried;
+            carried = SVector::zeros();
+            let [y, z] = pivot.forward(here, &mut carried);
             square += y.dot(&z);
         }
-        if let Some(last) = &self.last {
-            let [y, z] = last.forward(next + right);
-            square += y.dot(&z);
+        [0, 1].map(|lane| (square.lane(lane), carried.iter().map(|x| x.lane(lane)).collect()))
+    }
+
+    /// Eliminates the right hand sides of one side.
+    fn by_side<'b>(
+        &self,
+        blocks: impl Blocks,
+        pivots: &Pivots,
+        right: impl Fn(usize) -> &'b [f64],
+    ) -> (f64, Vector) {
+        let d = blocks.dimension();
+        let [mut y, mut z, mut carried] = [(); 3].map(|()| blocks.vector());
+        let (y, z, carried) = (y.as_mut(), z.as_mut(), carried.as_mut());
+        let mut square = 0.0;
+        for n in 0..self.half {
+            let [factors, lower] = pivots.get(n, d * d);
+            let right = right(n);
+            for i in 0..d {
+                y[i] = right[i] + carried[i];
+                carried[i] = 0.0;
+            }
+            blocks.forward(factors, y, z);
+            blocks.subtract(lower, y, carried);
+            square += blocks.dot(y, z);
         }
-        0.5 * square
+        (square, Vector::from_slice(carried))
+    }
+
+    /// Adds the blocks in the middle.
+    fn half_square_of(&self, [(front, left), (back, right)]: [(f64, Vector); 2], b: &[f64]) -> f64 {
+        with_blocks!(self.dimension, blocks => {
+            let (d, half) = (self.dimension, self.half);
+            let end = b.len() / d - 1;
+            let add = |x: &[f64], y: &[f64]| -> Vector { x.iter().zip(y).map(|(x, y)| x + y).collect() };
+            let mut square = front + back;
+            let mut next = add(&b[half * d..][..d], &left);
+            let mut z = Vector::from_elem(0.0, d);
+            if self.has_middle() {
+                let [factors, lower] = self.middle.get(0, self.size());
+                let mut y = std::mem::replace(&mut next, Vector::from_slice(&b[(end - half) * d..][..d]));
+                blocks.forward(factors, &mut y, &mut z);
+                blocks.subtract(lower, &y, &mut next);
+                square += blocks.dot(&y, &z);
+            }
+            let mut y = add(&next, &right);
+            blocks.forward(&self.last, &mut y, &mut z);
+            square += blocks.dot(&y, &z);
+            0.5 * square
+        })
     }
 
     /// Overwrites `zₙ`, the right hand side after elimination, with the solution.
-    pub(crate) fn substitute_back(&self, z: &mut [SVector<f64, D>]) {
-        let (half, end) = (self.half(), z.len() - 1);
-        if let Some(last) = &self.last {
-            z[end - half] = last.backward(z[end - half]);
+    pub(crate) fn substitute_back(&self, z: &mut [f64]) {
+        with_blocks!(self.dimension, blocks => self.substitute_middle(blocks, z));
+        match self.dimension {
+            1 => self.substitute_pairs::<1>(z),
+            2 => self.substitute_pairs::<2>(z),
+            3 => self.substitute_pairs::<3>(z),
+            dimension => with_blocks!(dimension, blocks => self.substitute_sides(blocks, z)),
         }
-        if let Some(middle) = &self.middle {
-            z[half] = middle.backward(z[half], &z[end - half]);
+    }
+
+    fn substitute_middle(&self, blocks: impl Blocks, z: &mut [f64]) {
+        let (d, half) = (self.dimension, self.half);
+        let end = z.len() / d - 1;
+        let (first, last) = z.split_at_mut((end - half) * d);
+        blocks.backward(&self.last, &mut last[..d]);
+        if self.has_middle() {
+            let [factors, lower] = self.middle.get(0, self.size());
+            let here = &mut first[half * d..][..d];
+            blocks.subtract_transposed(lower, &last[..d], here);
+            blocks.backward(factors, here);
         }
-        let behind = [z[half], z[end - half]];
-        let mut x = behind[0].zip_map(&behind[1], Pair::new);
-        for (n, pivot) in self.pairs.iter().enumerate().rev() {
+    }
+
+    fn substitute_pairs<const D: usize>(&self, z: &mut [f64])
+    where
+        Pairs: InLanes<D>,
+    {
+        let z: &mut [SVector<f64, D>] = bytemuck::cast_slice_mut(z);
+        let (half, end) = (self.half, z.len() - 1);
+        let mut x = z[half].zip_map(&z[end - half], Pair::new);
+        for (n, pivot) in self.pairs.pivots().iter().enumerate().rev() {
             x = pivot.backward(z[n].zip_map(&z[end - n], Pair::new), &x);
             z[n] = x.map(|x| x.lane(0));
             z[end - n] = x.map(|x| x.lane(1));
         }
+    }
+
+    fn substitute_sides(&self, blocks: impl Blocks, z: &mut [f64]) {
+        let d = blocks.dimension();
+        let end = z.len() / d - 1;
         let [front, back] = &self.sides;
-        let (first, second) = z.split_at_mut(end + 1 - half);
-        substitute(front, first.iter_mut().take(half).rev(), behind[0]);
-        substitute(back, second.iter_mut(), behind[1]);
+        for n in (0..self.half).rev() {
+            let [factors, lower] = front.get(n, d * d);
+            let (here, behind) = z[n * d..].split_at_mut(d);
+            blocks.subtract_transposed(lower, &behind[..d], here);
+            blocks.backward(factors, here);
+            let [factors, lower] = back.get(n, d * d);
+            let (behind, here) = z[(end - n - 1) * d..].split_at_mut(d);
+            blocks.subtract_transposed(lower, behind, &mut here[..d]);
+            blocks.backward(factors, &mut here[..d]);
+        }
     }
-}
 
-/// Eliminates the right hand sides of some blocks. Returns `Σ yₙᵀ Dₙ⁻¹ yₙ` and the contribution to
-/// the right hand side of the block behind them.
-fn eliminate<T: Lanes, const D: usize>(
-    pivots: &[Pivot<D, T>],
-    right: impl Fn(usize) -> SVector<T, D>,
-) -> (T, SVector<T, D>) {
-    let (mut square, mut carried) = (T::zero(), SVector::zeros());
-    for (n, pivot) in pivots.iter().enumerate() {
-        let here = right(n) + carried;
-        carried = SVector::zeros();
-        let [y, z] = pivot.forward(here, &mut carried);
-        square += y.dot(&z);
-    }
-    (square, carried)
-}
-
-/// Substitutes `behind`, the solution at the block behind the last one, back to the first. `z` runs
-/// over the blocks from the last to the first.
-fn substitute<'a, const D: usize>(
-    pivots: &[Pivot<D>],
-    z: impl Iterator<Item = &'a mut SVector<f64, D>>,
-    behind: SVector<f64, D>,
-) {
-    let mut x = behind;
-    for (pivot, z) in pivots.iter().rev().zip(z) {
-        x = pivot.backward(*z, &x);
-        *z = x;
+    /// Keeps the pivot of the first of two blocks in the middle.
+    pub(crate) fn keep_middle<const D: usize>(&mut self, pivot: &Pivot<D>) {
+        self.middle.resize(1, D * D);
+        self.middle.factors.copy_from_slice(pivot.diagonal.factors.as_slice());
+        self.middle.lower.copy_from_slice(pivot.lower.as_slice());
     }
 }
 
@@ -137,14 +299,11 @@ mod tests {
 
     #[test]
     fn a_pair_takes_as_much_memory_as_two_blocks() {
-        let memory = |pairs, on_each_side| {
-            let mut factorization = TwistedFactorization::<2>::default();
-            factorization.clear(pairs, on_each_side);
-            (factorization.bytes(), factorization.capacity())
-        };
-        let (bytes, capacity) = memory(10, 0);
-        assert_eq!(memory(0, 10), (bytes, capacity));
-        assert_eq!(memory(20, 0), (2 * bytes, 2 * capacity));
-        assert_eq!((capacity, memory(0, 0)), (20, (0, 0)));
+        let (mut pairs, mut sides) =
+            (TwistedFactorization::default(), TwistedFactorization::default());
+        pairs.clear_pairs::<2>(10);
+        sides.clear_sides(2, 10);
+        assert_eq!((pairs.bytes(), sides.bytes()), (20 * 2 * 4 * 8, 20 * 2 * 4 * 8));
+        assert_eq!(TwistedFactorization::default().bytes(), 0);
     }
 }

@@ -20,9 +20,9 @@ const WORTH_A_THREAD: usize = 65_536;
 
 /// Returns whether two of `threads` threads should share a pass over `n` chords, one from each end.
 /// Where both sides share the lanes of a register, two threads with one side each are slower.
-pub(crate) fn share<const D: usize>(threads: usize, n: usize) -> bool {
+pub(crate) fn share(dimension: usize, threads: usize, n: usize) -> bool {
     let processors = || thread::available_parallelism().map_or(1, usize::from);
-    let worth = const { !goes_in_lanes(D) } && n * D * D >= WORTH_A_THREAD;
+    let worth = !goes_in_lanes(dimension) && n * dimension * dimension >= WORTH_A_THREAD;
     worth && threads > 1 && processors() > 1
 }
 
@@ -100,10 +100,10 @@ mod tests {
     #[test]
     fn threads_share_large_passes_only() {
         let two = thread::available_parallelism().is_ok_and(|processors| processors.get() > 1);
-        assert_eq!([4095, 4096].map(|n| share::<4>(2, n)), [false, two]);
-        assert_eq!([1023, 1024].map(|n| share::<8>(2, n)), [false, two]);
-        assert_eq!([0, 1, 3].map(|threads| share::<8>(threads, 1024)), [false, false, two]);
+        assert_eq!([4095, 4096].map(|n| share(4, 2, n)), [false, two]);
+        assert_eq!([1023, 1024].map(|n| share(8, 2, n)), [false, two]);
+        assert_eq!([0, 1, 3].map(|threads| share(8, threads, 1024)), [false, false, two]);
         // Up to three dimensions one thread takes both sides at once.
-        assert!(!share::<3>(2, 1 << 20));
+        assert!(!share(3, 2, 1 << 20));
     }
 }

@@ -1,8 +1,7 @@
 //! `Candidate`: a local minimiser that is followed from grid to grid.
 
-use nalgebra::SVector;
-use tautline_discretizations::{Interpolation, PointSequence, SequenceError};
-use tautline_sets::ClosedSet;
+use tautline_discretizations::{ANY, PointSequence, SequenceError};
+use tautline_sets::AnySet;
 
 use crate::{
     Curvature, Level, Minimum, Other, Stop,
@@ -28,25 +27,25 @@ pub(crate) const DIFFERENT: f64 = 1e-9;
 
 /// A local minimiser, the pieces between which it runs, and its energies on coarser grids.
 #[derive(Clone)]
-pub(crate) struct Candidate<'a, const D: usize> {
-    pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
-    pub(crate) found: Found<D>,
+pub(crate) struct Candidate<'a> {
+    pub(crate) ends: [&'a dyn AnySet; 2],
+    pub(crate) found: Found,
     /// The sequences on coarser grids that are still needed; the finest is last.
-    coarser: Vec<PointSequence<D>>,
+    coarser: Vec<PointSequence<ANY>>,
     pub(crate) levels: Vec<Level>,
     /// The number of Newton steps so far.
     pub(crate) iterations: usize,
 }
 
-impl<'a, const D: usize> Candidate<'a, D> {
-    pub(crate) fn new(ends: [&'a dyn ClosedSet<D>; 2], found: Found<D>) -> Self {
+impl<'a> Candidate<'a> {
+    pub(crate) fn new(ends: [&'a dyn AnySet; 2], found: Found) -> Self {
         let (levels, iterations) = (vec![level(&found)], found.iterations);
         Self { ends, levels, coarser: Vec::new(), iterations, found }
     }
 
     /// Moves on to the minimiser on the next grid. Also returns a coarser sequence that is no
     /// longer needed.
-    pub(crate) fn refined(mut self, found: Found<D>) -> (Self, Option<PointSequence<D>>) {
+    pub(crate) fn refined(mut self, found: Found) -> (Self, Option<PointSequence<ANY>>) {
         self.levels.push(level(&found));
         self.iterations += found.iterations;
         self.coarser.push(std::mem::replace(&mut self.found, found).sequence);
@@ -73,7 +72,7 @@ impl<'a, const D: usize> Candidate<'a, D> {
     }
 
     /// Returns the local minimiser as one besides the result, if it is one.
-    pub(crate) fn into_other(self) -> Option<Other<D>> {
+    pub(crate) fn into_other(self) -> Option<Other<ANY>> {
         let is_minimum = !self.failed() && self.found.curvature == Curvature::PositiveDefinite;
         let Found { sequence, energy, .. } = self.found;
         is_minimum.then_some(Other { sequence, energy })
@@ -84,8 +83,8 @@ impl<'a, const D: usize> Candidate<'a, D> {
         self,
         iterations: usize,
         local_minima: Vec<f64>,
-        others: Vec<Other<D>>,
-    ) -> Minimum<D> {
+        others: Vec<Other<ANY>>,
+    ) -> Minimum<ANY> {
         let Self { found, levels, iterations: own_iterations, .. } = self;
         Minimum {
             sequence: found.sequence,
@@ -115,16 +114,18 @@ impl<'a, const D: usize> Candidate<'a, D> {
     pub(crate) fn start(
         &self,
         n: usize,
-        energy: &DiscreteEnergy<'_, D>,
-        memory: Vec<SVector<f64, D>>,
-    ) -> Result<PointSequence<D>, SequenceError> {
+        energy: &DiscreteEnergy<'_>,
+        memory: Vec<f64>,
+    ) -> Result<PointSequence<ANY>, SequenceError> {
         let (exponent, instruction_set) = (energy.error_exponent, energy.instruction_set());
         let sequence = &self.found.sequence;
+        let dimension = sequence.dimension();
         let here = sequence.n().get();
-        let fine_enough = |coarser: &&PointSequence<D>| coarser.n().get() >= COARSE;
+        let fine_enough = |coarser: &&PointSequence<ANY>| coarser.n().get() >= COARSE;
         let coarser: Vec<_> = self.coarser.iter().filter(fine_enough).collect();
         if coarser.is_empty() {
-            return PointSequence::new(prolong_into(sequence, n, instruction_set, memory));
+            let points = prolong_into(sequence, n, instruction_set, memory);
+            return PointSequence::from_coordinates(dimension, points);
         }
         let power = |n: usize| (n as f64).powi(-exponent);
         // These are the weights of Lagrange interpolation in N⁻ᑫ.
@@ -133,26 +134,26 @@ impl<'a, const D: usize> Candidate<'a, D> {
             let others = grids.iter().enumerate().filter(|(other, _)| *other != own);
             others.map(|(_, h)| (power(n) - h) / (grids[own] - h)).product::<f64>()
         };
-        let mut points = sequence.points().to_vec();
+        let mut points = sequence.coordinates().to_vec();
         for (own, coarser) in coarser.into_iter().enumerate() {
             let weight = weight(own);
             let before = prolong(coarser, here);
-            let with = points.iter_mut().zip(sequence.points()).zip(&before);
+            let with = points.iter_mut().zip(sequence.coordinates()).zip(&before);
             with.for_each(|((point, x), y)| *point += (y - x) * weight);
         }
-        points[0] = self.ends[0].project(&points[0]);
-        points[here] = self.ends[1].project(&points[here]);
-        let sequence = PointSequence::new(points)?;
-        PointSequence::new(prolong_into(&sequence, n, instruction_set, memory))
+        self.ends[0].project(&mut points[..dimension]);
+        self.ends[1].project(&mut points[here * dimension..]);
+        let sequence = PointSequence::from_coordinates(dimension, points)?;
+        let points = prolong_into(&sequence, n, instruction_set, memory);
+        PointSequence::from_coordinates(dimension, points)
     }
 }
 
-fn level<const D: usize>(found: &Found<D>) -> Level {
+fn level(found: &Found) -> Level {
     Level { n: found.sequence.n().get(), energy: found.energy }
 }
 
-/// Returns the indices that sort the keys stably. If candidates were sorted directly, the sort
-/// would be compiled once for each dimension.
+/// Returns the indices that sort the keys stably.
 pub(crate) fn by_key(keys: &[(bool, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..keys.len()).collect();
     order.sort_by(|&a, &b| keys[a].0.cmp(&keys[b].0).then(keys[a].1.total_cmp(&keys[b].1)));
@@ -164,9 +165,7 @@ pub(crate) fn by_key(keys: &[(bool, f64)]) -> Vec<usize> {
 /// converge come last, since their energy is not the energy of a minimiser.
 ///
 /// Returns the candidates that were merged although they are other curves, such as mirror images.
-pub(crate) fn lowest_first<'a, const D: usize>(
-    candidates: &mut Vec<Candidate<'a, D>>,
-) -> Vec<Candidate<'a, D>> {
+pub(crate) fn lowest_first<'a>(candidates: &mut Vec<Candidate<'a>>) -> Vec<Candidate<'a>> {
     let keys: Vec<_> = candidates.iter().map(|c| (c.failed(), c.found.energy)).collect();
     let order = by_key(&keys);
     let mut unsorted: Vec<_> = candidates.drain(..).map(Some).collect();
@@ -199,12 +198,22 @@ const APART: f64 = 0.02;
 /// are apart by 2 % of the extent of the first.
 #[must_use]
 pub fn are_apart<const D: usize>(a: &PointSequence<D>, b: &PointSequence<D>) -> bool {
-    let first = a.first();
-    let extent = a.points().iter().map(|x| (x - first).amax()).fold(0.0, f64::max);
-    let n = a.n().get() as f64;
-    let other = Interpolation::new(b);
-    let off = |(i, x): (usize, &SVector<f64, D>)| (other.at(i as f64 / n) - x).amax();
-    a.points().iter().enumerate().map(off).any(|off| off > APART * extent)
+    let amax =
+        |gaps: &mut dyn Iterator<Item = f64>| gaps.fold(0.0, |most: f64, x| most.max(x.abs()));
+    let first = a.row(0);
+    let rows = || a.coordinates().chunks_exact(first.len());
+    let from_first = |x: &[f64]| amax(&mut x.iter().zip(first).map(|(x, y)| x - y));
+    let extent = rows().map(from_first).fold(0.0, f64::max);
+    let [n, m] = [a, b].map(|sequence| sequence.n().get());
+    let off = |(i, x): (usize, &[f64])| {
+        // The point of the other curve at the same time.
+        let position = i as f64 / n as f64 * m as f64;
+        let k = (position as usize).min(m - 1);
+        let s = position - k as f64;
+        let other = b.row(k).iter().zip(b.row(k + 1)).map(|(y, z)| y * (1.0 - s) + z * s);
+        amax(&mut other.zip(x).map(|(y, x)| y - x))
+    };
+    rows().enumerate().map(off).any(|off| off > APART * extent)
 }
 
 #[cfg(test)]

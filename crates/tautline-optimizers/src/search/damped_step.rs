@@ -1,7 +1,6 @@
 //! One damped step of a [`LocalSearch`]: Newton's method with a shift of the Hessian.
 
-use nalgebra::SVector;
-use tautline_discretizations::{LinearModel, PointSequence, QuadraticModel};
+use tautline_discretizations::{ANY, LinearModel, PointSequence, QuadraticModel};
 
 use crate::{
     Curvature, Stop,
@@ -38,19 +37,20 @@ const ESCAPES: usize = 8;
 /// symmetry no component of them leads away from it.
 const PATIENCE: usize = 5;
 
-impl<const D: usize> LocalSearch<'_, D> {
+impl LocalSearch<'_> {
     /// Returns the next iterate, and adapts the damping.
     ///
     /// The shift of the Hessian grows until the system is positive definite and a step is accepted,
     /// and falls after each accepted step. Near the minimum steps are not checked, since rounding
-    /// hides the changes of the energy.
+    /// hides the changes of the energy. `factorization` lends its memory.
     pub(crate) fn damped_step(
         &self,
-        model: &QuadraticModel<D>,
-        sequence: &PointSequence<D>,
+        model: &QuadraticModel,
+        sequence: &PointSequence<ANY>,
         damping: &mut Damping,
-    ) -> Next<D> {
-        let reduce = |shift| ReducedSystem::new(model, self.ends, sequence.points(), shift);
+        factorization: &mut Factorization,
+    ) -> Next {
+        let reduce = |shift| ReducedSystem::new(model, self.ends, sequence.coordinates(), shift);
         let end = |stop, decrement| {
             let curvature = self.curvature(model, sequence);
             Next::End { stop, curvature, decrement }
@@ -60,14 +60,14 @@ impl<const D: usize> LocalSearch<'_, D> {
         loop {
             // Shift the Hessian until it is positive definite.
             let system = reduce(damping.shift);
-            let Some(factorization) = system.factorize() else {
+            if !system.factorize_in(factorization) {
                 if damping.shift >= LAST_SHIFT {
                     return end(Stop::Stalled, f64::INFINITY);
                 }
                 indefinite = true;
                 damping.raise();
                 continue;
-            };
+            }
             if indefinite {
                 damping.indefinite += 1;
                 if damping.indefinite.is_multiple_of(PATIENCE)
@@ -79,13 +79,13 @@ impl<const D: usize> LocalSearch<'_, D> {
             } else if damping.shift == 0.0 {
                 damping.indefinite = 0;
             }
-            let newton = system.newton_step(&factorization);
+            let newton = system.newton_step(factorization);
             let decrement = newton.decrement;
             // Is the sequence stationary? A shift divides the decrement by as much as it multiplies
             // the Hessian.
             if decrement * (1.0 + damping.shift) <= negligible {
                 if damping.shift == 0.0 {
-                    return self.converge(&system, &factorization, sequence, newton, negligible);
+                    return self.converge(&system, factorization, sequence, newton, negligible);
                 }
                 let definite = reduce(0.0).factorize().is_some();
                 if definite && !rejected {
@@ -114,7 +114,7 @@ impl<const D: usize> LocalSearch<'_, D> {
                         return end(Stop::Converged, decrement);
                     }
                     return if decrement <= SAME_HESSIAN * model.energy {
-                        self.polish(&system, &factorization, trial, negligible)
+                        self.polish(&system, factorization, trial, negligible)
                     } else {
                         Next::Move(trial)
                     };
@@ -142,12 +142,12 @@ impl<const D: usize> LocalSearch<'_, D> {
     /// leads to finite points: it costs one more gradient and removes what is left of the residual.
     fn converge(
         &self,
-        system: &ReducedSystem<'_, D>,
-        factorization: &Factorization<D>,
-        sequence: &PointSequence<D>,
-        Step { step, decrement }: Step<D>,
+        system: &ReducedSystem<'_>,
+        factorization: &Factorization,
+        sequence: &PointSequence<ANY>,
+        Step { step, decrement }: Step,
         negligible: f64,
-    ) -> Next<D> {
+    ) -> Next {
         let trial = self.retract(sequence, &step, 1.0);
         if finite(&trial)
             && let last @ Next::EndAt { .. } = self.polish(system, factorization, trial, negligible)
@@ -162,25 +162,26 @@ impl<const D: usize> LocalSearch<'_, D> {
     /// negligible.
     fn polish(
         &self,
-        system: &ReducedSystem<'_, D>,
-        factorization: &Factorization<D>,
-        points: Vec<SVector<f64, D>>,
+        system: &ReducedSystem<'_>,
+        factorization: &Factorization,
+        points: Vec<f64>,
         negligible: f64,
-    ) -> Next<D> {
-        let trial = PointSequence::new(points).expect("the points are finite");
-        let LinearModel { energy, gradient, .. } = self.energy.linear_model(&trial);
-        let points = trial.into_points();
-        let decrement = system.decrement_at(factorization, self.ends, &points, &gradient);
+    ) -> Next {
+        let trial = PointSequence::from_coordinates(self.energy.dimension(), points)
+            .expect("the points are finite");
+        let LinearModel { energy, slopes, .. } = self.energy.linear_model(&trial);
+        let points = trial.into_coordinates();
+        let decrement = system.decrement_at(factorization, self.ends, &points, &slopes);
         if decrement <= negligible {
-            Next::EndAt { points, energy, gradient, decrement }
+            Next::EndAt { points, energy, slopes, decrement }
         } else {
             Next::Move(points)
         }
     }
 }
 
-fn finite<const D: usize>(points: &[SVector<f64, D>]) -> bool {
-    points.iter().all(|x| x.iter().all(|c| c.is_finite()))
+fn finite(points: &[f64]) -> bool {
+    points.iter().all(|x| x.is_finite())
 }
 
 /// Returns whether a step lowers the energy by a quarter of what the quadratic model predicts, which

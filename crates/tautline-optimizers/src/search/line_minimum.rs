@@ -1,7 +1,5 @@
 //! The best point sequence on a straight line, by dynamic programming.
 
-use nalgebra::SVector;
-
 use crate::newton::discrete_energy::DiscreteEnergy;
 
 /// The grid extends beyond both ends by this fraction of the distance between them, since the best
@@ -17,33 +15,33 @@ const OVERSHOOT: f64 = 0.1;
 /// misses none of them, up to the resolution of the grid. Let `c(x, y)` be the energy of one chord.
 /// The least energy `Vₙ(y)` of `n` chords from `a` to `y` satisfies
 /// `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
-pub(crate) fn line_minimum<const D: usize>(
-    energy: &DiscreteEnergy<'_, D>,
-    a: &SVector<f64, D>,
-    b: &SVector<f64, D>,
+pub(crate) fn line_minimum(
+    energy: &DiscreteEnergy<'_>,
+    a: &[f64],
+    b: &[f64],
     n: usize,
     intervals: usize,
-) -> Option<Vec<SVector<f64, D>>> {
+) -> Option<Vec<f64>> {
     let start = (OVERSHOOT * intervals as f64) as usize;
     let last = 2 * start + intervals;
     let at = |k: usize| {
         let t = (k as f64 - start as f64) / intervals as f64;
-        a * (1.0 - t) + b * t
+        a.iter().zip(b).map(move |(a, b)| a * (1.0 - t) + b * t)
     };
-    let points: Vec<SVector<f64, D>> = (0..=last).map(at).collect();
+    let points: Vec<f64> = (0..=last).flat_map(at).collect();
     let costs = |chords: &[[usize; 2]]| {
-        let chords: Vec<_> = chords.iter().map(|chord| chord.map(|k| &points[k])).collect();
         // No sequence passes through points where the metric is undefined.
         let cost = |energy: f64| if energy >= 0.0 { energy } else { f64::INFINITY };
-        energy.of_chords(&chords).into_iter().map(cost).collect::<Vec<f64>>()
+        energy.of_chords(&points, chords).into_iter().map(cost).collect::<Vec<f64>>()
     };
     let best = best_path(start, intervals, n, &costs)?;
-    Some(best.into_iter().map(|k| points[k]).collect())
+    let d = a.len();
+    Some(best.into_iter().flat_map(|k| points[k * d..][..d].iter().copied()).collect())
 }
 
 /// Returns the indices of the best sequence of `n` chords from the index `start` to
 /// `start + intervals`, given the costs of chords between indices. The function does not know the
-/// points, so it is compiled once for all dimensions.
+/// points.
 fn best_path(
     start: usize,
     intervals: usize,
@@ -92,16 +90,27 @@ fn best_path(
 mod tests {
     use std::sync::LazyLock;
 
-    use nalgebra::vector;
+    use nalgebra::{SVector, vector};
     use tautline_discretizations::Rule;
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Hyperbolic, Valleys};
 
-    use super::line_minimum;
     use crate::newton::discrete_energy::DiscreteEnergy;
 
+    /// Returns the points of the best sequence.
+    fn line_minimum<const D: usize>(
+        energy: &DiscreteEnergy<'_>,
+        a: &SVector<f64, D>,
+        b: &SVector<f64, D>,
+        n: usize,
+        intervals: usize,
+    ) -> Option<Vec<SVector<f64, D>>> {
+        let line = super::line_minimum(energy, a.as_slice(), b.as_slice(), n, intervals)?;
+        Some(bytemuck::cast_slice(&line).to_vec())
+    }
+
     /// Returns the energy of a rule over the valleys.
-    fn valleys(rule: Rule) -> DiscreteEnergy<'static, 2> {
+    fn valleys(rule: Rule) -> DiscreteEnergy<'static> {
         static METRIC: LazyLock<Prepared<Valleys, 2>> = LazyLock::new(|| Prepared::new(Valleys));
         DiscreteEnergy::new(rule, &*METRIC)
     }
@@ -122,7 +131,7 @@ mod tests {
     fn a_flat_metric_has_equal_chords() {
         let flat = tautline_metrics::gallery::Constant::new(nalgebra::matrix![2.0]).expect("2 > 0");
         let line = line_minimum(
-            &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &Prepared::new(flat)),
+            &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &Prepared::<_, 1>::new(flat)),
             &vector![0.0],
             &vector![8.0],
             16,
@@ -169,7 +178,7 @@ mod tests {
         let (inside, outside) = (vector![0.9, 0.0], vector![1.5, 0.0]);
         assert_eq!(
             line_minimum(
-                &DiscreteEnergy::new(Rule::LEFT_ENDPOINT, &Prepared::new(Hyperbolic)),
+                &DiscreteEnergy::new(Rule::LEFT_ENDPOINT, &Prepared::<_, 2>::new(Hyperbolic)),
                 &outside,
                 &inside,
                 3,

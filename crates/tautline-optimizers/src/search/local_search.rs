@@ -1,14 +1,14 @@
 //! `LocalSearch`: Newton's method on one grid, with [damped steps](LocalSearch::damped_step).
 
-use nalgebra::SVector;
-use tautline_discretizations::{PointSequence, QuadraticModel};
+use tautline_discretizations::{ANY, PointSequence, QuadraticModel};
 use tautline_metrics::MetricError;
-use tautline_sets::ClosedSet;
+use tautline_sets::AnySet;
 
 use crate::{
     Curvature, Iterate, SolveError, Stop,
     newton::{
         discrete_energy::DiscreteEnergy,
+        factorization::Factorization,
         magnitude::Magnitude,
         reduced_system::ReducedSystem,
         residual::Residual,
@@ -20,18 +20,18 @@ use crate::{
 
 /// A local search for one problem on one grid.
 #[derive(Clone, Copy)]
-pub(crate) struct LocalSearch<'a, const D: usize> {
-    pub(crate) energy: &'a DiscreteEnergy<'a, D>,
-    pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
+pub(crate) struct LocalSearch<'a> {
+    pub(crate) energy: &'a DiscreteEnergy<'a>,
+    pub(crate) ends: [&'a dyn AnySet; 2],
     pub(crate) iterations: usize,
     pub(crate) threads: usize,
-    pub(crate) watch: &'a dyn Watch<D>,
+    pub(crate) watch: &'a dyn Watch,
 }
 
 /// The result of a local search.
 #[derive(Clone, Debug)]
-pub(crate) struct Found<const D: usize> {
-    pub(crate) sequence: PointSequence<D>,
+pub(crate) struct Found {
+    pub(crate) sequence: PointSequence<ANY>,
     pub(crate) energy: f64,
     /// The mean of `tr H / D` over the nodes, in `m²/ℓ²`.
     pub(crate) mean_gram: f64,
@@ -46,37 +46,33 @@ pub(crate) struct Found<const D: usize> {
 }
 
 /// What to do after an iterate.
-pub(crate) enum Next<const D: usize> {
-    /// Go on from these points.
-    Move(Vec<SVector<f64, D>>),
+pub(crate) enum Next {
+    /// Go on from points with these coordinates.
+    Move(Vec<f64>),
     /// End here.
     End { stop: Stop, curvature: Curvature, decrement: f64 },
     /// End at these points, which are one small Newton step beyond a positive definite Hessian.
-    EndAt {
-        points: Vec<SVector<f64, D>>,
-        energy: f64,
-        gradient: Vec<SVector<f64, D>>,
-        decrement: f64,
-    },
+    EndAt { points: Vec<f64>, energy: f64, slopes: Vec<f64>, decrement: f64 },
 }
 
-impl<const D: usize> Found<D> {
+impl Found {
     pub(crate) fn magnitude(&self) -> Magnitude {
         Magnitude { energy: self.energy, mean_gram: self.mean_gram }
     }
 }
 
-impl<const D: usize> LocalSearch<'_, D> {
+impl LocalSearch<'_> {
     /// Searches from `start`, a sequence with both ends in their sets.
     ///
     /// # Errors
     ///
     /// If the metric is not finite, symmetric and positive definite at a node or an end of the
     /// result, or if the watcher has ended the solve.
-    pub(crate) fn run(&self, start: PointSequence<D>) -> Result<Found<D>, SolveError> {
+    pub(crate) fn run(&self, start: PointSequence<ANY>) -> Result<Found, SolveError> {
         let mut sequence = start;
+        let dimension = sequence.dimension();
         let mut damping = Damping::default();
-        let mut model = QuadraticModel::default();
+        let (mut model, mut memory) = (QuadraticModel::default(), Factorization::default());
         for iteration in 0.. {
             self.energy.expand(&sequence, &mut model);
             if !self.watch.goes_on(&|| self.iterate(iteration, &sequence, &model)) {
@@ -88,27 +84,29 @@ impl<const D: usize> LocalSearch<'_, D> {
                 let curvature = Curvature::PositiveDefinite;
                 Next::End { stop: Stop::EndsTouch, curvature, decrement: 0.0 }
             } else {
-                self.damped_step(&model, &sequence, &mut damping)
+                self.damped_step(&model, &sequence, &mut damping, &mut memory)
             };
-            let (stop, curvature, decrement, energy, gradient) = match next {
+            let (stop, curvature, decrement, energy, slopes) = match next {
                 Next::Move(points) => {
-                    sequence = PointSequence::new(points).expect("a trial is checked");
+                    sequence = PointSequence::from_coordinates(dimension, points)
+                        .expect("a trial is checked");
                     continue;
                 }
                 Next::End { stop, curvature, decrement } => {
-                    (stop, curvature, decrement, model.energy, std::mem::take(&mut model.gradient))
+                    (stop, curvature, decrement, model.energy, std::mem::take(&mut model.slopes))
                 }
-                Next::EndAt { points, energy, gradient, decrement } => {
-                    sequence = PointSequence::new(points).expect("a trial is checked");
+                Next::EndAt { points, energy, slopes, decrement } => {
+                    sequence = PointSequence::from_coordinates(dimension, points)
+                        .expect("a trial is checked");
                     let curvature = Curvature::PositiveDefinite;
-                    (Stop::Converged, curvature, decrement, energy, gradient)
+                    (Stop::Converged, curvature, decrement, energy, slopes)
                 }
             };
             self.check(&sequence)?;
             let mean_gram = model.mean_gram;
             let magnitude = Magnitude { energy, mean_gram };
-            let mut residual = Residual::new(sequence.n().get(), magnitude);
-            residual.push_all(&gradient);
+            let mut residual = Residual::new(dimension, sequence.n().get(), magnitude);
+            residual.push_all(&slopes);
             let (residual, residual_floor) = residual.value(self.ends, &sequence, magnitude);
             let decrement = magnitude.relative(decrement);
             return Ok(Found {
@@ -131,12 +129,12 @@ impl<const D: usize> LocalSearch<'_, D> {
     fn iterate<'i>(
         &self,
         iteration: usize,
-        sequence: &'i PointSequence<D>,
-        model: &QuadraticModel<D>,
-    ) -> Iterate<'i, D> {
+        sequence: &'i PointSequence<ANY>,
+        model: &QuadraticModel,
+    ) -> Iterate<'i, ANY> {
         let magnitude = Magnitude::of(model);
-        let mut residual = Residual::new(sequence.n().get(), magnitude);
-        residual.push_all(&model.gradient);
+        let mut residual = Residual::new(model.dimension, sequence.n().get(), magnitude);
+        residual.push_all(&model.slopes);
         let (residual, residual_floor) = residual.value(self.ends, sequence, magnitude);
         Iterate { iteration, energy: model.energy, residual, residual_floor, sequence }
     }
@@ -144,26 +142,27 @@ impl<const D: usize> LocalSearch<'_, D> {
     /// Moves all points by `scale · step`, and projects the ends back to their sets.
     pub(crate) fn retract(
         &self,
-        sequence: &PointSequence<D>,
-        step: &[SVector<f64, D>],
+        sequence: &PointSequence<ANY>,
+        step: &[f64],
         scale: f64,
-    ) -> Vec<SVector<f64, D>> {
-        let mut points: Vec<_> =
-            sequence.points().iter().zip(step).map(|(x, s)| x + s * scale).collect();
+    ) -> Vec<f64> {
+        let coordinates = sequence.coordinates().iter().zip(step);
+        let mut points: Vec<f64> = coordinates.map(|(x, s)| x + s * scale).collect();
         self.project_ends(&mut points);
         points
     }
 
     /// Moves both ends to the nearest points of their sets.
-    pub(crate) fn project_ends(&self, points: &mut [SVector<f64, D>]) {
-        let n = points.len() - 1;
-        points[0] = self.ends[0].project(&points[0]);
-        points[n] = self.ends[1].project(&points[n]);
+    pub(crate) fn project_ends(&self, points: &mut [f64]) {
+        let d = self.energy.dimension();
+        let last = points.len() - d;
+        self.ends[0].project(&mut points[..d]);
+        self.ends[1].project(&mut points[last..]);
     }
 
     /// Ends a search that has used up its steps.
-    fn give_up(&self, model: &QuadraticModel<D>, sequence: &PointSequence<D>) -> Next<D> {
-        let system = ReducedSystem::new(model, self.ends, sequence.points(), 0.0);
+    fn give_up(&self, model: &QuadraticModel, sequence: &PointSequence<ANY>) -> Next {
+        let system = ReducedSystem::new(model, self.ends, sequence.coordinates(), 0.0);
         let decrement = system
             .factorize()
             .map_or(f64::INFINITY, |factorization| system.newton_step(&factorization).decrement);
@@ -174,10 +173,10 @@ impl<const D: usize> LocalSearch<'_, D> {
     /// Returns the signature of the Hessian. Eigenvalues within rounding of zero count as zero.
     pub(crate) fn curvature(
         &self,
-        model: &QuadraticModel<D>,
-        sequence: &PointSequence<D>,
+        model: &QuadraticModel,
+        sequence: &PointSequence<ANY>,
     ) -> Curvature {
-        let reduce = |shift| ReducedSystem::new(model, self.ends, sequence.points(), shift);
+        let reduce = |shift| ReducedSystem::new(model, self.ends, sequence.coordinates(), shift);
         if reduce(0.0).factorize().is_some() {
             return Curvature::PositiveDefinite;
         }
@@ -188,8 +187,8 @@ impl<const D: usize> LocalSearch<'_, D> {
     }
 
     /// Checks the metric at every node and at both ends, which need not be nodes.
-    pub(crate) fn check(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
-        for x in [sequence.first(), sequence.last()] {
+    pub(crate) fn check(&self, sequence: &PointSequence<ANY>) -> Result<(), MetricError> {
+        for x in [sequence.row(0), sequence.row(sequence.n().get())] {
             self.energy.check_at(x)?;
         }
         self.energy.check_nodes(sequence)

@@ -1,7 +1,6 @@
 //! `Minimum`: a computed local minimiser, and how far it can be trusted.
 
-use nalgebra::SVector;
-use tautline_discretizations::PointSequence;
+use tautline_discretizations::{ANY, PointSequence};
 
 /// A computed discrete minimiser: the lowest local minimiser that was found.
 ///
@@ -127,11 +126,14 @@ impl<const D: usize> Minimum<D> {
             _ => false,
         }
     }
+}
 
+impl Minimum<ANY> {
     /// Returns the result for sets that have the point `x` in common.
-    pub(crate) fn at_common_point(x: SVector<f64, D>, n: usize) -> Self {
+    pub(crate) fn at_common_point(x: &[f64], n: usize) -> Self {
         Self {
-            sequence: PointSequence::new(vec![x; n + 1]).expect("a common point is finite"),
+            sequence: PointSequence::from_coordinates(x.len(), x.repeat(n + 1))
+                .expect("a common point is finite"),
             energy: 0.0,
             decrement: 0.0,
             residual: 0.0,
@@ -144,5 +146,33 @@ impl<const D: usize> Minimum<D> {
             local_minima: vec![0.0],
             others: Vec::new(),
         }
+    }
+
+    /// Returns the same minimiser as one in `R^E`; `None` if it lies in another dimension.
+    #[must_use]
+    pub fn into_dimension<const E: usize>(self) -> Option<Minimum<E>> {
+        let others = self.others.into_iter().map(Other::into_dimension).collect::<Option<_>>()?;
+        Some(Minimum {
+            sequence: self.sequence.into_dimension()?,
+            energy: self.energy,
+            decrement: self.decrement,
+            residual: self.residual,
+            residual_floor: self.residual_floor,
+            stop: self.stop,
+            curvature: self.curvature,
+            iterations: self.iterations,
+            own_iterations: self.own_iterations,
+            levels: self.levels,
+            local_minima: self.local_minima,
+            others,
+        })
+    }
+}
+
+impl Other<ANY> {
+    /// Returns the same minimiser as one in `R^E`; `None` if it lies in another dimension.
+    #[must_use]
+    pub fn into_dimension<const E: usize>(self) -> Option<Other<E>> {
+        Some(Other { sequence: self.sequence.into_dimension()?, energy: self.energy })
     }
 }

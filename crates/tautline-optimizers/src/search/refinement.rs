@@ -1,7 +1,7 @@
 //! The search on a fine grid, from a start that is so near the minimiser that Newton steps need no
 //! damping.
 
-use tautline_discretizations::PointSequence;
+use tautline_discretizations::{ANY, PointSequence};
 
 use crate::{
     Curvature, Iterate, Stop, Workspace,
@@ -31,7 +31,7 @@ const FALL: f64 = 0.01;
 const LARGE: usize = 32768;
 const FORESEEN: f64 = 1e-12;
 
-impl<const D: usize> LocalSearch<'_, D> {
+impl LocalSearch<'_> {
     /// Takes undamped Newton steps from `start`, each in one pass over the chords. The search ends
     /// when the decrement is negligible and the residual is rounding; on the finest grids this is
     /// so at the start itself. After a step that predicted almost no decrease, a negligible
@@ -45,25 +45,25 @@ impl<const D: usize> LocalSearch<'_, D> {
     /// that were begun.
     pub(crate) fn refine(
         &self,
-        start: PointSequence<D>,
-        coarser: &Found<D>,
-        workspace: &mut Workspace<D>,
+        start: PointSequence<ANY>,
+        coarser: &Found,
+        workspace: &mut Workspace,
         passes: &mut usize,
-    ) -> Option<Found<D>> {
+    ) -> Option<Found> {
         let (energy, ends) = (self.energy, self.ends);
-        let n = start.n().get();
-        let at_once = share::<D>(self.threads, n);
+        let (n, d) = (start.n().get(), start.dimension());
+        let at_once = share(d, self.threads, n);
         let mut about = coarser.magnitude();
         let reached =
             |at: Stationarity, x: &_| at.is_reached(x) && at.residual <= at.residual_floor;
-        if n * D * D >= LARGE && coarser.from <= FORESEEN {
+        if n * d * d >= LARGE && coarser.from <= FORESEEN {
             let at = sweep(energy, ends, &start, about, at_once, None)?.stationarity;
             if reached(at, &start) {
                 self.tell(0, at, &start)?;
                 return self.found(start, at, 1, at.decrement);
             }
         }
-        workspace.check_undamped(n).ok()?;
+        workspace.check_undamped(d, n).ok()?;
         let (mut here, mut allowed, mut from) = (start, NEAR, None);
         for iteration in 1..=STEPS {
             *passes = iteration;
@@ -82,15 +82,15 @@ impl<const D: usize> LocalSearch<'_, D> {
             }
             allowed = FALL * at.decrement / about.energy;
             let mut points = pass.take_step();
-            points.iter_mut().zip(here.points()).for_each(|(step, x)| *step += x);
+            points.iter_mut().zip(here.coordinates()).for_each(|(step, x)| *step += x);
             self.project_ends(&mut points);
-            let trial = PointSequence::new(points).ok()?;
+            let trial = PointSequence::from_coordinates(d, points).ok()?;
             // The points, and the Hessian with them, move by the root of the decrement. This is
             // less than the margin by which the Hessian is definite, so the factorisation from here
             // still serves. In lanes, with two chords at a time, a sweep does not cost more than a
             // gradient.
             if at.decrement <= margin(n).powi(2) * about.energy {
-                let there = if const { goes_in_lanes(D) } {
+                let there = if goes_in_lanes(d) {
                     sweep(energy, ends, &trial, about, false, None)?.stationarity
                 } else {
                     pass.stationarity_at(energy, ends, &trial)
@@ -100,13 +100,18 @@ impl<const D: usize> LocalSearch<'_, D> {
                     return self.found(trial, there, iteration, from);
                 }
             }
-            workspace.spare.give(std::mem::replace(&mut here, trial).into_points());
+            workspace.spare.give(std::mem::replace(&mut here, trial).into_coordinates());
         }
         None
     }
 
     /// Tells the watcher of an iterate; `None` if it ends the search.
-    fn tell(&self, iteration: usize, at: Stationarity, sequence: &PointSequence<D>) -> Option<()> {
+    fn tell(
+        &self,
+        iteration: usize,
+        at: Stationarity,
+        sequence: &PointSequence<ANY>,
+    ) -> Option<()> {
         let Stationarity { residual, residual_floor, magnitude, .. } = at;
         let energy = magnitude.energy;
         let seen = || Iterate { iteration, energy, residual, residual_floor, sequence };
@@ -117,12 +122,12 @@ impl<const D: usize> LocalSearch<'_, D> {
     /// there.
     fn found(
         &self,
-        sequence: PointSequence<D>,
+        sequence: PointSequence<ANY>,
         at: Stationarity,
         iterations: usize,
         from: f64,
-    ) -> Option<Found<D>> {
-        let ends = [sequence.first(), sequence.last()];
+    ) -> Option<Found> {
+        let ends = [sequence.row(0), sequence.row(sequence.n().get())];
         let is_metric = at.is_metric && ends.iter().all(|x| self.energy.check_at(x).is_ok());
         is_metric.then_some(Found {
             sequence,

@@ -1,26 +1,25 @@
 //! The way down from a saddle.
 
-use nalgebra::SVector;
-use tautline_discretizations::{PointSequence, QuadraticModel};
+use tautline_discretizations::{ANY, PointSequence, QuadraticModel};
 
 use crate::{
-    newton::reduced_system::ReducedSystem,
+    newton::{reduced_system::ReducedSystem, small::amax},
     search::{damping::SHIFT_FACTOR, local_search::LocalSearch},
 };
 
-impl<const D: usize> LocalSearch<'_, D> {
+impl LocalSearch<'_> {
     /// Walks down from a saddle along the direction of most negative curvature.
     pub(crate) fn leave_saddle(
         &self,
-        model: &QuadraticModel<D>,
-        sequence: &PointSequence<D>,
+        model: &QuadraticModel,
+        sequence: &PointSequence<ANY>,
         shift: f64,
-    ) -> Option<Vec<SVector<f64, D>>> {
+    ) -> Option<Vec<f64>> {
         // With the smallest shift that makes the system definite, up to 1 in 8, the flattest
         // direction is the direction of most negative curvature.
         let (mut low, mut high) = (0.0, shift);
         let factorized = |shift: f64| {
-            let system = ReducedSystem::new(model, self.ends, sequence.points(), shift);
+            let system = ReducedSystem::new(model, self.ends, sequence.coordinates(), shift);
             system.factorize().map(|factorization| (system, factorization))
         };
         while factorized(high / SHIFT_FACTOR).is_some() {
@@ -35,8 +34,8 @@ impl<const D: usize> LocalSearch<'_, D> {
         }
         let (system, factorization) = factorized(high)?;
         let mut direction = system.flattest_direction(&factorization);
-        let size = extent(sequence.points());
-        let largest = direction.iter().map(|v| v.amax()).fold(0.0, f64::max);
+        let size = extent(sequence);
+        let largest = amax(&direction);
         direction.iter_mut().for_each(|v| *v *= size / largest);
         let mut best: Option<(f64, Vec<_>)> = None;
         // The lengths start at 1e-4 of the size of the curve and grow as long as either side leads
@@ -62,8 +61,11 @@ impl<const D: usize> LocalSearch<'_, D> {
 }
 
 /// Returns the largest distance from the first point, in the maximum norm.
-fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
-    points.iter().map(|x| (x - points[0]).amax()).fold(0.0, f64::max)
+fn extent(sequence: &PointSequence<ANY>) -> f64 {
+    let first = sequence.row(0);
+    let rows = sequence.coordinates().chunks_exact(first.len());
+    let gaps = rows.flat_map(|x| x.iter().zip(first).map(|(x, y)| (x - y).abs()));
+    gaps.fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -72,7 +74,7 @@ mod tests {
     use tautline_discretizations::{PointSequence, QuadraticModel, Rule};
     use tautline_formula::Prepared;
     use tautline_metrics::{Metric, Scalar, gallery::Bump};
-    use tautline_sets::Point;
+    use tautline_sets::{InAny, Point};
 
     use crate::{
         newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch,
@@ -101,18 +103,19 @@ mod tests {
         let [a, b] = [a, b].map(|x| Point::new(x).expect("finite"));
         for sign in [1.0, -1.0] {
             let metric = Walled { bump: Bump::new(4.0, 0.5).expect("a width"), sign };
-            let batches = Prepared::new(&metric);
+            let batches = Prepared::<_, 2>::new(&metric);
             let energy = &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &batches);
             let search = LocalSearch {
                 energy,
-                ends: [&a, &b],
+                ends: [&InAny(&a), &InAny(&b)],
                 iterations: 1,
                 threads: 1,
                 watch: &Unwatched,
             };
             let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &line);
-            let points = search.leave_saddle(&model, &line, 64.0).expect("a way down");
-            assert!(points[1..32].iter().all(|x| x[1] * sign > -1e-5), "{points:?}");
+            let points =
+                search.leave_saddle(&model, &line.clone().into_any(), 64.0).expect("a way down");
+            assert!(points[2..64].chunks(2).all(|x| x[1] * sign > -1e-5), "{points:?}");
             let lower = search.energy.admissible(&points).expect("inside");
             assert!(lower < 0.999 * model.energy, "{lower} {}", model.energy);
         }
@@ -130,16 +133,17 @@ mod tests {
         };
         let line = PointSequence::new((0..=n).map(at).collect()).expect("finite");
         let begin = Point::new(begin).expect("finite");
-        let batches = Prepared::new(&metric);
+        let batches = Prepared::<_, 2>::new(&metric);
         let search = LocalSearch {
             energy: &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &batches),
-            ends: [&begin, &begin],
+            ends: [&InAny(&begin), &InAny(&begin)],
             iterations: 1,
             threads: 1,
             watch: &Unwatched,
         };
         let model = QuadraticModel::new(Rule::TRAPEZOIDAL, &metric, &line);
-        let points = search.leave_saddle(&model, &line, 64.0).expect("a way down");
+        let points =
+            search.leave_saddle(&model, &line.clone().into_any(), 64.0).expect("a way down");
         let lower = search.energy.admissible(&points).expect("defined everywhere");
         assert!(lower < 0.999 * model.energy, "{lower} {}", model.energy);
     }

@@ -39,6 +39,14 @@ pub enum SolveError {
         /// The energy, in `m²`: infinite, or NaN for a difference of infinities.
         energy: f64,
     },
+    /// A set or a start lies in another dimension than the metric.
+    #[error("a set or a start has {found} coordinates under a metric in dimension {metric}")]
+    Dimension {
+        /// The dimension of the metric.
+        metric: usize,
+        /// The number of coordinates.
+        found: usize,
+    },
     /// The watcher of the solve ended it.
     #[error("the solve was ended on its way to a minimiser, on the grid of {n} chords")]
     Interrupted {

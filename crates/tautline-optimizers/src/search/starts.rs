@@ -1,11 +1,13 @@
 //! Where the local searches start.
 
-use nalgebra::SVector;
-use tautline_discretizations::PointSequence;
-use tautline_sets::ClosedSet;
+use tautline_discretizations::{ANY, PointSequence};
+use tautline_sets::AnySet;
 
 use crate::{
-    newton::discrete_energy::DiscreteEnergy,
+    newton::{
+        discrete_energy::DiscreteEnergy,
+        small::{Vector, dot},
+    },
     search::{line_minimum::line_minimum, prolongation::prolong},
 };
 
@@ -39,20 +41,44 @@ const BEND: f64 = 0.4;
 const PROJECTIONS: usize = 50;
 
 impl<const D: usize> Starts<D> {
+    /// Returns the given sequences.
+    pub(crate) fn given(&self) -> &[PointSequence<D>] {
+        match self {
+            Starts::Automatic => &[],
+            Starts::Only(given) | Starts::OnTheGrid(given) | Starts::Also(given) => given,
+        }
+    }
+
+    /// Returns the same starts for a dimension that is a value.
+    pub(crate) fn in_any(&self) -> Starts<ANY> {
+        let any = |given: &[PointSequence<D>]| -> Vec<PointSequence<ANY>> {
+            given.iter().map(|sequence| sequence.clone().into_any()).collect()
+        };
+        match self {
+            Starts::Automatic => Starts::Automatic,
+            Starts::Only(given) => Starts::Only(any(given)),
+            Starts::OnTheGrid(given) => Starts::OnTheGrid(any(given)),
+            Starts::Also(given) => Starts::Also(any(given)),
+        }
+    }
+}
+
+impl Starts<ANY> {
     /// Returns the starts between two pieces, on the grid of `n` chords. They are the given ones,
     /// bent lines if `bent`, and the best sequences on lines for each of the numbers of intervals
     /// in `lines`.
     pub(crate) fn between(
         &self,
-        energy: &DiscreteEnergy<'_, D>,
-        [first, second]: [&dyn ClosedSet<D>; 2],
+        energy: &DiscreteEnergy<'_>,
+        [first, second]: [&dyn AnySet; 2],
         n: usize,
         bent: bool,
         lines: &[usize],
-    ) -> Vec<PointSequence<D>> {
-        let mut starts = self.given([first, second], n);
+    ) -> Vec<PointSequence<ANY>> {
+        let dimension = energy.dimension();
+        let mut starts = self.on_the_grid([first, second], n);
         if !matches!(self, Starts::Only(_) | Starts::OnTheGrid(_)) && (bent || !lines.is_empty()) {
-            for (a, b) in end_points(first, second) {
+            for [a, b] in end_points(dimension, first, second) {
                 if bent {
                     starts.extend(bent_lines(&a, &b, n));
                 }
@@ -61,97 +87,101 @@ impl<const D: usize> Starts<D> {
             }
         }
         // Sequences with points that are not finite are left out.
-        starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
+        let sequence = |points| PointSequence::from_coordinates(dimension, points).ok();
+        starts.into_iter().filter_map(sequence).collect()
     }
 
-    /// Returns the given starts.
-    fn given(
-        &self,
-        [first, second]: [&dyn ClosedSet<D>; 2],
-        n: usize,
-    ) -> Vec<Vec<SVector<f64, D>>> {
-        let (Starts::Only(given) | Starts::Also(given) | Starts::OnTheGrid(given)) = self else {
-            return Vec::new();
-        };
-        let on_the_grid = |sequence: &PointSequence<D>| {
+    /// Returns the given sequences on the grid of `n` chords, with their ends in the sets.
+    fn on_the_grid(&self, [first, second]: [&dyn AnySet; 2], n: usize) -> Vec<Vec<f64>> {
+        let on_the_grid = |sequence: &PointSequence<ANY>| {
             let mut points = match self {
                 Starts::OnTheGrid(_) => divided(sequence, n),
                 _ => prolong(sequence, n),
             };
-            points[0] = first.project(&points[0]);
-            points[n] = second.project(&points[n]);
+            let d = sequence.dimension();
+            first.project(&mut points[..d]);
+            second.project(&mut points[n * d..]);
             points
         };
-        given.iter().map(on_the_grid).collect()
+        self.given().iter().map(on_the_grid).collect()
     }
 }
 
 /// Returns `n + 1` points on the polygon of a sequence, at equal distances in its parameter.
-fn divided<const D: usize>(sequence: &PointSequence<D>, n: usize) -> Vec<SVector<f64, D>> {
-    let (points, coarse) = (sequence.points(), sequence.n().get());
-    let at = |k: usize| {
+fn divided(sequence: &PointSequence<ANY>, n: usize) -> Vec<f64> {
+    let coarse = sequence.n().get();
+    let at = |k: usize| -> Vector {
         // In integers, so that a point of the sequence remains as it is.
         let (whole, rest) =
             (k as u128 * coarse as u128 / n as u128, k as u128 * coarse as u128 % n as u128);
         let (whole, t) = (whole as usize, rest as f64 / n as f64);
-        if rest == 0 { points[whole] } else { points[whole] * (1.0 - t) + points[whole + 1] * t }
+        if rest == 0 {
+            return Vector::from_slice(sequence.row(whole));
+        }
+        let ends = sequence.row(whole).iter().zip(sequence.row(whole + 1));
+        ends.map(|(x, y)| x * (1.0 - t) + y * t).collect()
     };
-    (0..=n).map(at).collect()
+    (0..=n).flat_map(at).collect()
 }
 
 /// Returns pairs of end points: nearest points of the sets, and each seed with the point nearest to
 /// it.
-fn end_points<const D: usize>(
-    first: &dyn ClosedSet<D>,
-    second: &dyn ClosedSet<D>,
-) -> Vec<(SVector<f64, D>, SVector<f64, D>)> {
-    let nearest = |mut a: SVector<f64, D>| {
-        let mut b = second.project(&a);
-        for _ in 0..PROJECTIONS {
-            a = first.project(&b);
-            let next = second.project(&a);
-            if next == b {
-                break;
-            }
-            b = next;
-        }
-        (a, b)
+fn end_points(dimension: usize, first: &dyn AnySet, second: &dyn AnySet) -> Vec<[Vec<f64>; 2]> {
+    let nearest = |set: &dyn AnySet, x: &[f64]| {
+        let mut x = x.to_vec();
+        set.project(&mut x);
+        x
     };
-    let mut pairs = vec![nearest(first.project(&SVector::zeros()))];
+    let mut a = nearest(first, &vec![0.0; dimension]);
+    let mut b = nearest(second, &a);
+    for _ in 0..PROJECTIONS {
+        a = nearest(first, &b);
+        let next = nearest(second, &a);
+        if next == b {
+            break;
+        }
+        b = next;
+    }
+    let mut pairs = vec![[a, b]];
     // A seed stays in place, since repeated projection would move all seeds to the same point.
-    pairs.extend(first.seeds().into_iter().map(|a| (a, second.project(&a))));
-    pairs.extend(second.seeds().into_iter().map(|b| (first.project(&b), b)));
+    pairs.extend(first.seeds().into_iter().map(|a| {
+        let b = nearest(second, &a);
+        [a, b]
+    }));
+    pairs.extend(second.seeds().into_iter().map(|b| [nearest(first, &b), b]));
     pairs
 }
 
 /// Returns the straight line from `a` to `b`, and its bends.
-fn bent_lines<const D: usize>(
-    a: &SVector<f64, D>,
-    b: &SVector<f64, D>,
-    n: usize,
-) -> Vec<Vec<SVector<f64, D>>> {
-    let chord = b - a;
-    let line = |bend: SVector<f64, D>| {
+fn bent_lines(a: &[f64], b: &[f64], n: usize) -> Vec<Vec<f64>> {
+    let d = a.len();
+    let chord: Vector = a.iter().zip(b).map(|(a, b)| b - a).collect();
+    let line = |bend: &[f64]| -> Vec<f64> {
         let at = |k: usize| {
             let t = k as f64 / n as f64;
-            let along = a * (1.0 - t) + b * t;
             // The ends are exact, while the sine would round.
-            if k == 0 || k == n { along } else { along + bend * (std::f64::consts::PI * t).sin() }
+            let height = (k > 0 && k < n).then(|| (std::f64::consts::PI * t).sin());
+            let along = a.iter().zip(b).map(move |(a, b)| a * (1.0 - t) + b * t);
+            along.zip(bend).map(move |(x, bend)| height.map_or(x, |height| x + bend * height))
         };
-        (0..=n).map(at).collect()
+        (0..=n).flat_map(at).collect()
     };
-    let mut starts = vec![line(SVector::zeros())];
+    let mut starts = vec![line(&vec![0.0; d])];
     if n > 1 {
-        for axis in 0..D {
-            let mut bend = SVector::zeros();
-            bend[axis] = 1.0;
-            bend -= chord * (chord[axis] / chord.norm_squared());
+        let squared = dot(&chord, &chord);
+        for axis in 0..d {
+            let share = chord[axis] / squared;
+            let mut bend: Vector = chord.iter().map(|x| -(x * share)).collect();
+            bend[axis] = 1.0 - chord[axis] * share;
+            let length = dot(&bend, &bend).sqrt();
             // The axis nearest to the chord adds no direction to the others.
-            if !(bend.norm() > 0.5) {
+            if !(length > 0.5) {
                 continue;
             }
-            let bend = bend.normalize() * (BEND * chord.norm());
-            starts.extend([line(bend), line(-bend)]);
+            let height = BEND * squared.sqrt();
+            let bend: Vector = bend.iter().map(|x| x / length * height).collect();
+            let other: Vector = bend.iter().map(|x| -x).collect();
+            starts.extend([line(&bend), line(&other)]);
         }
     }
     starts
@@ -165,13 +195,27 @@ mod tests {
     use tautline_discretizations::{PointSequence, Rule};
     use tautline_formula::Prepared;
     use tautline_metrics::gallery::Valleys;
-    use tautline_sets::{Ball, HalfSpace, Point, Sphere};
+    use tautline_sets::{Ball, ClosedSet, HalfSpace, InAny, Point, Sphere};
 
     use super::{BEND, Starts};
     use crate::newton::discrete_energy::DiscreteEnergy;
 
+    /// Returns the starts between two sets of the plane, or of space.
+    fn between<const D: usize>(
+        starts: &Starts<D>,
+        energy: &DiscreteEnergy<'_>,
+        sets: [&dyn ClosedSet<D>; 2],
+        n: usize,
+        bent: bool,
+        lines: &[usize],
+    ) -> Vec<PointSequence<D>> {
+        let sets = sets.map(InAny);
+        let found = starts.in_any().between(energy, [&sets[0], &sets[1]], n, bent, lines);
+        found.into_iter().filter_map(PointSequence::into_dimension).collect()
+    }
+
     /// Returns the energy over the valleys.
-    fn valleys() -> DiscreteEnergy<'static, 2> {
+    fn valleys() -> DiscreteEnergy<'static> {
         static METRIC: LazyLock<Prepared<Valleys, 2>> = LazyLock::new(|| Prepared::new(Valleys));
         DiscreteEnergy::new(Rule::TRAPEZOIDAL, &*METRIC)
     }
@@ -181,7 +225,8 @@ mod tests {
         let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
         let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
-        let starts = Starts::Also(vec![given]).between(&valleys(), [&ball, &wall], 16, true, &[64]);
+        let starts = Starts::Also(vec![given]);
+        let starts = between(&starts, &valleys(), [&ball, &wall], 16, true, &[64]);
         assert_eq!(
             starts.len(),
             1 + 3 + 1,
@@ -204,7 +249,7 @@ mod tests {
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
         let also = Starts::Also(vec![given]);
         let tried = |starts: &Starts<2>, lines: &[usize]| {
-            starts.between(&valleys(), [&ball, &wall], 16, false, lines)
+            between(starts, &valleys(), [&ball, &wall], 16, false, lines)
         };
         let [start] = tried(&also, &[]).try_into().expect("the given one");
         assert_eq!(start.n().get(), 16);
@@ -226,8 +271,7 @@ mod tests {
         let polygon = PointSequence::new(corners.map(Into::into).to_vec()).expect("finite");
         let starts = Starts::OnTheGrid(vec![polygon.clone()]);
         let on = |n| {
-            let [start] = starts
-                .between(&valleys(), [&a, &b], n, true, &[48, 64])
+            let [start] = between(&starts, &valleys(), [&a, &b], n, true, &[48, 64])
                 .try_into()
                 .expect("the given one");
             start
@@ -245,14 +289,9 @@ mod tests {
     fn lines_are_bent_to_both_sides_of_every_axis_but_their_own() {
         let a = Point::new([-1.0, 0.0, 0.0]).expect("finite");
         let b = Point::new([1.0, 0.0, 0.0]).expect("finite");
-        let middles: Vec<_> = Starts::Automatic
-            .between(
-                &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &Prepared::new(Valleys)),
-                [&a, &b],
-                10,
-                true,
-                &[64],
-            )
+        let metric = Prepared::<_, 3>::new(Valleys);
+        let energy = DiscreteEnergy::new(Rule::TRAPEZOIDAL, &metric);
+        let middles: Vec<_> = between(&Starts::Automatic, &energy, [&a, &b], 10, true, &[64])
             .iter()
             .map(|start| {
                 let middle = start.points()[5];
@@ -266,10 +305,10 @@ mod tests {
     fn a_sphere_is_tried_from_all_sides() {
         let sphere = Sphere::new([0.0, 0.0], 1.0).expect("positive radius");
         let point = Point::new([0.2, 0.1]).expect("finite");
-        let starts = Starts::Automatic.between(&valleys(), [&sphere, &point], 16, true, &[64]);
+        let starts = between(&Starts::Automatic, &valleys(), [&sphere, &point], 16, true, &[64]);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
         // If the sphere is the second set, the lines are the same, reversed.
-        let back = Starts::Automatic.between(&valleys(), [&point, &sphere], 16, true, &[64]);
+        let back = between(&Starts::Automatic, &valleys(), [&point, &sphere], 16, true, &[64]);
         assert_eq!(back.len(), starts.len());
         let near = |x: &PointSequence<2>, y: &PointSequence<2>| {
             let pairs = x.points().iter().zip(y.points().iter().rev());
@@ -293,7 +332,7 @@ mod tests {
     fn the_straight_start_joins_nearest_points() {
         let ball = Ball::new([0.0, 2.0], 1.0).expect("positive radius");
         let wall = HalfSpace::at_least([1.0, 1.0], 6.0).expect("not zero");
-        let starts = Starts::Automatic.between(&valleys(), [&ball, &wall], 4, true, &[64]);
+        let starts = between(&Starts::Automatic, &valleys(), [&ball, &wall], 4, true, &[64]);
         let r = 0.5_f64.sqrt();
         // Each of the 50 rounds of alternating projections at least halves the error, so only
         // rounding remains.

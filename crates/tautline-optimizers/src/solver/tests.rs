@@ -4,7 +4,7 @@ use nalgebra::vector;
 use tautline_discretizations::{PointSequence, Rule};
 use tautline_formula::Prepared;
 use tautline_metrics::gallery::Separable;
-use tautline_sets::{ClosedSet, Point};
+use tautline_sets::{AnySet, InAny, Point};
 
 use super::{Candidate, Found, Options, Search};
 use crate::{Stop, Workspace, newton::discrete_energy::DiscreteEnergy, watch::Unwatched};
@@ -17,7 +17,8 @@ fn failed_undamped_steps_are_counted() {
     let ridges = ridges.expect("below one");
     let line = [[-2.866, 0.0, 0.0], [3.0, 0.0, 0.0]];
     let [a, b] = line.map(|x| Point::new(x).expect("finite"));
-    let ends: [&dyn ClosedSet<3>; 2] = [&a, &b];
+    let (a, b) = (InAny(&a), InAny(&b));
+    let ends: [&dyn AnySet; 2] = [&a, &b];
     let (workspace, options) = (&mut Workspace::default(), &Options::default());
     let batches = Prepared::new(&ridges);
     let energy = &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &batches);
@@ -34,7 +35,7 @@ fn failed_undamped_steps_are_counted() {
     let local = search.between(ends);
     let coarse = || {
         let line = PointSequence::straight(line[0], line[1], 9).expect("finite");
-        Candidate::new(ends, local.run(line).expect("a metric"))
+        Candidate::new(ends, local.run(line.into_any()).expect("a metric"))
     };
     let start = || coarse().start(129, energy, Vec::new()).expect("finite");
     let mut in_vain = 0;
@@ -52,7 +53,8 @@ fn what_was_left_behind_is_followed_if_nothing_better_counts() {
     let plane = Separable::new(vector![0.5, 0.0], vector![1.0, 1.0]).expect("below one");
     let line = [[-1.0, 0.0], [2.0, 1.0]];
     let [a, b] = line.map(|x| Point::new(x).expect("finite"));
-    let ends: [&dyn ClosedSet<2>; 2] = [&a, &b];
+    let (a, b) = (InAny(&a), InAny(&b));
+    let ends: [&dyn AnySet; 2] = [&a, &b];
     let (workspace, options) = (&mut Workspace::default(), &Options::default());
     let batches = Prepared::new(&plane);
     let energy = &DiscreteEnergy::new(Rule::TRAPEZOIDAL, &batches);
@@ -69,7 +71,7 @@ fn what_was_left_behind_is_followed_if_nothing_better_counts() {
     let local = search.between(ends);
     let solved = |n| {
         let line = PointSequence::straight(line[0], line[1], n).expect("finite");
-        local.run(line).expect("a metric")
+        local.run(line.into_any()).expect("a metric")
     };
     let good = || Candidate::new(ends, solved(32));
     let failed = || {

@@ -6,7 +6,7 @@ use std::{collections::HashSet, f64::consts::PI, sync::Mutex, thread};
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{Rule, energy_gradient};
-use tautline_formula::{Batches, Kind, Layout, Plain, Prepared, Registers};
+use tautline_formula::{AnyBatches, Batches, Kind, Layout, Plain, Prepared, Registers};
 use tautline_metrics::{
     Metric, MetricError, Scalar,
     gallery::{Bump, CoupledCosines, Separable, SineProjection, SineProjections, Sphere, Valleys},
@@ -131,9 +131,14 @@ fn the_starts_are_tried_again_after_a_leap() {
 /// A metric that records the threads that evaluate it.
 struct Asked<'m, const D: usize>(&'m dyn Batches<D>, Mutex<HashSet<thread::ThreadId>>);
 
-impl<const D: usize> Batches<D> for Asked<'_, D> {
-    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        self.0.gram(x)
+impl<const D: usize> Batches<D> for Asked<'_, D> {}
+
+impl<const D: usize> AnyBatches for Asked<'_, D> {
+    fn dimension(&self) -> usize {
+        D
+    }
+    fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
+        self.0.gram_into(x, gram);
     }
     fn layout(&self, kind: Kind) -> &Layout {
         self.0.layout(kind)

@@ -6,9 +6,8 @@ use std::{
     sync::atomic::{AtomicUsize, Ordering},
 };
 
-use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::Rule;
-use tautline_formula::{Batches, Kind, Layout, Prepared, Registers};
+use tautline_formula::{AnyBatches, Batches, Kind, Layout, Prepared, Registers};
 use tautline_metrics::{
     Metric,
     gallery::{CoupledCosines, Hill, Ramp, Separable, SineProjections, Sphere, Valleys},
@@ -27,10 +26,15 @@ struct Counted<M, const D: usize> {
     numbers: AtomicUsize,
 }
 
-impl<M: Metric<D>, const D: usize> Batches<D> for Counted<M, D> {
-    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+impl<M: Metric<D>, const D: usize> Batches<D> for Counted<M, D> {}
+
+impl<M: Metric<D>, const D: usize> AnyBatches for Counted<M, D> {
+    fn dimension(&self) -> usize {
+        D
+    }
+    fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
         self.numbers.fetch_add(1, Ordering::Relaxed);
-        self.metric.gram(x)
+        self.metric.gram_into(x, gram);
     }
     fn layout(&self, kind: Kind) -> &Layout {
         self.metric.layout(kind)

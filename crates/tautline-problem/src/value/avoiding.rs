@@ -2,7 +2,7 @@
 
 use tautline::{
     Formula,
-    formula::{AnyFormula, Part, Written, WrittenError},
+    formula::{Part, Written, WrittenError},
 };
 use tautline_picture::portrait::Shape;
 
@@ -46,7 +46,7 @@ pub(super) fn avoiding<const D: usize>(
         Part { text, id: 0 }
     }
     let distances = distances.iter().map(|text| part(text)).collect();
-    let metric = Box::new(Written::Recorded(AnyFormula::from(formula)));
+    let metric = Box::new(Written::Recorded(formula.clone().into_any()));
     let metric = Written::Weighted(distances, part(&factor), metric);
     let formula = Formula::<D>::compose(&[], &[], &[], &metric);
     let formula = formula.map_err(|WrittenError { error, .. }| GivenError::Text(error))?;

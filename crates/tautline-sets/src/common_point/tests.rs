@@ -1,10 +1,18 @@
 //! Sets that touch, and sets that do not.
 
-use super::{common_point, lies_in_both};
+use super::common_point;
 use crate::laws::{Bare, runner, scale, unwrap, vector_in};
-use crate::{AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, Sphere};
+use crate::{AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, InAny, Point, Segment, Sphere};
 use nalgebra::{SVector, vector};
 use proptest::prelude::*;
+
+fn lies_in_both<const D: usize>(
+    a: &dyn ClosedSet<D>,
+    b: &dyn ClosedSet<D>,
+    x: &SVector<f64, D>,
+) -> bool {
+    super::lies_in_both(&InAny(a), &InAny(b), x.as_slice())
+}
 
 /// A point may be off by `(D + 4) ε = 7 ε` times its largest coordinate.
 #[test]

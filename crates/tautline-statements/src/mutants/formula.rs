@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Batches, Formula, Kind, Metric, Prepared, Scalar,
+    AnyBatches, Batches, Formula, Kind, Metric, Prepared, Scalar,
     formula::{Arithmetic, Function, Layout, Operation, Pair, Register, Registers, Step},
 };
 
@@ -143,9 +143,15 @@ fn rows(layout: &Layout) -> impl Iterator<Item = Register> {
     [square, momentum, slope, gram, turn, bend].into_iter().flatten().copied()
 }
 
-impl<const D: usize> Batches<D> for Misrun<D> {
-    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        self.prepared.gram(x)
+impl<const D: usize> Batches<D> for Misrun<D> {}
+
+impl<const D: usize> AnyBatches for Misrun<D> {
+    fn dimension(&self) -> usize {
+        D
+    }
+
+    fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
+        self.prepared.gram_into(x, gram);
     }
 
     fn layout(&self, kind: Kind) -> &Layout {

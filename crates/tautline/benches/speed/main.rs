@@ -65,7 +65,7 @@ impl Peer for Timing {
         let mut race = Race::default();
         by_hand(self.name, &mut race, line.points());
         race.add("energy", || {
-            admissible_energy(Rule::TRAPEZOIDAL.nodes(), &prepared, black_box(&line).points())
+            admissible_energy(Rule::TRAPEZOIDAL.nodes(), &prepared, black_box(&line).coordinates())
         });
         race.add("gradient", || {
             LinearModel::by_batches(Rule::TRAPEZOIDAL.nodes(), &prepared, black_box(&line))

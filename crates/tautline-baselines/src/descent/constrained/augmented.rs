@@ -39,9 +39,9 @@ impl<const D: usize> At<D> {
 }
 
 /// Adds the forces `Σ wₙ ∇c(xₙ)` to a gradient.
-fn push<const D: usize>(model: &mut LinearModel<D>, contacts: &[Contact<D>], weights: &[f64]) {
+fn push<const D: usize>(model: &mut LinearModel, contacts: &[Contact<D>], weights: &[f64]) {
     for (gradient, (contact, weight)) in
-        model.gradient[1..].iter_mut().zip(contacts.iter().zip(weights))
+        model.gradient_mut()[1..].iter_mut().zip(contacts.iter().zip(weights))
     {
         *gradient += contact.slope * *weight;
     }

@@ -3,7 +3,7 @@
 use tautline_discretizations::{PointSequence, Rule};
 use tautline_formula::Prepared;
 use tautline_metrics::gallery::Valleys;
-use tautline_sets::{Ball, ClosedSet, Point};
+use tautline_sets::{AnySet, Ball, InAny, Point};
 
 use super::{Candidate, are_apart, lowest_first};
 use crate::{
@@ -17,8 +17,9 @@ use crate::{
 /// these grids.
 fn distance(rule: Rule, grids: &[usize]) -> f64 {
     let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
-    let ends: [&dyn ClosedSet<2>; 2] = [&ends[0], &ends[1]];
-    let batches = Prepared::new(&Valleys);
+    let ends = ends.each_ref().map(|set| InAny(set));
+    let ends: [&dyn AnySet; 2] = [&ends[0], &ends[1]];
+    let batches = Prepared::<_, 2>::new(&Valleys);
     let search = LocalSearch {
         energy: &DiscreteEnergy::new(rule, &batches),
         ends,
@@ -27,15 +28,15 @@ fn distance(rule: Rule, grids: &[usize]) -> f64 {
         watch: &Unwatched,
     };
     let solve = |n| {
-        let line = PointSequence::straight([0.0, 0.0], [2.0, 1.5], n).expect("finite");
-        search.run(line).expect("a metric")
+        let line = PointSequence::<2>::straight([0.0, 0.0], [2.0, 1.5], n).expect("finite");
+        search.run(line.into_any()).expect("a metric")
     };
     let candidate = Candidate::new(ends, solve(grids[0]));
     let candidate = grids[1..].iter().fold(candidate, |c, &n| c.refined(solve(n)).0);
     let start = candidate.start(3200, search.energy, Vec::new()).expect("finite");
     let fine = solve(3200).sequence;
-    let pairs = start.points().iter().zip(fine.points());
-    pairs.map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
+    let pairs = start.coordinates().iter().zip(fine.coordinates());
+    pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
 }
 
 /// The leading error is of order 2 for one rule and 1 for the other, and the next error is of
@@ -60,27 +61,36 @@ fn the_points_are_extrapolated_to_the_next_grid() {
 #[test]
 fn the_ends_of_an_extrapolated_start_lie_in_their_sets() {
     let [a, b] = [[0.0, 0.3], [3.0, 1.5]].map(|x| Ball::new(x, 0.5).expect("a radius"));
-    let ends: [&dyn ClosedSet<2>; 2] = [&a, &b];
-    let batches = Prepared::new(&Valleys);
+    let (a, b) = (InAny(&a), InAny(&b));
+    let ends: [&dyn AnySet; 2] = [&a, &b];
+    let batches = Prepared::<_, 2>::new(&Valleys);
     let energy = &DiscreteEnergy::new(Rule::LEFT_ENDPOINT, &batches);
     let search = LocalSearch { energy, ends, iterations: 50, threads: 1, watch: &Unwatched };
     let solve = |n| {
-        let line = PointSequence::straight([0.3, 0.3], [2.7, 1.5], n).expect("finite");
-        search.run(line).expect("a metric")
+        let line = PointSequence::<2>::straight([0.3, 0.3], [2.7, 1.5], n).expect("finite");
+        search.run(line.into_any()).expect("a metric")
     };
     let candidate = Candidate::new(ends, solve(32)).refined(solve(64)).0;
     let start = candidate.start(256, energy, Vec::new()).expect("finite");
-    for (set, x) in ends.into_iter().zip([start.first(), start.last()]) {
-        assert!((set.project(x) - x).amax() < 1e-15, "{x}");
+    for (set, x) in ends.into_iter().zip([start.row(0), start.row(256)]) {
+        let mut nearest = x.to_vec();
+        set.project(&mut nearest);
+        assert!(gap(&nearest, x) < 1e-15, "{x:?}");
     }
     // Extrapolation has moved the end by far more.
-    assert!((start.last() - candidate.found.sequence.last()).amax() > 1e-6);
+    assert!(gap(start.row(256), candidate.found.sequence.row(64)) > 1e-6);
+}
+
+/// Returns the largest difference of two coordinates.
+fn gap(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
 }
 
 /// Returns a made-up result with this energy.
-fn found(n: usize, energy: f64) -> Found<2> {
+fn found(n: usize, energy: f64) -> Found {
+    let line = PointSequence::straight([0.0, 0.0], [1.0, 0.0], n).expect("finite");
     Found {
-        sequence: PointSequence::straight([0.0, 0.0], [1.0, 0.0], n).expect("finite"),
+        sequence: line.into_any(),
         energy,
         mean_gram: 1.0,
         decrement: 0.0,
@@ -96,6 +106,7 @@ fn found(n: usize, energy: f64) -> Found<2> {
 #[test]
 fn grids_before_a_leap_are_not_extrapolated_from() {
     let point = Point::new([0.0, 0.0]).expect("finite");
+    let point = InAny(&point);
     let coarse = || Candidate::new([&point, &point], found(32, 1.0)).refined(found(64, 1.1)).0;
     assert_eq!(coarse().coarser.len(), 1);
     let (steady, _) = coarse().refined(found(128, 1.1));
@@ -113,6 +124,7 @@ fn grids_before_a_leap_are_not_extrapolated_from() {
 #[test]
 fn a_failed_search_comes_last_and_replaces_none() {
     let point = Point::new([0.0, 0.0]).expect("finite");
+    let point = InAny(&point);
     for stop in [Stop::Stalled, Stop::IterationLimit] {
         let new =
             |energy, stop| Candidate::new([&point, &point], Found { stop, ..found(64, energy) });
@@ -130,6 +142,7 @@ fn a_failed_search_comes_last_and_replaces_none() {
 #[test]
 fn a_change_is_relative_to_the_coarser_grid_and_in_either_direction() {
     let point = Point::new([0.0, 0.0]).expect("finite");
+    let point = InAny(&point);
     let one = || Candidate::new([&point, &point], found(32, 8.0));
     assert!(!one().has_changed_by(0.0));
     let changed = |energy, by| one().refined(found(64, energy)).0.has_changed_by(by);
@@ -143,6 +156,7 @@ fn a_change_is_relative_to_the_coarser_grid_and_in_either_direction() {
 #[test]
 fn of_two_equal_candidates_the_one_from_more_grids_is_kept() {
     let point = Point::new([0.0, 0.0]).expect("finite");
+    let point = InAny(&point);
     let new = |energy| Candidate::new([&point, &point], found(64, energy));
     let followed = || Candidate::new([&point, &point], found(32, 1.0)).refined(found(64, 1.0)).0;
     let lower = 1.0 - 1e-10;
