@@ -50,7 +50,7 @@ pub(crate) fn cases() -> Result<Vec<Case>, Failure> {
         Case::new(
             "valleys_ball",
             Valleys,
-            Ends::new(ball, HalfSpace::at_least([1.0, 0.0], 3.0)?)?,
+            Ends::new(ball.clone(), HalfSpace::at_least([1.0, 0.0], 3.0)?)?,
             // ∇u| = f for u = 2x₁ − sin x₁, and the ball extends to x₁ = ½.
             Some(5.0 - 3_f64.sin() + 0.5_f64.sin()),
             Orders::General,

@@ -149,8 +149,8 @@ impl<'c, const D: usize> Chain<'c, D> {
     ///
     /// [`CheckError::Bound`] unless `hi` is positive and finite, [`CheckError::Dimension`] in more
     /// than four dimensions, [`CheckError::Formula`] for more than 500,000 lines, [`CheckError::Halves`]
-    /// if two entries of the matrix that mirror each other are different steps,
-    /// [`CheckError::HalfSpace`] if one has an offset above `2¹⁰⁰⁰` times its normal, and the errors of
+    /// if two entries of the matrix that mirror each other are different steps, [`CheckError::Set`] for a
+    /// set that is not elementary, [`CheckError::HalfSpace`] if one has an offset above `2¹⁰⁰⁰` times its normal, and the errors of
     /// [`Region::prove`].
     pub fn new(
         formula: &'c Formula<D>,
@@ -178,7 +178,11 @@ impl<'c, const D: usize> Chain<'c, D> {
             return Err(CheckError::Formula { lines: lines(formula), most: MOST_LINES });
         }
         for piece in sets.iter().flat_map(Shape::pieces) {
-            let Shape::HalfSpace(wall) = piece else { continue };
+            let wall = match piece {
+                Shape::HalfSpace(wall) => wall,
+                Shape::Point(_) | Shape::Ball(_) | Shape::AxisBox(_) => continue,
+                other => return Err(CheckError::Set { kind: other.name() }),
+            };
             let (normal, offset) = wall.given();
             if offset.abs() > FARTHEST_WALL * normal.amax() {
                 return Err(CheckError::HalfSpace { offset, normal: normal.amax() });

@@ -43,6 +43,12 @@ pub enum CheckError {
         /// The most lines.
         most: usize,
     },
+    /// A set is neither a point, a ball, a box or a half-space, nor a union of these.
+    #[error("{kind} is no set of a certificate")]
+    Set {
+        /// The kind of set, with its article.
+        kind: &'static str,
+    },
     /// The offset of a half-space is too large for its normal.
     #[error("a half-space with the offset {offset:e} and a normal of at most {normal:e}: too far")]
     HalfSpace {

@@ -27,6 +27,8 @@ pub(crate) fn distance_below<const D: usize>(set: &Shape<D>, x: &SVector<Interva
             let distances = shapes.iter().map(|shape| distance_below(shape, x));
             return distances.fold(f64::INFINITY, f64::min);
         }
+        // No certificate with another set is accepted.
+        _ => return 0.0,
     };
     distance.lo().max(0.0)
 }
@@ -42,11 +44,11 @@ pub(crate) fn bounding_box<const D: usize>(set: &Shape<D>) -> Option<SVector<Int
         Shape::AxisBox(side) => Some(side.lower().zip_map(side.upper(), |lower, upper| {
             Interval::point(lower).hull(Interval::point(upper))
         })),
-        Shape::HalfSpace(_) => None,
         Shape::Union(shapes) => {
             let boxes: Option<Vec<_>> = shapes.iter().map(bounding_box).collect();
             boxes?.into_iter().reduce(|a, b| a.zip_map(&b, Interval::hull))
         }
+        _ => None,
     }
 }
 
@@ -85,7 +87,7 @@ fn constraints<const D: usize>(piece: &Shape<D>) -> Vec<Constraint<D>> {
                 Constraint { centre: None, normal, offset: Interval::point(offset) }
             })
             .collect(),
-        Shape::Point(_) | Shape::Union(_) => Vec::new(),
+        _ => Vec::new(),
     }
 }
 

@@ -161,7 +161,7 @@ fn size<const D: usize>(certificate: &Certificate<D>) -> u64 {
         Shape::Point(_) => D,
         Shape::AxisBox(_) => 2 * D,
         Shape::Ball(_) | Shape::HalfSpace(_) => D + 1,
-        Shape::Union(_) => 0,
+        _ => 0,
     };
     let of_region = match region {
         Region::Tubes { .. } => 2,

@@ -123,6 +123,8 @@ fn write_piece<const D: usize>(
         }
         // Its pieces are written, each on its own line.
         Shape::Union(_) => Ok(()),
+        // No reader accepts it.
+        other => writeln!(f, "{name} {}", other.name()),
     }
 }
 

@@ -118,13 +118,13 @@ fn kind<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> End<D> {
         Shape::Point(_) => End::Point,
         Shape::Ball(ball) if ball.r() == 0.0 => End::Point,
         Shape::Ball(ball) => End::Ball(*ball.centre()),
-        Shape::HalfSpace(_) => End::Flat,
         Shape::AxisBox(_) => End::Box,
         Shape::Union(_) => {
             let pieces = set.pieces().into_iter();
             let nearest = pieces.min_by(|a, b| distance(a, x).total_cmp(&distance(b, x)));
             nearest.map_or(End::Flat, |piece| kind(piece, x))
         }
+        _ => End::Flat,
     }
 }
 

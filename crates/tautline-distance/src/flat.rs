@@ -24,7 +24,7 @@ pub(crate) fn signed_distance<const D: usize>(
             let t = wall.normal().dot(x) - wall.offset();
             (t.signum(), foot(h, wall.normal(), t, x)?)
         }
-        Shape::Union(_) => return None,
+        _ => return None,
     };
     let distance = sign * length(h, &(x - y))?;
     (distance.is_finite() && y.iter().all(|c| c.is_finite())).then_some((distance, y))

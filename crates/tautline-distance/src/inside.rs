@@ -28,7 +28,7 @@ pub(crate) fn inside<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> SVe
             let shift = 8.0 * f64::EPSILON * (x.amax() + wall.offset().abs());
             wall.project(x) - wall.normal() * shift
         }
-        Some(Shape::Union(_)) | None => *x,
+        Some(_) | None => *x,
     }
 }
 
@@ -82,10 +82,10 @@ mod tests {
             let point = Point::new([near(-5.0), near(-5.0)]).expect("finite");
             let wall = HalfSpace::at_least([1.0, -1.0], near(9.0)).expect("a normal");
             let mut pieces = vec![
-                Shape::Ball(ball),
-                Shape::AxisBox(side),
-                Shape::Point(point),
-                Shape::HalfSpace(wall),
+                Shape::Ball(ball.clone()),
+                Shape::AxisBox(side.clone()),
+                Shape::Point(point.clone()),
+                Shape::HalfSpace(wall.clone()),
             ];
             pieces.rotate_left(case % 4);
             let set = Shape::Union(pieces);

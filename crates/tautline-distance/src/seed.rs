@@ -38,7 +38,8 @@ fn away<const D: usize>(piece: &Shape<D>, x: &SVector<f64, D>) -> (f64, SVector<
                 }
             }
         }
-        Shape::Union(_) => (f64::INFINITY, SVector::zeros()),
+        // A union is no piece, and the checker refuses other sets.
+        _ => (f64::INFINITY, SVector::zeros()),
     }
 }
 

@@ -100,11 +100,11 @@ fn diameter<const D: usize>(set: &Shape<D>, x: &SVector<f64, D>) -> Option<f64> 
         Shape::Point(point) => Some((point.position() - x).norm()),
         Shape::Ball(ball) => Some((ball.centre() - x).norm() + ball.r()),
         Shape::AxisBox(side) => Some((side.lower() - x).norm() + (side.upper() - x).norm()),
-        Shape::HalfSpace(_) => None,
         Shape::Union(shapes) => {
             let all: Option<Vec<f64>> = shapes.iter().map(|shape| diameter(shape, x)).collect();
             Some(all?.into_iter().fold(0.0, f64::max))
         }
+        _ => None,
     }
 }
 

@@ -1,12 +1,14 @@
 //! An affine subspace, which is a point, a line, a plane and so on.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{ANY, Interval};
 
-use crate::ClosedSet;
+use crate::any_set::closed_set_in_any;
 use crate::norm::{norm_above, polar};
+use crate::place::{Place, add, diagonal, dot, largest, minus, vector};
 use crate::proof;
-use crate::set_error::{SetError, finite_vector};
+use crate::set_error::{SetError, finite_vector, known};
+use crate::{AnySet, ClosedSet, Shape};
 
 /// The affine subspace `p + span(q₁, …, qₖ)`, where `0 ≤ k ≤ D`. It is unbounded for `k ≥ 1`.
 ///
@@ -20,13 +22,19 @@ use crate::set_error::{SetError, finite_vector};
 /// `p` that is not much farther from the origin than the points of interest. For `k = D` the
 /// subspace is `R^D`, and `P(x) = x` exactly.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "crate::data::AffineSubspace", into = "crate::data::AffineSubspace")
+)]
 pub struct AffineSubspace<const D: usize> {
-    base: SVector<f64, D>,
-    basis: Vec<SVector<f64, D>>,
+    base: Box<[f64]>,
+    /// The coordinates of the orthonormal directions, one direction after the other.
+    basis: Box<[f64]>,
     /// The directions as given. They define the subspace exactly, while the basis is rounded.
-    directions: Vec<SVector<f64, D>>,
+    directions: Vec<Box<[f64]>>,
     /// The projector `QQᵀ`.
-    projector: SMatrix<f64, D, D>,
+    projector: Box<[f64]>,
 }
 
 impl<const D: usize> AffineSubspace<D> {
@@ -44,21 +52,37 @@ impl<const D: usize> AffineSubspace<D> {
         base: impl Into<SVector<f64, D>>,
         directions: impl IntoIterator<Item = V>,
     ) -> Result<AffineSubspace<D>, SetError> {
-        let base = finite_vector("the base point", base)?;
-        let mut basis: Vec<SVector<f64, D>> = Vec::new();
+        let directions = directions.into_iter().map(|v| -> SVector<f64, D> { v.into() });
+        AffineSubspace::from_slices(base.into().as_slice(), directions)
+    }
+
+    /// Returns the subspace through the point with these coordinates, spanned by directions with those.
+    ///
+    /// # Errors
+    ///
+    /// As for [`AffineSubspace::new`]; also [`SetError::Coordinates`] if a vector has not `D`
+    /// coordinates, or not as many as `base`.
+    pub fn from_slices(
+        base: &[f64],
+        directions: impl IntoIterator<Item = impl AsRef<[f64]>>,
+    ) -> Result<AffineSubspace<D>, SetError> {
+        let base = finite_vector("the base point", base, known(D))?;
+        let dimension = base.len();
+        let mut basis: Vec<Place> = Vec::new();
         let mut given = Vec::new();
         for (index, direction) in directions.into_iter().enumerate() {
-            let direction = finite_vector("a direction", direction)?;
-            given.push(direction);
+            let direction = finite_vector("a direction", direction.as_ref(), Some(dimension))?;
             let Some((_, mut q)) = polar(&direction) else {
                 return Err(SetError::DependentDirection { index, remainder: 0.0 });
             };
+            given.push(direction);
             // Gram–Schmidt runs twice: the first round leaves components of size ε/remainder along
             // the earlier directions.
             let mut remainder = 1.0;
             for _ in 0..2 {
                 for earlier in &basis {
-                    q -= earlier * earlier.dot(&q);
+                    let share = dot(earlier, &q);
+                    add(&mut q, earlier, -share);
                 }
                 let (length, unit) = polar(&q).unwrap_or((0.0, q));
                 remainder *= length;
@@ -66,89 +90,142 @@ impl<const D: usize> AffineSubspace<D> {
                 // subtraction two more. There are fewer than D products, so that the error is below
                 // 2 D² ε for D ≥ 2. The bound is doubled for directions that are dependent in
                 // decimals and rounded on input.
-                if !(remainder > 4.0 * (D * D) as f64 * f64::EPSILON) {
+                if !(remainder > 4.0 * (dimension * dimension) as f64 * f64::EPSILON) {
                     return Err(SetError::DependentDirection { index, remainder });
                 }
                 q = unit;
             }
             basis.push(q);
         }
-        let projector = if basis.len() == D {
-            SMatrix::identity()
+        let mut projector = vec![0.0; dimension * dimension];
+        if basis.len() == dimension {
+            diagonal(&mut projector, dimension, |_| 1.0);
         } else {
-            basis.iter().fold(SMatrix::zeros(), |sum, q| sum + q * q.transpose())
-        };
-        Ok(AffineSubspace { base, basis, directions: given, projector })
+            for q in &basis {
+                let products = q.iter().flat_map(|v| q.iter().map(move |u| u * v));
+                projector.iter_mut().zip(products).for_each(|(sum, product)| *sum += product);
+            }
+        }
+        let basis = basis.into_iter().flatten().collect();
+        Ok(AffineSubspace { base, basis, directions: given, projector: projector.into() })
     }
 
     /// Returns the point `p`, in `ℓ`.
     #[must_use]
     pub fn base(&self) -> &SVector<f64, D> {
+        vector(&self.base)
+    }
+
+    /// Returns the coordinates of the point `p`, in `ℓ`.
+    #[must_use]
+    pub fn base_slice(&self) -> &[f64] {
         &self.base
     }
 
     /// Returns the orthonormal directions `q₁, …, qₖ`, which are pure numbers.
     #[must_use]
     pub fn basis(&self) -> &[SVector<f64, D>] {
-        &self.basis
+        bytemuck::cast_slice(&self.basis)
+    }
+
+    /// Returns the directions as they were given, which define the subspace exactly.
+    #[must_use]
+    pub fn given_slices(&self) -> &[Box<[f64]>] {
+        &self.directions
+    }
+
+    pub(crate) fn cast<const E: usize>(self) -> AffineSubspace<E> {
+        let Self { base, basis, directions, projector } = self;
+        AffineSubspace { base, basis, directions, projector }
+    }
+
+    /// Returns whether the subspace is all of the space.
+    fn is_all(&self) -> bool {
+        self.directions.len() == self.base.len()
+    }
+
+    /// Returns an orthonormal direction.
+    fn direction(&self, i: usize) -> &[f64] {
+        let dimension = self.base.len();
+        &self.basis[i * dimension..][..dimension]
     }
 }
 
-impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
-    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
-        if self.basis.len() == D {
-            return *x;
-        }
-        let offset = x - self.base;
-        self.basis.iter().fold(self.base, |sum, q| sum + q * q.dot(&offset))
+impl<const D: usize> AnySet for AffineSubspace<D> {
+    fn dimension(&self) -> usize {
+        self.base.len()
     }
 
-    fn projection_derivative(&self, _x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        self.projector
+    fn project(&self, x: &mut [f64]) {
+        if self.is_all() {
+            return;
+        }
+        let offset = minus(x, &self.base);
+        x.copy_from_slice(&self.base);
+        for i in 0..self.directions.len() {
+            let q = self.direction(i);
+            add(x, q, dot(q, &offset));
+        }
+    }
+
+    fn projection_derivative(&self, _x: &[f64], derivative: &mut [f64]) {
+        derivative.copy_from_slice(&self.projector);
     }
 
     fn radius(&self) -> Option<f64> {
         self.basis.is_empty().then(|| norm_above(&proof::point(&self.base)))
     }
 
-    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
-        self.basis.is_empty().then_some((self.base, 0.0))
-    }
-
-    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        let k = self.basis.len();
-        if k == D {
-            return Some(proof::point(x));
-        }
-        let along = |v: &SVector<f64, D>| v.iter().filter(|&&coordinate| coordinate != 0.0).count();
-        if self.directions.iter().all(|v| along(v) == 1) {
-            // Axes span their coordinates, so nothing rounds.
-            let free = |i: usize| self.directions.iter().any(|v| v[i] != 0.0);
-            let member = SVector::from_fn(|i, _| if free(i) { x[i] } else { self.base[i] });
-            return Some(proof::point(&member));
-        }
-        // p + Σ tᵢ vᵢ is a member for any tᵢ. The tᵢ that give P(x), up to rounding, solve the
-        // triangular system QᵀV t = Qᵀ(x − p), where V has the given directions up to powers of
-        // two.
-        let units: Vec<f64> =
-            self.directions.iter().map(|v| proof::power_of_two(v.amax())).collect();
-        let offset = x - self.base;
-        let mut t = vec![0.0; k];
-        for i in (0..k).rev() {
-            let entry = |j: usize| self.basis[i].dot(&(self.directions[j] / units[j]));
-            let later: f64 = (i + 1..k).map(|j| entry(j) * t[j]).sum();
-            t[i] = (self.basis[i].dot(&offset) - later) / entry(i);
-        }
-        let base = proof::point(&self.base);
-        proof::finite((0..k).fold(base, |sum, i| {
-            let v = proof::point(&self.directions[i]).map(|v| v / units[i]);
-            sum + v.map(|v| v * t[i])
-        }))
+    fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
+        self.basis.is_empty().then(|| (self.base.to_vec(), 0.0))
     }
 
     fn is_convex(&self) -> bool {
         true
     }
+
+    fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
+        let k = self.directions.len();
+        if self.is_all() {
+            return Some(proof::point(x));
+        }
+        let along = |v: &[f64]| v.iter().filter(|&&coordinate| coordinate != 0.0).count();
+        if self.directions.iter().all(|v| along(v) == 1) {
+            // Axes span their coordinates, so nothing rounds.
+            let free = |i: usize| self.directions.iter().any(|v| v[i] != 0.0);
+            let member = |i: usize| if free(i) { x[i] } else { self.base[i] };
+            return Some((0..x.len()).map(|i| Interval::point(member(i))).collect());
+        }
+        // p + Σ tᵢ vᵢ is a member for any tᵢ. The tᵢ that give P(x), up to rounding, solve the
+        // triangular system QᵀV t = Qᵀ(x − p), where V has the given directions up to powers of
+        // two.
+        let units: Vec<f64> =
+            self.directions.iter().map(|v| proof::power_of_two(largest(v))).collect();
+        let offset = minus(x, &self.base);
+        let mut t = vec![0.0; k];
+        for i in (0..k).rev() {
+            let entry = |j: usize| {
+                let scaled: Place = self.directions[j].iter().map(|v| v / units[j]).collect();
+                dot(self.direction(i), &scaled)
+            };
+            let later: f64 = (i + 1..k).map(|j| entry(j) * t[j]).sum();
+            t[i] = (dot(self.direction(i), &offset) - later) / entry(i);
+        }
+        let mut member = proof::point(&self.base);
+        for ((v, unit), t) in self.directions.iter().zip(&units).zip(&t) {
+            let steps = v.iter().map(|&v| Interval::point(v) / *unit * *t);
+            member.iter_mut().zip(steps).for_each(|(sum, step)| *sum += step);
+        }
+        proof::finite(member)
+    }
+
+    fn shape(&self) -> Option<Shape<ANY>> {
+        Some(Shape::AffineSubspace(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
+    closed_set_in_any!(self => Shape::AffineSubspace(self.clone()));
 }
 
 #[cfg(test)]

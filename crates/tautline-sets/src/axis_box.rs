@@ -1,12 +1,14 @@
 //! A box with sides parallel to the axes.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{ANY, Interval};
 
+use crate::any_set::closed_set_in_any;
 use crate::norm::{between, norm_above};
+use crate::place::{Place, diagonal, vector};
 use crate::proof;
-use crate::set_error::{SetError, finite_vector};
-use crate::{ClosedSet, Shape};
+use crate::set_error::{SetError, finite_vector, known};
+use crate::{AnySet, ClosedSet, Shape};
 
 /// The box `lᵢ ≤ xᵢ ≤ uᵢ`.
 ///
@@ -16,15 +18,15 @@ use crate::{ClosedSet, Shape};
 ///
 /// `lᵢ = uᵢ` is allowed: the box is flat in that coordinate, `P(x)ᵢ` is constant, and `δᵢ = 0`
 /// everywhere. Projections lie in the box exactly.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::AxisBox<D>")
+    serde(try_from = "crate::data::AxisBox")
 )]
 pub struct AxisBox<const D: usize> {
-    lower: SVector<f64, D>,
-    upper: SVector<f64, D>,
+    lower: Box<[f64]>,
+    upper: Box<[f64]>,
 }
 
 impl<const D: usize> AxisBox<D> {
@@ -39,8 +41,9 @@ impl<const D: usize> AxisBox<D> {
         centre: impl Into<SVector<f64, D>>,
         half_widths: impl Into<SVector<f64, D>>,
     ) -> Result<AxisBox<D>, SetError> {
-        let centre = finite_vector("the centre", centre)?;
-        let half_widths = finite_vector("the vector of half-widths", half_widths)?;
+        let (centre, half_widths) = (centre.into(), half_widths.into());
+        finite_vector("the centre", centre.as_slice(), known(D))?;
+        finite_vector("the vector of half-widths", half_widths.as_slice(), known(D))?;
         for (index, &half_width) in half_widths.iter().enumerate() {
             if !(half_width >= 0.0) {
                 return Err(SetError::NegativeHalfWidth { index, half_width });
@@ -59,8 +62,18 @@ impl<const D: usize> AxisBox<D> {
         lower: impl Into<SVector<f64, D>>,
         upper: impl Into<SVector<f64, D>>,
     ) -> Result<AxisBox<D>, SetError> {
-        let lower = finite_vector("the lower corner", lower)?;
-        let upper = finite_vector("the upper corner", upper)?;
+        AxisBox::from_slices(lower.into().as_slice(), upper.into().as_slice())
+    }
+
+    /// Returns the box between the corners with these coordinates, in `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`AxisBox::from_corners`]; also [`SetError::Coordinates`] if a corner has not `D`
+    /// coordinates, or not as many as the other.
+    pub fn from_slices(lower: &[f64], upper: &[f64]) -> Result<AxisBox<D>, SetError> {
+        let lower = finite_vector("the lower corner", lower, known(D))?;
+        let upper = finite_vector("the upper corner", upper, Some(lower.len()))?;
         for (index, (&lower, &upper)) in lower.iter().zip(&upper).enumerate() {
             if !(lower <= upper) {
                 return Err(SetError::CrossedCorners { index, lower, upper });
@@ -72,54 +85,78 @@ impl<const D: usize> AxisBox<D> {
     /// Returns the corner `l`, in `ℓ`.
     #[must_use]
     pub fn lower(&self) -> &SVector<f64, D> {
-        &self.lower
+        vector(&self.lower)
     }
 
     /// Returns the corner `u`, in `ℓ`.
     #[must_use]
     pub fn upper(&self) -> &SVector<f64, D> {
-        &self.upper
+        vector(&self.upper)
+    }
+
+    /// Returns the coordinates of the corners `l` and `u`, in `ℓ`.
+    #[must_use]
+    pub fn corner_slices(&self) -> [&[f64]; 2] {
+        [&self.lower, &self.upper]
+    }
+
+    pub(crate) fn cast<const E: usize>(self) -> AxisBox<E> {
+        AxisBox { lower: self.lower, upper: self.upper }
+    }
+
+    /// Returns the ends of each side.
+    fn sides(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.lower.iter().copied().zip(self.upper.iter().copied())
     }
 }
 
-impl<const D: usize> ClosedSet<D> for AxisBox<D> {
-    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
-        SVector::from_fn(|i, _| x[i].clamp(self.lower[i], self.upper[i]))
+impl<const D: usize> AnySet for AxisBox<D> {
+    fn dimension(&self) -> usize {
+        self.lower.len()
     }
 
-    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        SMatrix::from_diagonal(&SVector::from_fn(|i, _| {
+    fn project(&self, x: &mut [f64]) {
+        x.iter_mut().zip(self.sides()).for_each(|(x, (lower, upper))| *x = x.clamp(lower, upper));
+    }
+
+    fn projection_derivative(&self, x: &[f64], derivative: &mut [f64]) {
+        diagonal(derivative, x.len(), |i| {
             let (lower, upper) = (self.lower[i], self.upper[i]);
             if lower < upper && lower <= x[i] && x[i] <= upper { 1.0 } else { 0.0 }
-        }))
+        });
     }
 
     fn radius(&self) -> Option<f64> {
-        let farthest = self.lower.zip_map(&self.upper, |l, u| l.abs().max(u.abs()));
+        let farthest: Place = self.sides().map(|(l, u)| l.abs().max(u.abs())).collect();
         Some(norm_above(&proof::point(&farthest)))
     }
 
-    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
-        let centre = self.lower * 0.5 + self.upper * 0.5;
-        let sides =
-            between(&self.upper, &centre).zip_map(&between(&centre, &self.lower), |u, l| {
-                if u.magnitude() > l.magnitude() { u } else { l }
-            });
-        Some((centre, norm_above(&sides)))
-    }
-
-    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        // Clamping does not round.
-        Some(proof::point(&self.project(x)))
+    fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
+        let centre: Vec<f64> = self.sides().map(|(l, u)| l * 0.5 + u * 0.5).collect();
+        let halves = between(&self.upper, &centre).into_iter().zip(between(&centre, &self.lower));
+        let sides: Vec<Interval> =
+            halves.map(|(u, l)| if u.magnitude() > l.magnitude() { u } else { l }).collect();
+        let radius = norm_above(&sides);
+        Some((centre, radius))
     }
 
     fn is_convex(&self) -> bool {
         true
     }
 
-    fn shape(&self) -> Option<Shape<D>> {
-        Some(Shape::AxisBox(*self))
+    fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
+        // Clamping does not round.
+        let sides = x.iter().zip(self.sides());
+        Some(sides.map(|(x, (lower, upper))| Interval::point(x.clamp(lower, upper))).collect())
     }
+
+    fn shape(&self) -> Option<Shape<ANY>> {
+        Some(Shape::AxisBox(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for AxisBox<D> {
+    closed_set_in_any!(self => Shape::AxisBox(self.clone()));
 }
 
 #[cfg(test)]

@@ -3,12 +3,14 @@
 use std::cmp::Ordering;
 
 use nalgebra::{SMatrix, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{ANY, Interval};
 
+use crate::any_set::closed_set_in_any;
 use crate::norm::{norm_above, polar, sum_above};
+use crate::place::{diagonal, minus, tangential, vector};
 use crate::proof;
-use crate::set_error::{SetError, finite_vector, valid_radius};
-use crate::{ClosedSet, Shape};
+use crate::set_error::{SetError, finite_vector, known, valid_radius};
+use crate::{AnySet, ClosedSet, Shape};
 
 /// The ball `|x − c| ≤ r`. With `u = (x − c)/|x − c|`:
 ///
@@ -18,14 +20,14 @@ use crate::{ClosedSet, Shape};
 /// ```
 ///
 /// `r = 0` is allowed: the ball is the point `c`, and `DP = 0` everywhere.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::Ball<D>")
+    serde(try_from = "crate::data::Ball")
 )]
 pub struct Ball<const D: usize> {
-    centre: SVector<f64, D>,
+    centre: Box<[f64]>,
     r: f64,
 }
 
@@ -37,12 +39,27 @@ impl<const D: usize> Ball<D> {
     /// [`SetError::NonFiniteCoordinate`] if the centre is not finite; [`SetError::NonFinite`] or
     /// [`SetError::NegativeRadius`] if the radius is not finite or is negative.
     pub fn new(centre: impl Into<SVector<f64, D>>, r: f64) -> Result<Ball<D>, SetError> {
-        Ok(Ball { centre: finite_vector("the centre", centre)?, r: valid_radius(r)? })
+        Ball::from_slice(centre.into().as_slice(), r)
+    }
+
+    /// Returns the ball about the point with these coordinates.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Ball::new`]; also [`SetError::Coordinates`] if there are not `D` coordinates.
+    pub fn from_slice(centre: &[f64], r: f64) -> Result<Ball<D>, SetError> {
+        Ok(Ball { centre: finite_vector("the centre", centre, known(D))?, r: valid_radius(r)? })
     }
 
     /// Returns the centre `c`, in `ℓ`.
     #[must_use]
     pub fn centre(&self) -> &SVector<f64, D> {
+        vector(&self.centre)
+    }
+
+    /// Returns the coordinates of the centre, in `ℓ`.
+    #[must_use]
+    pub fn centre_slice(&self) -> &[f64] {
         &self.centre
     }
 
@@ -52,24 +69,34 @@ impl<const D: usize> Ball<D> {
     pub fn r(&self) -> f64 {
         self.r
     }
+
+    pub(crate) fn cast<const E: usize>(self) -> Ball<E> {
+        Ball { centre: self.centre, r: self.r }
+    }
 }
 
-impl<const D: usize> ClosedSet<D> for Ball<D> {
-    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
-        match polar(&(x - self.centre)) {
-            Some((distance, u)) if !(distance <= self.r) => self.centre + u * self.r,
-            _ => *x,
+impl<const D: usize> AnySet for Ball<D> {
+    fn dimension(&self) -> usize {
+        self.centre.len()
+    }
+
+    fn project(&self, x: &mut [f64]) {
+        if let Some((distance, u)) = polar(&minus(x, &self.centre))
+            && !(distance <= self.r)
+        {
+            let pairs = self.centre.iter().zip(&u);
+            x.iter_mut().zip(pairs).for_each(|(x, (c, u))| *x = c + u * self.r);
         }
     }
 
-    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        match polar(&(x - self.centre)) {
+    fn projection_derivative(&self, x: &[f64], derivative: &mut [f64]) {
+        match polar(&minus(x, &self.centre)) {
             Some((distance, u)) if !(distance <= self.r) => {
-                (SMatrix::identity() - u * u.transpose()) * (self.r / distance)
+                tangential(&u, self.r / distance, derivative);
             }
             // The ball is the point c, so P is constant.
-            _ if self.r == 0.0 => SMatrix::zeros(),
-            _ => SMatrix::identity(),
+            _ if self.r == 0.0 => derivative.fill(0.0),
+            _ => diagonal(derivative, x.len(), |_| 1.0),
         }
     }
 
@@ -77,24 +104,28 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
         Some(sum_above(norm_above(&proof::point(&self.centre)), self.r))
     }
 
-    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
-        Some((self.centre, self.r))
-    }
-
-    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        if proof::compare_distance(x, &self.centre, self.r).is_some_and(Ordering::is_le) {
-            return Some(proof::point(x));
-        }
-        proof::on_sphere(x, &self.centre, self.r)
+    fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
+        Some((self.centre.to_vec(), self.r))
     }
 
     fn is_convex(&self) -> bool {
         true
     }
 
-    fn shape(&self) -> Option<Shape<D>> {
-        Some(Shape::Ball(*self))
+    fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
+        if proof::compare_distance(x, &self.centre, self.r).is_some_and(Ordering::is_le) {
+            return Some(proof::point(x));
+        }
+        proof::on_sphere(x, &self.centre, self.r)
     }
+
+    fn shape(&self) -> Option<Shape<ANY>> {
+        Some(Shape::Ball(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for Ball<D> {
+    closed_set_in_any!(self => Shape::Ball(self.clone()));
 }
 
 #[cfg(test)]

@@ -105,16 +105,16 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
         None
     }
 
-    /// Returns the set as data, if it is one of the [`Shape`]s. The default is `None`. Only such a
-    /// set can be written into a certificate.
+    /// Returns the set as data, if it is one of the [`Shape`]s. The default is `None`. Only a set of an
+    /// [elementary](Shape::into_elementary) shape can be written into a certificate.
     fn shape(&self) -> Option<Shape<D>> {
         None
     }
 
     /// Returns the members of a union, each of which is searched separately; empty for a single
     /// piece.
-    fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
-        &[]
+    fn pieces(&self) -> Vec<Arc<dyn ClosedSet<D>>> {
+        Vec::new()
     }
 
     /// Returns further points of the set, in `ℓ`, from which a local search should start. A
@@ -155,7 +155,7 @@ macro_rules! closed_set_by {
             $set.shape()
         }
 
-        fn pieces(&$self) -> &[Arc<dyn ClosedSet<D>>] {
+        fn pieces(&$self) -> Vec<Arc<dyn ClosedSet<D>>> {
             $set.pieces()
         }
 
@@ -164,7 +164,6 @@ macro_rules! closed_set_by {
         }
     };
 }
-pub(crate) use closed_set_by;
 
 /// A shared set is a set, so that a set chosen at run time can be passed on.
 impl<const D: usize, S: ClosedSet<D> + ?Sized> ClosedSet<D> for Arc<S> {
@@ -176,10 +175,11 @@ pub(crate) fn append_pieces<const D: usize>(
     set: &Arc<dyn ClosedSet<D>>,
     pieces: &mut Vec<Arc<dyn ClosedSet<D>>>,
 ) {
-    if set.pieces().is_empty() {
+    let own = set.pieces();
+    if own.is_empty() {
         pieces.push(Arc::clone(set));
     }
-    for piece in set.pieces() {
+    for piece in &own {
         append_pieces(piece, pieces);
     }
 }
@@ -192,9 +192,9 @@ mod tests {
     use tautline_chance::{Random, cases, seed};
     use tautline_scalar::Interval;
 
-    use crate::exact::{Exact, squared_distances};
+    use crate::exact::{Exact, point, squared_distances};
     use crate::laws::Bare;
-    use crate::proof::{compare_distance, point};
+    use crate::proof::compare_distance;
     use crate::{
         AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
         Sphere, Union,
@@ -289,8 +289,10 @@ mod tests {
                 let about_the_origin = (SVector::zeros(), set.radius().expect("bounded"));
                 for (centre, radius) in [set.enclosing_ball().expect("bounded"), about_the_origin] {
                     for x in &members {
-                        let beyond =
-                            |r: f64| compare_distance(x, &centre, r).is_none_or(Ordering::is_gt);
+                        let beyond = |r: f64| {
+                            let order = compare_distance(x.as_slice(), centre.as_slice(), r);
+                            order.is_none_or(Ordering::is_gt)
+                        };
                         assert!(!beyond(radius), "{x} {centre} {radius:e}");
                         nearest_fails += usize::from(beyond((x - centre).norm()));
                     }
@@ -312,12 +314,12 @@ mod tests {
                 Ball::new(centre, random.between(0.0, 1.0))
             };
             let balls = [ball()?, ball()?];
-            let pieces = balls.map(|ball| Arc::new(ball) as Arc<dyn ClosedSet<2>>);
+            let pieces = balls.clone().map(|ball| Arc::new(ball) as Arc<dyn ClosedSet<2>>);
             let (centre, radius) = Union::new(pieces.to_vec())?.enclosing_ball().expect("bounded");
             for ball in balls {
                 // The farthest member is at the distance |c − centre| + r.
                 let rest = (Interval::point(radius) - ball.r()).hi();
-                let inside = compare_distance(ball.centre(), &centre, rest);
+                let inside = compare_distance(ball.centre_slice(), centre.as_slice(), rest);
                 assert!(inside.is_some_and(Ordering::is_le), "{ball:?} {centre} {radius:e}");
             }
         }

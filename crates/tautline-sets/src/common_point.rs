@@ -1,9 +1,9 @@
 //! A common point of two closed sets, by projections.
 
 use nalgebra::SVector;
-use smallvec::SmallVec;
 
-use crate::norm::norm_of;
+use crate::norm::norm;
+use crate::place::{Place, minus, plus};
 use crate::{AnySet, ClosedSet, InAny};
 
 /// The number of sweeps of alternating projections for each start. The step of each sweep is
@@ -63,19 +63,6 @@ pub fn common_point_of(a: &dyn AnySet, b: &dyn AnySet) -> Option<Vec<f64>> {
     starts.into_iter().find_map(|start| search(a, b, &start)).map(|x| x.to_vec())
 }
 
-/// A point, which needs no allocation up to four dimensions.
-type Place = SmallVec<[f64; 4]>;
-
-/// Returns the sum of `x` and a multiple of `y`.
-fn plus(x: &[f64], y: &[f64], factor: f64) -> Place {
-    x.iter().zip(y).map(|(x, y)| x + y * factor).collect()
-}
-
-/// Returns `x − y`.
-fn minus(x: &[f64], y: &[f64]) -> Place {
-    x.iter().zip(y).map(|(x, y)| x - y).collect()
-}
-
 fn projected(set: &dyn AnySet, x: &[f64]) -> Place {
     let mut nearest = Place::from_slice(x);
     set.project(&mut nearest);
@@ -93,7 +80,7 @@ impl Sweep {
     fn from(a: &dyn AnySet, b: &dyn AnySet, x: &[f64]) -> Sweep {
         let in_a = projected(a, x);
         let in_b = projected(b, &in_a);
-        let gap = norm_of(&minus(&in_b, &in_a));
+        let gap = norm(&minus(&in_b, &in_a));
         Sweep { in_a, in_b, gap }
     }
 }
@@ -127,7 +114,7 @@ fn search(a: &dyn AnySet, b: &dyn AnySet, start: &[f64]) -> Option<Place> {
         .into_iter()
         .flatten()
         .reduce(f64::min)
-        .unwrap_or_else(|| norm_of(&here.in_a));
+        .unwrap_or_else(|| norm(&here.in_a));
     // At a contact the gap stalls at ε^{2/3} = 4e-11 of the size. A gap a thousand times as wide
     // separates the sets.
     if !(here.gap <= 1e-7 * size) {

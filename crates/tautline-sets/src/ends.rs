@@ -101,7 +101,7 @@ fn probe<const D: usize>(end: &'static str, set: &Arc<dyn ClosedSet<D>>) -> Resu
     let units = (0..D).flat_map(|i| [1.0, -1.0].map(|sign| on_axis(i, sign)));
     for x in std::iter::once(SVector::zeros()).chain(units) {
         for piece in &pieces {
-            if let Some((index, value)) = non_finite(&piece.project(&x)) {
+            if let Some((index, value)) = non_finite(piece.project(&x).as_slice()) {
                 return Err(SetError::NoNearestPoint { end, index, value });
             }
         }
@@ -128,7 +128,7 @@ mod tests {
         let line = AffineSubspace::new([0.0, 0.0], [[0.0, 1.0]]).expect("one direction");
         assert_eq!(Ends::new(wall(), line).unwrap_err(), SetError::BothUnbounded);
         let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
-        assert!(Ends::new(ball, wall()).is_ok());
+        assert!(Ends::new(ball.clone(), wall()).is_ok());
         assert!(Ends::new(wall(), ball).is_ok());
     }
 
@@ -147,7 +147,7 @@ mod tests {
         assert_eq!(ends.second().project(&x), vector![3.0, 4.0]);
         assert!(ends.are_points());
         let ball = Ball::new([0.0, 0.0], 2.0).expect("finite");
-        assert!(!Ends::new(ball, ball).expect("bounded").are_points());
+        assert!(!Ends::new(ball.clone(), ball).expect("bounded").are_points());
         assert!(matches!(
             Ends::points([1.0, f64::NAN], [3.0, 4.0]),
             Err(SetError::NonFiniteCoordinate { index: 1, .. })
@@ -167,10 +167,10 @@ mod tests {
                 Err(SetError::NoNearestPoint { end, index: 1, value }) if end == which && value.is_nan()
             )
         };
-        assert!(refused(Ends::new(nothing(), ball), "first"));
-        assert!(refused(Ends::new(ball, nothing()), "second"));
+        assert!(refused(Ends::new(nothing(), ball.clone()), "first"));
+        assert!(refused(Ends::new(ball.clone(), nothing()), "second"));
         // A union is refused too if the ball in it is nearest.
-        let union = Union::new(vec![Arc::new(ball), Arc::new(nothing())]).expect("two");
+        let union = Union::new(vec![Arc::new(ball.clone()), Arc::new(nothing())]).expect("two");
         assert!(refused(Ends::new(ball, union), "second"));
     }
 
@@ -225,9 +225,9 @@ mod tests {
                 Bare { project, radius: Some(0.0) }
             };
             let refused = |end| SetError::NoNearestPoint { end, index: 1, value: f64::INFINITY };
-            let first = Ends::new(hole(), point).expect_err("a hole");
+            let first = Ends::new(hole(), point.clone()).expect_err("a hole");
             assert_eq!(first, refused("first"), "{place:?}");
-            let second = Ends::new(point, hole()).expect_err("a hole");
+            let second = Ends::new(point.clone(), hole()).expect_err("a hole");
             assert_eq!(second, refused("second"), "{place:?}");
         }
     }

@@ -44,6 +44,11 @@ fn sum(terms: impl Iterator<Item = Exact>) -> Exact {
     terms.fold(Exact::new(0.0), |sum, term| sum.plus(&term))
 }
 
+/// Returns the box that consists of one point.
+pub(crate) fn point<const D: usize>(x: &SVector<f64, D>) -> SVector<Interval, D> {
+    x.map(Interval::point)
+}
+
 /// Returns whether the box contains the point.
 pub(crate) fn contains<const D: usize>(y: &SVector<Interval, D>, p: &SVector<f64, D>) -> bool {
     (0..D).all(|i| y[i].contains(p[i]))

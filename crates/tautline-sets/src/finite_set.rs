@@ -3,19 +3,26 @@
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{ANY, Interval};
 
-use crate::closed_set::closed_set_by;
-use crate::{ClosedSet, Point, SetError, Union};
+use crate::any_set::closed_set_in_any;
+use crate::union::Pieces;
+use crate::{AnySet, ClosedSet, Point, SetError, Shape};
 
 /// The set `{p₁, …, pₖ}`. `P(x)` is the nearest of the points, and the first of them on a tie;
 /// `DP = 0`.
 ///
 /// Its pieces are its points, in the given order. A minimal geodesic need not end at the point that
 /// is nearest in the Euclidean sense, so each one is searched.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "crate::data::FiniteSet", into = "crate::data::FiniteSet")
+)]
 pub struct FiniteSet<const D: usize> {
-    points: Union<D>,
+    /// The points, of which there is at least one.
+    points: Vec<Point<D>>,
 }
 
 impl<const D: usize> FiniteSet<D> {
@@ -28,16 +35,90 @@ impl<const D: usize> FiniteSet<D> {
     pub fn new<V: Into<SVector<f64, D>>>(
         points: impl IntoIterator<Item = V>,
     ) -> Result<FiniteSet<D>, SetError> {
-        let mut members: Vec<Arc<dyn ClosedSet<D>>> = Vec::new();
-        for point in points {
-            members.push(Arc::new(Point::new(point)?));
+        FiniteSet::from_slices(points.into_iter().map(|x| -> SVector<f64, D> { x.into() }))
+    }
+
+    /// Returns the set of the points with these coordinates, in `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`FiniteSet::new`]; also [`SetError::Coordinates`] if a point has not `D` coordinates, or
+    /// not as many as the first.
+    pub fn from_slices(
+        points: impl IntoIterator<Item = impl AsRef<[f64]>>,
+    ) -> Result<FiniteSet<D>, SetError> {
+        let points: Vec<Point<D>> = points
+            .into_iter()
+            .map(|point| Point::from_slice(point.as_ref()))
+            .collect::<Result<_, _>>()?;
+        let dimension = points.first().ok_or(SetError::Empty)?.dimension();
+        match points.iter().find(|point| point.dimension() != dimension) {
+            Some(other) => Err(SetError::Coordinates {
+                what: "the point",
+                found: other.dimension(),
+                dimension,
+            }),
+            None => Ok(FiniteSet { points }),
         }
-        Ok(FiniteSet { points: Union::new(members)? })
+    }
+
+    /// Returns the points.
+    #[must_use]
+    pub fn points(&self) -> &[Point<D>] {
+        &self.points
+    }
+
+    pub(crate) fn cast<const E: usize>(self) -> FiniteSet<E> {
+        FiniteSet { points: self.points.into_iter().map(Point::cast).collect() }
+    }
+}
+
+impl<const D: usize> AnySet for FiniteSet<D> {
+    fn dimension(&self) -> usize {
+        self.points[0].dimension()
+    }
+
+    fn project(&self, x: &mut [f64]) {
+        Pieces(|| self.points.iter()).project(x);
+    }
+
+    fn projection_derivative(&self, _x: &[f64], derivative: &mut [f64]) {
+        derivative.fill(0.0);
+    }
+
+    fn radius(&self) -> Option<f64> {
+        Pieces(|| self.points.iter()).radius()
+    }
+
+    fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
+        Pieces(|| self.points.iter()).enclosing_ball()
+    }
+
+    fn is_convex(&self) -> bool {
+        self.points.len() == 1
+    }
+
+    fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
+        Pieces(|| self.points.iter()).member_near(x)
+    }
+
+    fn shape(&self) -> Option<Shape<ANY>> {
+        Some(Shape::FiniteSet(self.clone().cast()))
+    }
+
+    fn pieces(&self) -> Vec<Arc<dyn AnySet>> {
+        let piece = |point: &Point<D>| Arc::new(point.clone().cast::<ANY>()) as Arc<dyn AnySet>;
+        self.points.iter().map(piece).collect()
     }
 }
 
 impl<const D: usize> ClosedSet<D> for FiniteSet<D> {
-    closed_set_by!(self => self.points);
+    closed_set_in_any!(self => Shape::FiniteSet(self.clone()));
+
+    fn pieces(&self) -> Vec<Arc<dyn ClosedSet<D>>> {
+        let piece = |point: &Point<D>| Arc::new(point.clone()) as Arc<dyn ClosedSet<D>>;
+        self.points.iter().map(piece).collect()
+    }
 }
 
 #[cfg(test)]

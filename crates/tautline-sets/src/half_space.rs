@@ -3,11 +3,14 @@
 use std::cmp::Ordering;
 
 use nalgebra::{SMatrix, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{ANY, Interval};
 
+use crate::any_set::closed_set_in_any;
+use crate::norm::norm;
+use crate::place::{Place, add, diagonal, dot, largest, tangential, vector};
 use crate::proof;
-use crate::set_error::{SetError, finite, finite_vector};
-use crate::{ClosedSet, Shape};
+use crate::set_error::{SetError, finite, finite_vector, known};
+use crate::{AnySet, ClosedSet, Shape};
 
 /// The half-space `n·x ≤ b`, which is unbounded. With `|n| = 1`:
 ///
@@ -17,25 +20,25 @@ use crate::{ClosedSet, Shape};
 /// ```
 ///
 /// Two half-spaces are equal if their normalised `n` and `b` are.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::HalfSpace<D>", into = "crate::data::HalfSpace<D>")
+    serde(try_from = "crate::data::HalfSpace", into = "crate::data::HalfSpace")
 )]
 pub struct HalfSpace<const D: usize> {
     /// The normal `n`, of length 1.
-    normal: SVector<f64, D>,
+    normal: Box<[f64]>,
     offset: f64,
     /// The normal and the offset as given. They define the half-space exactly, while the normalised
     /// ones are rounded.
-    given_normal: SVector<f64, D>,
+    given_normal: Box<[f64]>,
     given_offset: f64,
 }
 
 impl<const D: usize> PartialEq for HalfSpace<D> {
     fn eq(&self, other: &Self) -> bool {
-        (self.normal, self.offset) == (other.normal, other.offset)
+        (&self.normal, self.offset) == (&other.normal, other.offset)
     }
 }
 
@@ -58,21 +61,30 @@ impl<const D: usize> HalfSpace<D> {
     /// is zero; [`SetError::NonFinite`] if the offset is not finite or `offset / |normal|`
     /// overflows.
     pub fn new(normal: impl Into<SVector<f64, D>>, offset: f64) -> Result<HalfSpace<D>, SetError> {
-        let normal = finite_vector("the normal", normal)?;
-        let offset = finite("offset", offset)?;
+        HalfSpace::from_slice(normal.into().as_slice(), offset)
+    }
+
+    /// Returns the half-space whose normal has these coordinates.
+    ///
+    /// # Errors
+    ///
+    /// As for [`HalfSpace::new`]; also [`SetError::Coordinates`] if there are not `D` coordinates.
+    pub fn from_slice(normal: &[f64], offset: f64) -> Result<HalfSpace<D>, SetError> {
+        let given_normal = finite_vector("the normal", normal, known(D))?;
+        let given_offset = finite("offset", offset)?;
         // The normal is divided by its largest coordinate first, since |normal| itself may
         // overflow.
-        let largest = normal.amax();
+        let largest = largest(normal);
         if largest == 0.0 {
             return Err(SetError::ZeroNormal);
         }
-        let scaled = normal / largest;
-        let length = scaled.norm();
+        let scaled: Place = normal.iter().map(|n| n / largest).collect();
+        let length = norm(&scaled);
         Ok(HalfSpace {
-            normal: scaled / length,
+            normal: scaled.iter().map(|n| n / length).collect(),
             offset: finite("offset / |normal|", offset / largest / length)?,
-            given_normal: normal,
-            given_offset: offset,
+            given_normal,
+            given_offset,
         })
     }
 
@@ -85,20 +97,27 @@ impl<const D: usize> HalfSpace<D> {
         normal: impl Into<SVector<f64, D>>,
         offset: f64,
     ) -> Result<HalfSpace<D>, SetError> {
+        let normal = normal.into();
         // The numbers are checked before the signs change, so that errors show the given ones.
-        let normal = finite_vector("the normal", normal)?;
+        finite_vector("the normal", normal.as_slice(), known(D))?;
         HalfSpace::new(-normal, -finite("offset", offset)?)
     }
 
     /// Returns the outward normal `n` of length 1, a vector of pure numbers.
     #[must_use]
     pub fn normal(&self) -> &SVector<f64, D> {
-        &self.normal
+        vector(&self.normal)
     }
 
     /// Returns the normal and the offset as they were given, which define the half-space exactly.
     #[must_use]
     pub fn given(&self) -> (&SVector<f64, D>, f64) {
+        (vector(&self.given_normal), self.given_offset)
+    }
+
+    /// Returns the coordinates of the normal as it was given, and the offset.
+    #[must_use]
+    pub fn given_slice(&self) -> (&[f64], f64) {
         (&self.given_normal, self.given_offset)
     }
 
@@ -107,28 +126,48 @@ impl<const D: usize> HalfSpace<D> {
     pub fn offset(&self) -> f64 {
         self.offset
     }
+
+    pub(crate) fn cast<const E: usize>(self) -> HalfSpace<E> {
+        let Self { normal, offset, given_normal, given_offset } = self;
+        HalfSpace { normal, offset, given_normal, given_offset }
+    }
+
+    /// Returns `n·x − b` for the normal of length 1.
+    pub(crate) fn height(&self, x: &[f64]) -> f64 {
+        dot(&self.normal, x) - self.offset
+    }
+
+    /// Moves a point against the normal.
+    pub(crate) fn sink(&self, x: &mut [f64], by: f64) {
+        add(x, &self.normal, -by);
+    }
 }
 
-impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
-    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+impl<const D: usize> AnySet for HalfSpace<D> {
+    fn dimension(&self) -> usize {
+        self.normal.len()
+    }
+
+    fn project(&self, x: &mut [f64]) {
         let n = &self.normal;
-        if n.dot(x) <= self.offset {
-            return *x;
+        let height = dot(n, x);
+        if height <= self.offset {
+            return;
         }
         // x − (n·x − b) n suffers from cancellation if x is far out, and misses the plane by ε|x|.
         // Instead the whole component along n is removed twice: the first time leaves ε|x|, the
         // second ε² |x|. Adding b n rounds once.
-        let once = x - n * n.dot(x);
-        let tangential = once - n * n.dot(&once);
-        tangential + n * self.offset
+        add(x, n, -height);
+        let rest = dot(n, x);
+        add(x, n, -rest);
+        add(x, n, self.offset);
     }
 
-    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        let n = &self.normal;
-        if n.dot(x) <= self.offset {
-            SMatrix::identity()
+    fn projection_derivative(&self, x: &[f64], derivative: &mut [f64]) {
+        if dot(&self.normal, x) <= self.offset {
+            diagonal(derivative, x.len(), |_| 1.0);
         } else {
-            SMatrix::identity() - n * n.transpose()
+            tangential(&self.normal, 1.0, derivative);
         }
     }
 
@@ -136,29 +175,34 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
         None
     }
 
-    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        let (n, b) = self.given();
-        if proof::compare_height(n, x, b).is_some_and(Ordering::is_le) {
-            return Some(proof::point(x));
-        }
-        let unit = proof::power_of_two(self.given_normal.amax());
-        let n = proof::point(&self.given_normal).map(|n| n / unit);
-        let b = Interval::point(self.given_offset) / unit;
-        let height = |y: &SVector<Interval, D>| proof::dot(&n, y) - b;
-        // Start near the plane, where x − (n·x − b) n/|n|² does not cancel. The starting point is
-        // free, since the foot of any point is a member.
-        let near = proof::point(&self.project(x));
-        let step = height(&near) / proof::square(&n);
-        proof::finite(SVector::from_fn(|i, _| near[i] - n[i] * step))
-    }
-
     fn is_convex(&self) -> bool {
         true
     }
 
-    fn shape(&self) -> Option<Shape<D>> {
-        Some(Shape::HalfSpace(*self))
+    fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
+        let (n, b) = (&self.given_normal, self.given_offset);
+        if proof::compare_height(n, x, b).is_some_and(Ordering::is_le) {
+            return Some(proof::point(x));
+        }
+        let unit = proof::power_of_two(largest(n));
+        let n: Vec<Interval> = n.iter().map(|&n| Interval::point(n) / unit).collect();
+        let b = Interval::point(b) / unit;
+        // Start near the plane, where x − (n·x − b) n/|n|² does not cancel. The starting point is
+        // free, since the foot of any point is a member.
+        let mut near = Place::from_slice(x);
+        AnySet::project(self, &mut near);
+        let near = proof::point(&near);
+        let step = (proof::dot(&n, &near) - b) / proof::square(&n);
+        proof::finite(near.iter().zip(&n).map(|(&near, &n)| near - n * step).collect())
     }
+
+    fn shape(&self) -> Option<Shape<ANY>> {
+        Some(Shape::HalfSpace(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
+    closed_set_in_any!(self => Shape::HalfSpace(self.clone()));
 }
 
 #[cfg(test)]
@@ -273,7 +317,7 @@ mod tests {
     fn half_space_normal_may_be_of_any_length() {
         let expected = HalfSpace::new([1.0, 1.0], 0.0).expect("a normal");
         for length in [5e-324, 1e-200, 1.0, 1e200, f64::MAX] {
-            assert_eq!(HalfSpace::new([length, length], 0.0), Ok(expected));
+            assert_eq!(HalfSpace::new([length, length], 0.0), Ok(expected.clone()));
         }
     }
 

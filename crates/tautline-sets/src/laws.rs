@@ -8,8 +8,8 @@ use proptest::prelude::*;
 use proptest::test_runner::{TestError, TestRunner};
 use tautline_scalar::Interval;
 
-use crate::ClosedSet;
 use crate::norm::on_axis;
+use crate::{AnySet, ClosedSet, InAny, Shape};
 
 /// The seed of every property test in this crate, printed when a test fails.
 const SEED: u64 = 0x7A07_11E5;
@@ -149,6 +149,7 @@ pub(crate) fn check<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
         proved(&case, &case.project(&x))?;
         bounded(&case, &w)?;
         differentiable(&case, &x)?;
+        same_in_any(&case, &x)?;
         if case.set.is_convex() {
             convex(&case, &x, &y, &w)?;
         }
@@ -256,6 +257,26 @@ fn bounded<const D: usize>(case: &Case<D>, w: &SVector<f64, D>) -> Result<(), Te
         let defect = (case.defect)(&(seed / case.scale));
         prop_assert!(defect <= ROUNDING, "the seed {seed:?} misses the set by {defect:e}");
     }
+    Ok(())
+}
+
+/// The set is the same to the last bit where its dimension is a value.
+fn same_in_any<const D: usize>(case: &Case<D>, x: &SVector<f64, D>) -> Result<(), TestCaseError> {
+    let shape = case.set.shape().map(Shape::into_any);
+    let Some(shape) = shape else { return Err(TestCaseError::fail("no data")) };
+    let (x, set) = (x * case.scale, InAny(&*case.set));
+    prop_assert_eq!(shape.clone().into_dimension(), case.set.shape());
+    prop_assert_eq!((shape.dimension(), set.dimension()), (D, D));
+    let results = [&shape as &dyn AnySet, &set].map(|set| {
+        let (mut nearest, mut derivative) = (x.as_slice().to_vec(), vec![f64::NAN; D * D]);
+        set.project(&mut nearest);
+        set.projection_derivative(x.as_slice(), &mut derivative);
+        let about = (set.radius(), set.enclosing_ball(), set.is_convex(), set.seeds());
+        (nearest, derivative, about, set.member_near(x.as_slice()), set.pieces().len())
+    });
+    prop_assert_eq!(&results[0], &results[1]);
+    let nearest = case.set.project(&x);
+    prop_assert_eq!(&results[0].0[..], nearest.as_slice());
     Ok(())
 }
 

@@ -38,6 +38,25 @@
 //! | [`AffineSubspace`] | `p + span Q` | `p + QQᵀ(x − p)` | `QQᵀ` | yes |
 //! | [`Union`] | union of members | by the nearest member | by the nearest member | only for one convex member |
 //!
+//! # Sets in any dimension
+//!
+//! The sets of the table but the last are finitely many numbers, and so is a [`Shape`], which is any one
+//! of them or a union of shapes. The parameter `D` is the dimension, or [`ANY`](tautline_scalar::ANY) for
+//! sets whose dimension is a value. The latter are made from slices and seen through [`AnySet`], by code
+//! that is compiled once for all dimensions. Methods that speak of `SVector<f64, D>` are for a `D` that
+//! the compiler knows.
+//!
+//! ```
+//! use tautline_scalar::ANY;
+//! use tautline_sets::{AnySet, Ball, SetError, Shape};
+//!
+//! let ball: Shape<ANY> = Shape::Ball(Ball::from_slice(&[0.0, 0.0], 0.5)?);
+//! let mut x = [0.0, 2.0];
+//! ball.project(&mut x);
+//! assert_eq!(x, [0.0, 0.5]);
+//! # Ok::<(), SetError>(())
+//! ```
+//!
 //! # Units and accuracy
 //!
 //! Coordinates, radii and distances are in `ℓ`; derivatives of `P` are pure numbers. Projections
@@ -48,9 +67,9 @@
 //!
 //! # Features
 //!
-//! `serde`, off by default: [`Point`], [`Ball`], [`AxisBox`], [`HalfSpace`] and [`Shape`] are written
-//! and read by the names of their fields, and checked when they are read. Other sets may be closures or
-//! types of your own, and are not written.
+//! `serde`, off by default: a [`Shape`] and the sets that it may be are written and read by the names
+//! of their fields, and checked when they are read. Other sets may be closures or types of your own, and
+//! are not written.
 
 mod affine_subspace;
 mod any_set;
@@ -68,6 +87,7 @@ mod half_space;
 #[cfg(test)]
 mod laws;
 mod norm;
+mod place;
 mod point;
 mod proof;
 mod proved_common_point;
@@ -87,7 +107,7 @@ pub use ends::Ends;
 pub use finite_set::FiniteSet;
 pub use half_space::HalfSpace;
 pub use point::Point;
-pub use proved_common_point::proved_common_point;
+pub use proved_common_point::{proved_common_point, proved_common_point_of};
 pub use segment::Segment;
 pub use set_error::SetError;
 pub use shape::Shape;

@@ -1,22 +1,24 @@
 //! A single point.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{ANY, Interval};
 
+use crate::any_set::closed_set_in_any;
 use crate::norm::norm_above;
+use crate::place::vector;
 use crate::proof;
-use crate::set_error::{SetError, finite_vector};
-use crate::{ClosedSet, Shape};
+use crate::set_error::{SetError, finite_vector, known};
+use crate::{AnySet, ClosedSet, Shape};
 
 /// The set `{p}`, with `P(x) = p` and `DP = 0`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::Point<D>")
+    serde(try_from = "crate::data::Point")
 )]
 pub struct Point<const D: usize> {
-    position: SVector<f64, D>,
+    position: Box<[f64]>,
 }
 
 impl<const D: usize> Point<D> {
@@ -26,44 +28,71 @@ impl<const D: usize> Point<D> {
     ///
     /// [`SetError::NonFiniteCoordinate`] if a coordinate is not finite.
     pub fn new(position: impl Into<SVector<f64, D>>) -> Result<Point<D>, SetError> {
-        Ok(Point { position: finite_vector("the point", position)? })
+        Point::from_slice(position.into().as_slice())
+    }
+
+    /// Returns the set with the member that has these coordinates, in `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Point::new`]; also [`SetError::Coordinates`] if there are not `D` coordinates.
+    pub fn from_slice(position: &[f64]) -> Result<Point<D>, SetError> {
+        Ok(Point { position: finite_vector("the point", position, known(D))? })
     }
 
     /// Returns the member, in `ℓ`.
     #[must_use]
     pub fn position(&self) -> &SVector<f64, D> {
+        vector(&self.position)
+    }
+
+    /// Returns the coordinates of the member, in `ℓ`.
+    #[must_use]
+    pub fn position_slice(&self) -> &[f64] {
         &self.position
+    }
+
+    pub(crate) fn cast<const E: usize>(self) -> Point<E> {
+        Point { position: self.position }
     }
 }
 
-impl<const D: usize> ClosedSet<D> for Point<D> {
-    fn project(&self, _x: &SVector<f64, D>) -> SVector<f64, D> {
-        self.position
+impl<const D: usize> AnySet for Point<D> {
+    fn dimension(&self) -> usize {
+        self.position.len()
     }
 
-    fn projection_derivative(&self, _x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        SMatrix::zeros()
+    fn project(&self, x: &mut [f64]) {
+        x.copy_from_slice(&self.position);
+    }
+
+    fn projection_derivative(&self, _x: &[f64], derivative: &mut [f64]) {
+        derivative.fill(0.0);
     }
 
     fn radius(&self) -> Option<f64> {
         Some(norm_above(&proof::point(&self.position)))
     }
 
-    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
-        Some((self.position, 0.0))
-    }
-
-    fn member_near(&self, _x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        Some(proof::point(&self.position))
+    fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
+        Some((self.position.to_vec(), 0.0))
     }
 
     fn is_convex(&self) -> bool {
         true
     }
 
-    fn shape(&self) -> Option<Shape<D>> {
-        Some(Shape::Point(*self))
+    fn member_near(&self, _x: &[f64]) -> Option<Vec<Interval>> {
+        Some(proof::point(&self.position))
     }
+
+    fn shape(&self) -> Option<Shape<ANY>> {
+        Some(Shape::Point(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for Point<D> {
+    closed_set_in_any!(self => Shape::Point(self.clone()));
 }
 
 #[cfg(test)]

@@ -5,28 +5,27 @@ mod sum_of_products;
 
 use std::cmp::Ordering;
 
-use nalgebra::SVector;
 use tautline_scalar::{Interval, Scalar};
 
-use crate::norm::on_axis;
+use crate::place::{largest, minus};
 
 /// Returns the box that consists of one point.
-pub(crate) fn point<const D: usize>(x: &SVector<f64, D>) -> SVector<Interval, D> {
-    x.map(Interval::point)
+pub(crate) fn point(x: &[f64]) -> Vec<Interval> {
+    x.iter().map(|&x| Interval::point(x)).collect()
 }
 
 /// Returns the box if it is bounded, and `None` if a number overflowed.
-pub(crate) fn finite<const D: usize>(member: SVector<Interval, D>) -> Option<SVector<Interval, D>> {
+pub(crate) fn finite(member: Vec<Interval>) -> Option<Vec<Interval>> {
     member.iter().all(|side| side.is_finite()).then_some(member)
 }
 
 /// Returns `u·v`.
-pub(crate) fn dot<const D: usize>(u: &SVector<Interval, D>, v: &SVector<Interval, D>) -> Interval {
-    (0..D).fold(Interval::constant(0.0), |sum, i| sum + u[i] * v[i])
+pub(crate) fn dot(u: &[Interval], v: &[Interval]) -> Interval {
+    u.iter().zip(v).fold(Interval::constant(0.0), |sum, (&u, &v)| sum + u * v)
 }
 
 /// Returns `|u|²`.
-pub(crate) fn square<const D: usize>(u: &SVector<Interval, D>) -> Interval {
+pub(crate) fn square(u: &[Interval]) -> Interval {
     u.iter().fold(Interval::constant(0.0), |sum, u| sum + u.sqr())
 }
 
@@ -40,53 +39,42 @@ pub(crate) fn power_of_two(size: f64) -> f64 {
 /// Returns how `|x − c|` compares with `r ≥ 0`, exactly; `None` if a number is not finite.
 ///
 /// `|x − c|² − r²` is a sum of products of doubles: `Σ (xᵢ² − 2 xᵢ cᵢ + cᵢ²) − r²`.
-pub(crate) fn compare_distance<const D: usize>(
-    x: &SVector<f64, D>,
-    c: &SVector<f64, D>,
-    r: f64,
-) -> Option<Ordering> {
+pub(crate) fn compare_distance(x: &[f64], c: &[f64], r: f64) -> Option<Ordering> {
     let squares = x.iter().zip(c).flat_map(|(&x, &c)| [(x, x), (-x, c), (-x, c), (c, c)]);
     sum_of_products::sign(squares.chain([(-r, r)]))
 }
 
 /// Returns how `n·x` compares with `b`, exactly; `None` if a number is not finite.
-pub(crate) fn compare_height<const D: usize>(
-    n: &SVector<f64, D>,
-    x: &SVector<f64, D>,
-    b: f64,
-) -> Option<Ordering> {
+pub(crate) fn compare_height(n: &[f64], x: &[f64], b: f64) -> Option<Ordering> {
     let products = n.iter().zip(x).map(|(&n, &x)| (n, x));
     sum_of_products::sign(products.chain([(-1.0, b)]))
 }
 
 /// Returns a box that contains the point `c + r (x − c)/|x − c|` of a sphere, or `c + r e₁` if
 /// `x = c`.
-pub(crate) fn on_sphere<const D: usize>(
-    x: &SVector<f64, D>,
-    c: &SVector<f64, D>,
-    r: f64,
-) -> Option<SVector<Interval, D>> {
-    let offset = x - c;
+pub(crate) fn on_sphere(x: &[f64], c: &[f64], r: f64) -> Option<Vec<Interval>> {
     // In this unit the largest coordinate of the offset is between 1 and 2, so that no square
     // overflows or underflows.
-    let unit = power_of_two(offset.amax());
-    let away = (point(x) - point(c)).map(|u| u / unit);
-    let direction = if r == 0.0 {
-        point(&SVector::zeros())
-    } else if x == c {
-        point(&on_axis(0, 1.0))
-    } else {
-        let length = square(&away).sqrt();
-        let unit = Interval::new(-1.0, 1.0).expect("ordered");
-        // No coordinate of a unit vector exceeds 1.
-        away.map(|u| (u / length).intersection(unit).unwrap_or(Interval::UNDEFINED))
+    let unit = power_of_two(largest(&minus(x, c)));
+    let away: Vec<Interval> =
+        x.iter().zip(c).map(|(&x, &c)| (Interval::point(x) - Interval::point(c)) / unit).collect();
+    let length = square(&away).sqrt();
+    let most = Interval::new(-1.0, 1.0).expect("ordered");
+    let direction = |i: usize| {
+        if r == 0.0 {
+            Interval::point(0.0)
+        } else if x == c {
+            Interval::point(if i == 0 { 1.0 } else { 0.0 })
+        } else {
+            // No coordinate of a unit vector exceeds 1.
+            (away[i] / length).intersection(most).unwrap_or(Interval::UNDEFINED)
+        }
     };
-    finite(SVector::from_fn(|i, _| direction[i] * r + c[i]))
+    finite(c.iter().enumerate().map(|(i, c)| direction(i) * r + *c).collect())
 }
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::vector;
     use tautline_scalar::Interval;
 
     use std::cmp::Ordering::{Equal, Greater, Less};
@@ -105,7 +93,7 @@ mod tests {
     #[test]
     fn distances_are_compared_exactly() {
         for unit in [1.0, 2.0_f64.powi(-900), 2.0_f64.powi(900)] {
-            let (x, c, r) = (vector![4.0, 6.0] * unit, vector![1.0, 2.0] * unit, 5.0 * unit);
+            let (x, c, r) = ([4.0 * unit, 6.0 * unit], [1.0 * unit, 2.0 * unit], 5.0 * unit);
             assert_eq!(compare_distance(&x, &c, r), Some(Equal));
             assert_eq!(compare_distance(&x, &c, r.next_up()), Some(Less));
             assert_eq!(compare_distance(&x, &c, r.next_down()), Some(Greater));
@@ -117,23 +105,23 @@ mod tests {
     #[test]
     fn distances_that_differ_by_less_than_a_rounding_are_compared() {
         let little = |n: i32| 2.0_f64.powi(-n);
-        let origin = vector![0.0, 0.0, 0.0];
+        let origin = [0.0, 0.0, 0.0];
         // 1 + 2⁻⁸⁰ > 1.
-        assert_eq!(compare_distance(&vector![1.0, little(40), 0.0], &origin, 1.0), Some(Greater));
+        assert_eq!(compare_distance(&[1.0, little(40), 0.0], &origin, 1.0), Some(Greater));
         // r² = 1 + 2⁻³⁹ + 2⁻⁸⁰ is less than 1 + 2⁻³⁹ + 2⁻⁸⁰ + 2⁻⁷⁰ and more than 1 + 2⁻³⁹.
         let r = 1.0 + little(40);
-        assert_eq!(compare_distance(&vector![r, little(35), 0.0], &origin, r), Some(Greater));
-        let below = vector![1.0, little(20), little(20)];
+        assert_eq!(compare_distance(&[r, little(35), 0.0], &origin, r), Some(Greater));
+        let below = [1.0, little(20), little(20)];
         assert_eq!(compare_distance(&below, &origin, r), Some(Less));
-        assert_eq!(compare_distance(&vector![r, 0.0, 0.0], &origin, r), Some(Equal));
+        assert_eq!(compare_distance(&[r, 0.0, 0.0], &origin, r), Some(Equal));
         // 1 − 0.48 · 2⁻⁵² is not 1.
         let (u, v) = (1.0 - 431.0 * little(26), 61_571_941.0 * little(34));
-        assert_eq!(compare_distance(&vector![u, v, 0.0], &origin, 1.0), Some(Less));
+        assert_eq!(compare_distance(&[u, v, 0.0], &origin, 1.0), Some(Less));
         // (1 + 2⁻⁴⁰)² − 2⁻³⁹ = 1 + 2⁻⁸⁰.
-        let (n, x) = (vector![r, -1.0], vector![r, little(39)]);
+        let (n, x) = ([r, -1.0], [r, little(39)]);
         assert_eq!(compare_height(&n, &x, 1.0), Some(Greater));
         assert_eq!(compare_height(&n, &x, 1.0_f64.next_up()), Some(Less));
-        assert_eq!(compare_height(&vector![0.5, 0.25], &vector![4.0, -2.0], 1.5), Some(Equal));
+        assert_eq!(compare_height(&[0.5, 0.25], &[4.0, -2.0], 1.5), Some(Equal));
     }
 
     /// In one dimension the sphere is `c ± r`. On the outer side the box ends where the interval of
@@ -143,8 +131,7 @@ mod tests {
         for case in 1..2000 {
             let x = 1e3 * f64::from(case).sin();
             let (c, r) = (0.1, 0.7);
-            let [near]: [Interval; 1] =
-                on_sphere(&vector![x], &vector![c], r).expect("finite").into();
+            let near = on_sphere(&[x], &[c], r).expect("finite")[0];
             let [lower, upper] = [-r, r].map(|r| Interval::point(r) + c);
             let pole = if x < c { lower } else { upper };
             assert!(lower.lo() <= near.lo() && near.hi() <= upper.hi(), "{near:?} for {x}");
@@ -154,20 +141,20 @@ mod tests {
 
     #[test]
     fn nothing_is_proved_beyond_f64() {
-        let (x, c) = (vector![f64::MAX], vector![-f64::MAX]);
+        let (x, c) = ([f64::MAX], [-f64::MAX]);
         assert_eq!(compare_distance(&x, &c, f64::MAX), Some(Greater));
-        assert_eq!(compare_distance(&vector![f64::NAN], &c, 1.0), None);
+        assert_eq!(compare_distance(&[f64::NAN], &c, 1.0), None);
         assert!(on_sphere(&x, &c, 1.0).is_none());
         // A sphere of radius 0 is its centre, however far away the other point is.
-        let near = vector![-4e307];
+        let near = [-4e307];
         assert_eq!(on_sphere(&x, &near, 0.0), Some(point(&near)));
-        assert!(on_sphere(&vector![f64::INFINITY], &c, 1.0).is_none());
-        assert!(finite(vector![Interval::REALS]).is_none());
+        assert!(on_sphere(&[f64::INFINITY], &c, 1.0).is_none());
+        assert!(finite(vec![Interval::REALS]).is_none());
         let one = Interval::point(1.0);
         for (i, side) in (0..3).zip([Interval::REALS, Interval::UNDEFINED, Interval::REALS]) {
-            let mut member = vector![one, one, one];
+            let mut member = vec![one, one, one];
             member[i] = side;
-            assert!(finite(member).is_none(), "{member:?}");
+            assert!(finite(member.clone()).is_none(), "{member:?}");
         }
         assert_eq!(finite(point(&c)), Some(point(&c)));
     }

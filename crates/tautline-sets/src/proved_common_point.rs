@@ -1,8 +1,11 @@
 //! A common point of two sets, proved by exact arithmetic.
 
 use nalgebra::SVector;
+use tautline_scalar::ANY;
 
-use crate::{ClosedSet, Shape, norm::norm, proof};
+use crate::norm::norm;
+use crate::place::{Place, largest, minus};
+use crate::{AnySet, ClosedSet, InAny, Shape, proof};
 
 /// How deep in a set a point is sought: by up to `2^40` roundings of the numbers of the set, which is
 /// four digits.
@@ -17,7 +20,8 @@ const ROUNDS: usize = 8;
 /// with a large scale a rounding may be a long way, so that only a proved common point shows that a
 /// distance is 0. Members are proved by [`ClosedSet::member_near`]. Tried are `near`, its projections,
 /// and those of the centres of the sets; then `near` is moved deeper and deeper into both, if they are
-/// [`Shape`]s. For unions, call this function pair by pair ([`Ends::pairs`](crate::Ends::pairs)).
+/// [elementary](Shape::into_elementary). For unions, call this function pair by pair
+/// ([`Ends::pairs`](crate::Ends::pairs)).
 ///
 /// `None` does not prove that the sets are disjoint: they may touch in a point whose coordinates are no
 /// doubles, or overlap by no more than a few roundings.
@@ -38,30 +42,42 @@ pub fn proved_common_point<const D: usize>(
     b: &dyn ClosedSet<D>,
     near: &SVector<f64, D>,
 ) -> Option<SVector<f64, D>> {
-    let is_common = |x: &SVector<f64, D>| is_member(a, x) && is_member(b, x);
-    let centre = |set: &dyn ClosedSet<D>| set.enclosing_ball().map(|(centre, _)| centre);
+    let x = proved_common_point_of(&InAny(a), &InAny(b), near.as_slice())?;
+    Some(SVector::from_column_slice(&x))
+}
+
+/// Looks for a proved common point like [`proved_common_point`], in a dimension that is a value.
+#[must_use]
+pub fn proved_common_point_of(a: &dyn AnySet, b: &dyn AnySet, near: &[f64]) -> Option<Vec<f64>> {
+    let is_common = |x: &[f64]| is_member(a, x) && is_member(b, x);
+    let projected = |set: &dyn AnySet, x: &[f64]| {
+        let mut x = Place::from_slice(x);
+        set.project(&mut x);
+        x
+    };
+    let centre = |set: &dyn AnySet| set.enclosing_ball().map(|(centre, _)| centre);
     let feet = [
-        Some(*near),
-        Some(a.project(near)),
-        Some(b.project(near)),
-        centre(a).map(|x| b.project(&x)),
-        centre(b).map(|x| a.project(&x)),
+        Some(Place::from_slice(near)),
+        Some(projected(a, near)),
+        Some(projected(b, near)),
+        centre(a).map(|x| projected(b, &x)),
+        centre(b).map(|x| projected(a, &x)),
     ];
     if let Some(x) = feet.into_iter().flatten().find(|x| is_common(x)) {
-        return Some(x);
+        return Some(x.to_vec());
     }
-    let (one, other) = (a.shape()?, b.shape()?);
+    let (one, other) = (a.shape()?.into_elementary()?, b.shape()?.into_elementary()?);
     let size = size(&one, near).max(size(&other, near));
     let deepest = f64::EPSILON * size * 2.0_f64.powi(DEPTHS);
-    if [a, b].iter().any(|set| (set.project(near) - near).amax() > deepest) {
+    if [a, b].iter().any(|&set| largest(&minus(&projected(set, near), near)) > deepest) {
         return None;
     }
     for depth in (0..=DEPTHS).map(|k| f64::EPSILON * size * 2.0_f64.powi(k)) {
-        let mut x = *near;
+        let mut x = Place::from_slice(near);
         for _ in 0..ROUNDS {
             x = moved_into(&other, &moved_into(&one, &x, depth), depth);
             if is_common(&x) {
-                return Some(x);
+                return Some(x.to_vec());
             }
         }
     }
@@ -73,57 +89,69 @@ impl<const D: usize> Shape<D> {
     /// members, or else a point that is a few roundings deeper. `None` if none is found.
     #[must_use]
     pub fn proved_member(&self, x: &SVector<f64, D>) -> Option<SVector<f64, D>> {
-        let pieces = self.pieces().into_iter().filter_map(|piece| {
+        let x = x.as_slice();
+        let any = self.clone().into_any();
+        let pieces = any.pieces().into_iter().filter_map(|piece| {
             let size = size(piece, x);
             let depths = (0..=DEPTHS).map(|k| f64::EPSILON * size * 2.0_f64.powi(k));
             let inner = depths.map(|depth| moved_into(piece, x, depth));
-            [*x, moved_into(piece, x, 0.0)].into_iter().chain(inner).find(|x| piece.contains(x))
+            let first = [Place::from_slice(x), moved_into(piece, x, 0.0)];
+            first.into_iter().chain(inner).find(|x| piece.contains(x.as_slice()))
         });
-        pieces.min_by(|a, b| norm(&(a - x)).total_cmp(&norm(&(b - x))))
+        let nearest = pieces.min_by(|a, b| norm(&minus(a, x)).total_cmp(&norm(&minus(b, x))));
+        nearest.map(|x| SVector::from_column_slice(&x))
     }
 }
 
 /// Returns whether a point is proved to be a member.
-fn is_member<const D: usize>(set: &dyn ClosedSet<D>, x: &SVector<f64, D>) -> bool {
+fn is_member(set: &dyn AnySet, x: &[f64]) -> bool {
     set.member_near(x).is_some_and(|member| member == proof::point(x))
 }
 
 /// Returns the largest number that the roundings of a piece near `x` belong to.
-fn size<const D: usize>(piece: &Shape<D>, x: &SVector<f64, D>) -> f64 {
+fn size(piece: &Shape<ANY>, x: &[f64]) -> f64 {
     let own = match piece {
-        Shape::Ball(ball) => ball.centre().amax() + ball.r(),
+        Shape::Ball(ball) => largest(ball.centre_slice()) + ball.r(),
         Shape::HalfSpace(wall) => wall.offset().abs(),
-        Shape::AxisBox(side) => side.lower().amax().max(side.upper().amax()),
-        Shape::Point(_) | Shape::Union(_) => 0.0,
+        Shape::AxisBox(side) => {
+            let [lower, upper] = side.corner_slices().map(largest);
+            lower.max(upper)
+        }
+        _ => 0.0,
     };
-    own.max(x.amax())
+    own.max(largest(x))
 }
 
 /// Returns the nearest point that is deeper in a piece than `depth`, or the middle of a piece that is
 /// not as deep.
-fn moved_into<const D: usize>(
-    piece: &Shape<D>,
-    x: &SVector<f64, D>,
-    depth: f64,
-) -> SVector<f64, D> {
+fn moved_into(piece: &Shape<ANY>, x: &[f64], depth: f64) -> Place {
+    let mut moved = Place::from_slice(x);
     match piece {
-        Shape::Point(point) => *point.position(),
         Shape::Ball(ball) => {
-            let (away, r) = (x - ball.centre(), (ball.r() - depth).max(0.0));
-            let distance = away.norm();
-            if distance <= r { *x } else { ball.centre() + away * (r / distance) }
+            let (away, r) = (minus(x, ball.centre_slice()), (ball.r() - depth).max(0.0));
+            let distance = norm(&away);
+            if !(distance <= r) {
+                let share = r / distance;
+                moved = ball.centre_slice().iter().zip(&away).map(|(c, u)| c + u * share).collect();
+            }
         }
         Shape::HalfSpace(wall) => {
-            let height = wall.normal().dot(x) - wall.offset() + depth;
-            if height <= 0.0 { *x } else { x - wall.normal() * height }
+            let height = wall.height(x) + depth;
+            if !(height <= 0.0) {
+                wall.sink(&mut moved, height);
+            }
         }
-        Shape::AxisBox(side) => SVector::from_fn(|i, _| {
-            let (low, high) = (side.lower()[i], side.upper()[i]);
-            let depth = depth.min(0.5 * (high - low));
-            x[i].max(low + depth).min(high - depth).clamp(low, high)
-        }),
-        Shape::Union(_) => *x,
+        Shape::AxisBox(side) => {
+            let [lower, upper] = side.corner_slices();
+            for ((x, &low), &high) in moved.iter_mut().zip(lower).zip(upper) {
+                let depth = depth.min(0.5 * (high - low));
+                *x = x.max(low + depth).min(high - depth).clamp(low, high);
+            }
+        }
+        Shape::Union(_) => {}
+        thin => AnySet::project(thin, &mut moved),
     }
+    moved
 }
 
 #[cfg(test)]
@@ -231,13 +259,16 @@ mod tests {
             };
             let ball = Ball::new(centre, r).expect("finite");
             let set: Arc<dyn ClosedSet<3>> = match &other {
-                Shape::Ball(set) => Arc::new(*set),
-                Shape::HalfSpace(set) => Arc::new(*set),
-                Shape::AxisBox(set) => Arc::new(*set),
+                Shape::Ball(set) => Arc::new(set.clone()),
+                Shape::HalfSpace(set) => Arc::new(set.clone()),
+                Shape::AxisBox(set) => Arc::new(set.clone()),
                 _ => unreachable!(),
             };
             let x = proved_common_point(&ball, &*set, &at).expect("they overlap");
-            assert!(Shape::Ball(ball).contains(&x) && other.contains(&x), "{ball:?} {other:?}");
+            assert!(
+                Shape::Ball(ball.clone()).contains(&x) && other.contains(&x),
+                "{ball:?} {other:?}"
+            );
             // A point from far away is moved to a member, by no more than a few roundings too far.
             let far = at + away * 7.0;
             for set in [Shape::Ball(ball), other] {

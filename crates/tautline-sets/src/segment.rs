@@ -1,12 +1,14 @@
 //! A line segment.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{ANY, Interval};
 
-use crate::ClosedSet;
+use crate::any_set::closed_set_in_any;
 use crate::norm::{between, norm_above, polar};
+use crate::place::{dot, minus, vector};
 use crate::proof;
-use crate::set_error::{SetError, finite, finite_vector};
+use crate::set_error::{SetError, finite, finite_vector, known};
+use crate::{AnySet, ClosedSet, Shape};
 
 /// The segment from `a` to `b`. With `L = |b − a|`, `v = (b − a)/L` and `s = v·(x − a)`:
 ///
@@ -16,12 +18,17 @@ use crate::set_error::{SetError, finite, finite_vector};
 ///
 /// `a = b` is allowed; then `P = a` and `DP = 0`. Beyond an end of the segment, the projection is
 /// exactly that end.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "crate::data::Segment", into = "crate::data::Segment")
+)]
 pub struct Segment<const D: usize> {
-    start: SVector<f64, D>,
-    end: SVector<f64, D>,
+    start: Box<[f64]>,
+    end: Box<[f64]>,
     /// The direction `v`; zero if `a = b`.
-    direction: SVector<f64, D>,
+    direction: Box<[f64]>,
     /// The length `L = v·(b − a)`. It is computed by the same operations as the `s` of a point, so
     /// that `s = L` to the last bit at `b`, and the end belongs to the segment.
     length: f64,
@@ -38,68 +45,107 @@ impl<const D: usize> Segment<D> {
         start: impl Into<SVector<f64, D>>,
         end: impl Into<SVector<f64, D>>,
     ) -> Result<Segment<D>, SetError> {
-        let start = finite_vector("the start of the segment", start)?;
-        let end = finite_vector("the end of the segment", end)?;
-        let (length, direction) = polar(&(end - start)).unwrap_or((0.0, SVector::zeros()));
+        Segment::from_slices(start.into().as_slice(), end.into().as_slice())
+    }
+
+    /// Returns the segment between the points with these coordinates, in `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Segment::new`]; also [`SetError::Coordinates`] if an end has not `D` coordinates, or not
+    /// as many as the other.
+    pub fn from_slices(start: &[f64], end: &[f64]) -> Result<Segment<D>, SetError> {
+        let start = finite_vector("the start of the segment", start, known(D))?;
+        let end = finite_vector("the end of the segment", end, Some(start.len()))?;
+        let chord = minus(&end, &start);
+        let (length, direction) =
+            polar(&chord).unwrap_or_else(|| (0.0, chord.iter().map(|_| 0.0).collect()));
         finite("length of the segment", length)?;
-        let length = direction.dot(&(end - start));
-        Ok(Segment { start, end, direction, length })
+        let length = dot(&direction, &chord);
+        Ok(Segment { start, end, direction: direction.as_slice().into(), length })
     }
 
     /// Returns `a`, in `ℓ`.
     #[must_use]
     pub fn start(&self) -> &SVector<f64, D> {
-        &self.start
+        vector(&self.start)
     }
 
     /// Returns `b`, in `ℓ`.
     #[must_use]
     pub fn end(&self) -> &SVector<f64, D> {
-        &self.end
+        vector(&self.end)
+    }
+
+    /// Returns the coordinates of `a` and `b`, in `ℓ`.
+    #[must_use]
+    pub fn end_slices(&self) -> [&[f64]; 2] {
+        [&self.start, &self.end]
+    }
+
+    pub(crate) fn cast<const E: usize>(self) -> Segment<E> {
+        let Self { start, end, direction, length } = self;
+        Segment { start, end, direction, length }
+    }
+
+    /// Returns `s`.
+    fn along(&self, x: &[f64]) -> f64 {
+        dot(&self.direction, &minus(x, &self.start))
     }
 }
 
-impl<const D: usize> ClosedSet<D> for Segment<D> {
-    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
-        let s = self.direction.dot(&(x - self.start));
+impl<const D: usize> AnySet for Segment<D> {
+    fn dimension(&self) -> usize {
+        self.start.len()
+    }
+
+    fn project(&self, x: &mut [f64]) {
+        let s = self.along(x);
         if s <= 0.0 {
-            self.start
+            x.copy_from_slice(&self.start);
         } else if s >= self.length {
-            self.end
+            x.copy_from_slice(&self.end);
         } else {
-            self.start + self.direction * s
+            let pairs = self.start.iter().zip(&self.direction);
+            x.iter_mut().zip(pairs).for_each(|(x, (a, v))| *x = a + v * s);
         }
     }
 
-    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        let s = self.direction.dot(&(x - self.start));
-        if 0.0 <= s && s <= self.length {
-            self.direction * self.direction.transpose()
-        } else {
-            SMatrix::zeros()
+    fn projection_derivative(&self, x: &[f64], derivative: &mut [f64]) {
+        let s = self.along(x);
+        if !(0.0 <= s && s <= self.length) {
+            return derivative.fill(0.0);
         }
+        let products =
+            self.direction.iter().flat_map(|v| self.direction.iter().map(move |u| u * v));
+        derivative.iter_mut().zip(products).for_each(|(to, product)| *to = product);
     }
 
     fn radius(&self) -> Option<f64> {
-        let ends = [self.start, self.end].map(|end| norm_above(&proof::point(&end)));
+        let ends = [&self.start, &self.end].map(|end| norm_above(&proof::point(end)));
         Some(ends[0].max(ends[1]))
     }
 
-    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+    fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
         // The ends are halved first, since their sum may overflow.
-        let centre = self.start * 0.5 + self.end * 0.5;
-        let ends = [self.start, self.end].map(|end| norm_above(&between(&end, &centre)));
+        let pairs = self.start.iter().zip(&self.end);
+        let centre: Vec<f64> = pairs.map(|(a, b)| a * 0.5 + b * 0.5).collect();
+        let ends = [&self.start, &self.end].map(|end| norm_above(&between(end, &centre)));
         Some((centre, ends[0].max(ends[1])))
     }
 
-    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+    fn is_convex(&self) -> bool {
+        true
+    }
+
+    fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
+        let pairs = || self.start.iter().zip(&self.end);
         // A segment along an axis is a flat box, for which clamping does not round.
-        let differing = (0..D).filter(|&i| self.start[i] != self.end[i]).count();
-        if differing <= 1 {
-            let (lower, upper) = self.start.inf_sup(&self.end);
-            return Some(proof::point(&SVector::from_fn(|i, _| x[i].clamp(lower[i], upper[i]))));
+        if pairs().filter(|(a, b)| a != b).count() <= 1 {
+            let clamped = x.iter().zip(pairs()).map(|(x, (&a, &b))| x.clamp(a.min(b), a.max(b)));
+            return Some(clamped.map(Interval::point).collect());
         }
-        let s = self.direction.dot(&(x - self.start));
+        let s = self.along(x);
         if s <= 0.0 {
             return Some(proof::point(&self.start));
         }
@@ -108,13 +154,17 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
         if !(fraction < 1.0) {
             return (fraction >= 1.0).then(|| proof::point(&self.end));
         }
-        let (a, b) = (proof::point(&self.start), proof::point(&self.end));
-        proof::finite(SVector::from_fn(|i, _| a[i] + (b[i] - a[i]) * fraction))
+        let ends = pairs().map(|(&a, &b)| (Interval::point(a), Interval::point(b)));
+        proof::finite(ends.map(|(a, b)| a + (b - a) * fraction).collect())
     }
 
-    fn is_convex(&self) -> bool {
-        true
+    fn shape(&self) -> Option<Shape<ANY>> {
+        Some(Shape::Segment(self.clone().cast()))
     }
+}
+
+impl<const D: usize> ClosedSet<D> for Segment<D> {
+    closed_set_in_any!(self => Shape::Segment(self.clone()));
 }
 
 #[cfg(test)]

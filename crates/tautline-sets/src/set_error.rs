@@ -1,6 +1,6 @@
 //! `SetError`: why a closed set, or a pair of them, is refused.
 
-use nalgebra::SVector;
+use tautline_scalar::ANY;
 
 /// A condition that the data of a set, or of a pair of sets, violate.
 ///
@@ -17,6 +17,22 @@ pub enum SetError {
         index: usize,
         /// The coordinate.
         value: f64,
+    },
+    /// A point or a vector must have as many coordinates as the space.
+    #[error("{what} has {found} coordinates in dimension {dimension}")]
+    Coordinates {
+        /// The point, the vector or the set, in words.
+        what: &'static str,
+        /// The number of its coordinates.
+        found: usize,
+        /// The dimension of the space.
+        dimension: usize,
+    },
+    /// A point or a vector must have coordinates.
+    #[error("{what} has no coordinates")]
+    NoCoordinates {
+        /// The point or vector, in words.
+        what: &'static str,
     },
     /// A length or an offset must be finite.
     #[error("{what} {value} must be finite")]
@@ -85,20 +101,29 @@ pub enum SetError {
     BothUnbounded,
 }
 
+/// Returns the dimension that the compiler knows, if it knows one.
+pub(crate) fn known(dimension: usize) -> Option<usize> {
+    (dimension != ANY).then_some(dimension)
+}
+
 /// Returns the first coordinate that is NaN or infinite, with its index.
-pub(crate) fn non_finite<const D: usize>(x: &SVector<f64, D>) -> Option<(usize, f64)> {
+pub(crate) fn non_finite(x: &[f64]) -> Option<(usize, f64)> {
     x.iter().copied().enumerate().find(|(_, value)| !value.is_finite())
 }
 
-/// Returns `x` if all its coordinates are finite.
-pub(crate) fn finite_vector<const D: usize>(
+/// Returns `x` if all its coordinates are finite, and as many as the dimension, if that is known.
+pub(crate) fn finite_vector(
     what: &'static str,
-    x: impl Into<SVector<f64, D>>,
-) -> Result<SVector<f64, D>, SetError> {
-    let x = x.into();
-    match non_finite(&x) {
-        Some((index, value)) => Err(SetError::NonFiniteCoordinate { what, index, value }),
-        None => Ok(x),
+    x: &[f64],
+    dimension: Option<usize>,
+) -> Result<Box<[f64]>, SetError> {
+    match (dimension, non_finite(x)) {
+        (None, _) if x.is_empty() => Err(SetError::NoCoordinates { what }),
+        (Some(dimension), _) if x.len() != dimension => {
+            Err(SetError::Coordinates { what, found: x.len(), dimension })
+        }
+        (_, Some((index, value))) => Err(SetError::NonFiniteCoordinate { what, index, value }),
+        _ => Ok(x.into()),
     }
 }
 

@@ -2,30 +2,77 @@
 
 use std::{cmp::Ordering, sync::Arc};
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
+use tautline_scalar::{ANY, Interval};
 
-use crate::{AxisBox, Ball, ClosedSet, HalfSpace, Point, proof};
+use crate::any_set::closed_set_in_any;
+use crate::closed_set::append_pieces;
+use crate::union::Pieces;
+use crate::{
+    AffineSubspace, AnySet, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment,
+    SetError, Sphere, proof,
+};
 
 /// A set that is described by finitely many numbers: one piece, or the union of several.
 ///
-/// The numbers define the set exactly, as those of [`ClosedSet::member_near`] do.
+/// The dimension is known at compile time, or is a value if `D` is [`ANY`]. The numbers define the set
+/// exactly, as those of [`ClosedSet::member_near`] do.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shape<const D: usize> {
     /// One point.
     Point(Point<D>),
+    /// Finitely many points.
+    FiniteSet(FiniteSet<D>),
     /// A ball.
     Ball(Ball<D>),
+    /// A sphere.
+    Sphere(Sphere<D>),
     /// A box with sides parallel to the axes.
     AxisBox(AxisBox<D>),
+    /// A segment.
+    Segment(Segment<D>),
     /// A half-space.
     HalfSpace(HalfSpace<D>),
-    /// The union of shapes.
+    /// An affine subspace.
+    AffineSubspace(AffineSubspace<D>),
+    /// The union of shapes. [`Shape::union`] checks that there are any, all in one dimension.
     Union(Vec<Shape<D>>),
 }
 
+/// Evaluates an expression for the set in a shape, or another one for a union.
+macro_rules! of_kind {
+    ($shape:expr, $set:ident => $one:expr, $shapes:ident => $many:expr) => {
+        match $shape {
+            Shape::Point($set) => $one,
+            Shape::FiniteSet($set) => $one,
+            Shape::Ball($set) => $one,
+            Shape::Sphere($set) => $one,
+            Shape::AxisBox($set) => $one,
+            Shape::Segment($set) => $one,
+            Shape::HalfSpace($set) => $one,
+            Shape::AffineSubspace($set) => $one,
+            Shape::Union($shapes) => $many,
+        }
+    };
+}
+
 impl<const D: usize> Shape<D> {
-    /// Returns the pieces, none of which is a union, in order.
+    /// Returns the union of shapes, or the only one.
+    ///
+    /// # Errors
+    ///
+    /// [`SetError::Empty`] if there are none; [`SetError::Coordinates`] if their dimensions differ.
+    pub fn union(mut shapes: Vec<Shape<D>>) -> Result<Shape<D>, SetError> {
+        let dimension = shapes.first().ok_or(SetError::Empty)?.dimension();
+        if let Some(other) = shapes.iter().find(|shape| shape.dimension() != dimension) {
+            let found = other.dimension();
+            return Err(SetError::Coordinates { what: other.name(), found, dimension });
+        }
+        Ok(if shapes.len() == 1 { shapes.remove(0) } else { Shape::Union(shapes) })
+    }
+
+    /// Returns the pieces, none of which is a union, in order. A finite set is one piece.
     #[must_use]
     pub fn pieces(&self) -> Vec<&Self> {
         match self {
@@ -34,8 +81,25 @@ impl<const D: usize> Shape<D> {
         }
     }
 
+    /// Returns the name of the kind of set, with its article.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Shape::Point(_) => "a point",
+            Shape::FiniteSet(_) => "a finite set",
+            Shape::Ball(_) => "a ball",
+            Shape::Sphere(_) => "a sphere",
+            Shape::AxisBox(_) => "a box",
+            Shape::Segment(_) => "a segment",
+            Shape::HalfSpace(_) => "a half-space",
+            Shape::AffineSubspace(_) => "an affine subspace",
+            Shape::Union(_) => "a union",
+        }
+    }
+
     /// Returns whether `x` is a member, decided in exact arithmetic; false if a coordinate is not
-    /// finite.
+    /// finite. Of a slanted segment or subspace only those members are known that
+    /// [`ClosedSet::member_near`] proves.
     ///
     /// ```
     /// use nalgebra::vector;
@@ -48,26 +112,166 @@ impl<const D: usize> Shape<D> {
     /// # Ok::<(), tautline_sets::SetError>(())
     /// ```
     #[must_use]
-    pub fn contains(&self, x: &SVector<f64, D>) -> bool {
+    pub fn contains(&self, x: &(impl AsRef<[f64]> + ?Sized)) -> bool {
+        self.has(x.as_ref())
+    }
+
+    fn has(&self, x: &[f64]) -> bool {
+        let is_proved = |set: &dyn AnySet| {
+            let is_finite = x.iter().all(|x| x.is_finite());
+            is_finite && set.member_near(x).is_some_and(|member| member == proof::point(x))
+        };
         match self {
-            Shape::Point(point) => point.position() == x,
-            Shape::Ball(ball) => {
-                proof::compare_distance(x, ball.centre(), ball.r()).is_some_and(Ordering::is_le)
-            }
+            Shape::Point(point) => point.position_slice() == x,
+            Shape::FiniteSet(set) => set.points().iter().any(|point| point.position_slice() == x),
+            Shape::Ball(ball) => proof::compare_distance(x, ball.centre_slice(), ball.r())
+                .is_some_and(Ordering::is_le),
+            Shape::Sphere(sphere) => proof::compare_distance(x, sphere.centre_slice(), sphere.r())
+                .is_some_and(Ordering::is_eq),
             Shape::AxisBox(side) => {
-                (0..D).all(|i| side.lower()[i] <= x[i] && x[i] <= side.upper()[i])
+                let [lower, upper] = side.corner_slices();
+                x.iter().zip(lower).zip(upper).all(|((x, l), u)| l <= x && x <= u)
             }
             Shape::HalfSpace(wall) => {
-                let (n, b) = wall.given();
+                let (n, b) = wall.given_slice();
                 proof::compare_height(n, x, b).is_some_and(Ordering::is_le)
             }
-            Shape::Union(shapes) => shapes.iter().any(|shape| shape.contains(x)),
+            Shape::Segment(segment) => is_proved(segment),
+            Shape::AffineSubspace(subspace) => is_proved(subspace),
+            Shape::Union(shapes) => shapes.iter().any(|shape| shape.has(x)),
+        }
+    }
+
+    /// Returns the same set in terms of points, balls, boxes, half-spaces and unions of them, the kinds
+    /// that certificates know; `None` for a set with pieces of other kinds.
+    #[must_use]
+    pub fn into_elementary(self) -> Option<Self> {
+        match self {
+            Shape::FiniteSet(set) => {
+                Some(Shape::Union(set.points().iter().cloned().map(Shape::Point).collect()))
+            }
+            Shape::Union(shapes) => {
+                let shapes: Option<_> = shapes.into_iter().map(Shape::into_elementary).collect();
+                shapes.map(Shape::Union)
+            }
+            Shape::Sphere(_) | Shape::Segment(_) | Shape::AffineSubspace(_) => None,
+            elementary => Some(elementary),
+        }
+    }
+
+    /// Returns the same set as one whose dimension is a value.
+    #[must_use]
+    pub fn into_any(self) -> Shape<ANY> {
+        self.cast()
+    }
+
+    fn cast<const E: usize>(self) -> Shape<E> {
+        match self {
+            Shape::Point(set) => Shape::Point(set.cast()),
+            Shape::FiniteSet(set) => Shape::FiniteSet(set.cast()),
+            Shape::Ball(set) => Shape::Ball(set.cast()),
+            Shape::Sphere(set) => Shape::Sphere(set.cast()),
+            Shape::AxisBox(set) => Shape::AxisBox(set.cast()),
+            Shape::Segment(set) => Shape::Segment(set.cast()),
+            Shape::HalfSpace(set) => Shape::HalfSpace(set.cast()),
+            Shape::AffineSubspace(set) => Shape::AffineSubspace(set.cast()),
+            Shape::Union(shapes) => Shape::Union(shapes.into_iter().map(Shape::cast).collect()),
         }
     }
 
     /// Returns the shape of a union of sets; `None` if one of them has no shape.
-    pub(crate) fn union(sets: &[Arc<dyn ClosedSet<D>>]) -> Option<Self> {
-        sets.iter().map(|set| set.shape()).collect::<Option<_>>().map(Shape::Union)
+    pub(crate) fn of_sets(sets: &[Arc<dyn ClosedSet<D>>]) -> Option<Self> {
+        sets.iter().map(|set| ClosedSet::shape(&**set)).collect::<Option<_>>().map(Shape::Union)
+    }
+}
+
+impl Shape<ANY> {
+    /// Returns the same set as one of `R^E`; `None` if it lies in another dimension.
+    #[must_use]
+    pub fn into_dimension<const E: usize>(self) -> Option<Shape<E>> {
+        let fits = self.pieces().iter().all(|piece| piece.dimension() == E);
+        fits.then(|| self.cast())
+    }
+}
+
+impl<const D: usize> AnySet for Shape<D> {
+    /// Returns the dimension; that of the first member of a union, and 0 without members.
+    fn dimension(&self) -> usize {
+        of_kind!(self, set => set.dimension(), shapes => shapes.first().map_or(0, Shape::dimension))
+    }
+
+    fn project(&self, x: &mut [f64]) {
+        of_kind!(self, set => AnySet::project(set, x), shapes => Pieces(|| shapes.iter()).project(x));
+    }
+
+    fn projection_derivative(&self, x: &[f64], derivative: &mut [f64]) {
+        of_kind!(
+            self,
+            set => AnySet::projection_derivative(set, x, derivative),
+            shapes => Pieces(|| shapes.iter()).projection_derivative(x, derivative)
+        );
+    }
+
+    fn radius(&self) -> Option<f64> {
+        of_kind!(self, set => AnySet::radius(set), shapes => Pieces(|| shapes.iter()).radius())
+    }
+
+    fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
+        of_kind!(
+            self,
+            set => AnySet::enclosing_ball(set),
+            shapes => Pieces(|| shapes.iter()).enclosing_ball()
+        )
+    }
+
+    fn is_convex(&self) -> bool {
+        of_kind!(self, set => AnySet::is_convex(set), shapes => Pieces(|| shapes.iter()).is_convex())
+    }
+
+    fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
+        of_kind!(
+            self,
+            set => AnySet::member_near(set, x),
+            shapes => Pieces(|| shapes.iter()).member_near(x)
+        )
+    }
+
+    fn shape(&self) -> Option<Shape<ANY>> {
+        Some(self.clone().into_any())
+    }
+
+    fn pieces(&self) -> Vec<Arc<dyn AnySet>> {
+        let piece = |shape: &Self| -> Vec<Arc<dyn AnySet>> {
+            let pieces = AnySet::pieces(shape);
+            if pieces.is_empty() { vec![Arc::new(shape.clone().into_any())] } else { pieces }
+        };
+        of_kind!(
+            self,
+            set => AnySet::pieces(set),
+            shapes => shapes.iter().flat_map(piece).collect()
+        )
+    }
+
+    fn seeds(&self) -> Vec<Vec<f64>> {
+        of_kind!(self, set => AnySet::seeds(set), shapes => Pieces(|| shapes.iter()).seeds())
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for Shape<D> {
+    closed_set_in_any!(self => self.clone());
+
+    fn pieces(&self) -> Vec<Arc<dyn ClosedSet<D>>> {
+        match self {
+            Shape::FiniteSet(set) => ClosedSet::pieces(set),
+            Shape::Union(shapes) => {
+                let mut pieces = Vec::new();
+                for shape in shapes {
+                    append_pieces(&(Arc::new(shape.clone()) as Arc<dyn ClosedSet<D>>), &mut pieces);
+                }
+                pieces
+            }
+            _ => Vec::new(),
+        }
     }
 }
 
@@ -77,12 +281,14 @@ mod tests {
 
     use nalgebra::{SVector, vector};
     use tautline_chance::{Random, cases, seed};
+    use tautline_scalar::ANY;
 
     use super::Shape;
     use crate::{
-        AxisBox, Ball, ClosedSet, HalfSpace, Point, Sphere, Union,
-        exact::{Exact, least_product, square, squared_distances},
-        proof::point,
+        AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
+        Sphere, Union,
+        exact::{Exact, least_product, point, square, squared_distances},
+        laws::Bare,
     };
 
     /// The end of the ball `|x| ≤ 0.1` is its last point, and so is (3, 4) of the ball of radius 5.
@@ -109,6 +315,85 @@ mod tests {
         assert!(!both.contains(&vector![9.0, 6.0]));
     }
 
+    /// Vectors of other lengths are refused by every kind, in a dimension that the compiler knows and in
+    /// one that is a value.
+    #[test]
+    fn the_vectors_of_a_set_have_one_dimension() {
+        fn kinds<const D: usize>(x: &[f64], y: &[f64]) -> [Result<Shape<D>, SetError>; 8] {
+            [
+                Point::from_slice(x).map(Shape::Point),
+                FiniteSet::from_slices([x, y]).map(Shape::FiniteSet),
+                Ball::from_slice(x, 1.0).map(Shape::Ball),
+                Sphere::from_slice(x, 1.0).map(Shape::Sphere),
+                AxisBox::from_slices(x, y).map(Shape::AxisBox),
+                Segment::from_slices(x, y).map(Shape::Segment),
+                HalfSpace::from_slice(x, 1.0).map(Shape::HalfSpace),
+                AffineSubspace::from_slices(x, [y]).map(Shape::AffineSubspace),
+            ]
+        }
+        let (x, y) = ([0.0, -1.0], [3.0, 4.0, 5.0]);
+        let known = kinds::<2>(&x, &y[..2]);
+        for (known, any) in known.iter().zip(kinds::<ANY>(&x, &y[..2])) {
+            let (known, any) = (known.clone().expect("two coordinates"), any.expect("as many"));
+            assert_eq!(known.clone().into_any(), any);
+            assert_eq!(any.clone().into_dimension(), Some(known));
+            assert_eq!(any.into_dimension::<3>(), None);
+        }
+        for shape in kinds::<3>(&x, &x) {
+            let error = shape.expect_err("two coordinates in space");
+            assert!(
+                matches!(error, SetError::Coordinates { found: 2, dimension: 3, .. }),
+                "{error}"
+            );
+        }
+        let pairs = kinds::<ANY>(&x, &y).into_iter().filter(Result::is_err);
+        for error in pairs.clone().map(|shape| shape.expect_err("an error")) {
+            assert!(
+                matches!(error, SetError::Coordinates { found: 3, dimension: 2, .. }),
+                "{error}"
+            );
+        }
+        assert_eq!(pairs.count(), 4);
+        for shape in kinds::<ANY>(&[], &[]) {
+            assert!(matches!(shape, Err(SetError::NoCoordinates { .. })), "{shape:?}");
+        }
+        let [plane, space] = [&x[..], &y[..]].map(|x| Point::from_slice(x).map(Shape::Point));
+        let both = vec![plane.expect("finite"), space.expect("finite")];
+        assert_eq!(
+            Shape::<ANY>::union(both),
+            Err(SetError::Coordinates { what: "a point", found: 3, dimension: 2 })
+        );
+        assert_eq!(Shape::<ANY>::union(Vec::new()), Err(SetError::Empty));
+    }
+
+    /// What is no union of points, balls, boxes and half-spaces has no elementary form.
+    #[test]
+    fn finite_sets_are_elementary_and_spheres_are_not() {
+        let points = FiniteSet::new([[0.0], [1.0]]).expect("finite");
+        let spots = [0.0, 1.0].map(|x| Shape::Point(Point::new([x]).expect("finite")));
+        let union = Shape::Union(spots.to_vec());
+        assert_eq!(Shape::FiniteSet(points.clone()).into_elementary(), Some(union.clone()));
+        let sphere = Shape::Sphere(Sphere::new([0.0], 1.0).expect("finite"));
+        let mixed = Shape::Union(vec![union.clone(), sphere.clone()]);
+        assert_eq!((sphere.into_elementary(), mixed.into_elementary()), (None, None));
+        let nested = Shape::Union(vec![Shape::FiniteSet(points)]);
+        assert_eq!(nested.into_elementary(), Some(Shape::Union(vec![union])));
+    }
+
+    #[test]
+    fn members_of_thin_sets_are_proved() {
+        let sphere = Shape::Sphere(Sphere::new([1.0, 2.0], 5.0).expect("finite"));
+        assert!(sphere.contains(&[4.0, 6.0]) && !sphere.contains(&[4.0, 6.0_f64.next_down()]));
+        let points = Shape::FiniteSet(FiniteSet::new([[0.0, 1.0], [2.0, 3.0]]).expect("finite"));
+        assert!(points.contains(&[2.0, 3.0]) && !points.contains(&[0.0, 3.0]));
+        let segment = Shape::Segment(Segment::new([0.1, 1.0], [0.1, 2.0]).expect("finite"));
+        assert!(segment.contains(&[0.1, 1.5]) && !segment.contains(&[0.1, 2.5]));
+        assert!(!segment.contains(&[0.1, f64::NAN]));
+        let line = AffineSubspace::new([0.1, 1.0], [[0.0, 3.0]]).expect("a direction");
+        let line = Shape::AffineSubspace(line);
+        assert!(line.contains(&[0.1, 9.0]) && !line.contains(&[0.2, 9.0]));
+    }
+
     #[test]
     fn one_coordinate_outside_is_outside() {
         let (lower, upper) = (vector![-1.0, 2.0, -0.5], vector![1.0, 2.5, 0.75]);
@@ -125,12 +410,13 @@ mod tests {
         assert!(spot.contains(&lower) && !spot.contains(&upper));
     }
 
-    /// A sphere is no shape, so a union with one has no data, wherever the sphere stands in it.
+    /// A set of one's own is no shape, so a union with one has no data, wherever it stands in it.
     #[test]
     fn a_union_is_a_shape_only_if_each_of_its_pieces_is() {
         let spot: Arc<dyn ClosedSet<2>> = Arc::new(Point::new([9.0, 9.0]).expect("finite"));
         let ball: Arc<dyn ClosedSet<2>> = Arc::new(Ball::new([0.0, 0.0], 1.0).expect("finite"));
-        let rim: Arc<dyn ClosedSet<2>> = Arc::new(Sphere::new([4.0, 0.0], 1.0).expect("finite"));
+        let project = |_: &SVector<f64, 2>| vector![4.0, 0.0];
+        let rim: Arc<dyn ClosedSet<2>> = Arc::new(Bare { project, radius: Some(5.0) });
         let shape = |pieces: &[&Arc<dyn ClosedSet<2>>]| {
             let pieces = pieces.iter().map(|&piece| Arc::clone(piece)).collect();
             Union::new(pieces).expect("pieces").shape()

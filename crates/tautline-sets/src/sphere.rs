@@ -3,12 +3,14 @@
 use std::cmp::Ordering;
 
 use nalgebra::{SMatrix, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{ANY, Interval};
 
-use crate::ClosedSet;
-use crate::norm::{norm_above, on_axis, polar, sum_above};
+use crate::any_set::closed_set_in_any;
+use crate::norm::{norm_above, polar, sum_above};
+use crate::place::{Place, minus, tangential, vector};
 use crate::proof;
-use crate::set_error::{SetError, finite_vector, valid_radius};
+use crate::set_error::{SetError, finite_vector, known, valid_radius};
+use crate::{AnySet, ClosedSet, Shape};
 
 /// The sphere `|x − c| = r`, which is convex only if `r = 0`. With `u = (x − c)/|x − c|`:
 ///
@@ -23,9 +25,14 @@ use crate::set_error::{SetError, finite_vector, valid_radius};
 /// projector onto the tangent space at `P(c)`.
 ///
 /// In one dimension the sphere consists of the two points `c ± r`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "crate::data::Ball")
+)]
 pub struct Sphere<const D: usize> {
-    centre: SVector<f64, D>,
+    centre: Box<[f64]>,
     r: f64,
 }
 
@@ -37,13 +44,28 @@ impl<const D: usize> Sphere<D> {
     /// [`SetError::NonFiniteCoordinate`] if the centre is not finite; [`SetError::NonFinite`] or
     /// [`SetError::NegativeRadius`] if the radius is not finite or is negative.
     pub fn new(centre: impl Into<SVector<f64, D>>, r: f64) -> Result<Sphere<D>, SetError> {
+        Sphere::from_slice(centre.into().as_slice(), r)
+    }
+
+    /// Returns the sphere about the point with these coordinates.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Sphere::new`]; also [`SetError::Coordinates`] if there are not `D` coordinates.
+    pub fn from_slice(centre: &[f64], r: f64) -> Result<Sphere<D>, SetError> {
         const { assert!(D > 0, "R⁰ has no sphere") }
-        Ok(Sphere { centre: finite_vector("the centre", centre)?, r: valid_radius(r)? })
+        Ok(Sphere { centre: finite_vector("the centre", centre, known(D))?, r: valid_radius(r)? })
     }
 
     /// Returns the centre `c`, in `ℓ`.
     #[must_use]
     pub fn centre(&self) -> &SVector<f64, D> {
+        vector(&self.centre)
+    }
+
+    /// Returns the coordinates of the centre, in `ℓ`.
+    #[must_use]
+    pub fn centre_slice(&self) -> &[f64] {
         &self.centre
     }
 
@@ -53,50 +75,79 @@ impl<const D: usize> Sphere<D> {
     pub fn r(&self) -> f64 {
         self.r
     }
-}
 
-impl<const D: usize> ClosedSet<D> for Sphere<D> {
-    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
-        let u = polar(&(x - self.centre)).map_or_else(|| on_axis(0, 1.0), |(_, u)| u);
-        self.centre + u * self.r
+    pub(crate) fn cast<const E: usize>(self) -> Sphere<E> {
+        Sphere { centre: self.centre, r: self.r }
     }
 
-    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        let (stretch, u) = match polar(&(x - self.centre)) {
+    /// Returns `|x − c|` and the direction from the centre to `x`; at the centre `None` and `e₁`.
+    fn direction(&self, x: &[f64]) -> (Option<f64>, Place) {
+        let first = |i: usize| if i == 0 { 1.0 } else { 0.0 };
+        polar(&minus(x, &self.centre))
+            .map_or_else(|| (None, (0..x.len()).map(first).collect()), |(r, u)| (Some(r), u))
+    }
+}
+
+impl<const D: usize> AnySet for Sphere<D> {
+    fn dimension(&self) -> usize {
+        self.centre.len()
+    }
+
+    fn project(&self, x: &mut [f64]) {
+        let (_, u) = self.direction(x);
+        let pairs = self.centre.iter().zip(&u);
+        x.iter_mut().zip(pairs).for_each(|(x, (c, u))| *x = c + u * self.r);
+    }
+
+    fn projection_derivative(&self, x: &[f64], derivative: &mut [f64]) {
+        let (distance, u) = self.direction(x);
+        let stretch = match distance {
             // Near the centre the quotient may overflow, and then ∞ · 0 would be NaN.
-            Some((distance, u)) => ((self.r / distance).min(f64::MAX), u),
-            None if self.r == 0.0 => return SMatrix::zeros(),
-            None => (1.0, on_axis(0, 1.0)),
+            Some(distance) => (self.r / distance).min(f64::MAX),
+            None if self.r == 0.0 => return derivative.fill(0.0),
+            None => 1.0,
         };
-        (SMatrix::identity() - u * u.transpose()) * stretch
+        tangential(&u, stretch, derivative);
     }
 
     fn radius(&self) -> Option<f64> {
         Some(sum_above(norm_above(&proof::point(&self.centre)), self.r))
     }
 
-    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
-        Some((self.centre, self.r))
-    }
-
-    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        if proof::compare_distance(x, &self.centre, self.r).is_some_and(Ordering::is_eq) {
-            return Some(proof::point(x));
-        }
-        proof::on_sphere(x, &self.centre, self.r)
+    fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
+        Some((self.centre.to_vec(), self.r))
     }
 
     fn is_convex(&self) -> bool {
         self.r == 0.0
     }
 
+    fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
+        if proof::compare_distance(x, &self.centre, self.r).is_some_and(Ordering::is_eq) {
+            return Some(proof::point(x));
+        }
+        proof::on_sphere(x, &self.centre, self.r)
+    }
+
+    fn shape(&self) -> Option<Shape<ANY>> {
+        Some(Shape::Sphere(self.clone().cast()))
+    }
+
     /// Returns the points `c ± r eᵢ`, or no points for `r = 0`, where the sphere is a single point.
-    fn seeds(&self) -> Vec<SVector<f64, D>> {
+    fn seeds(&self) -> Vec<Vec<f64>> {
         if self.r == 0.0 {
             return Vec::new();
         }
-        (0..D).flat_map(|i| [self.r, -self.r].map(|r| self.centre + on_axis(i, r))).collect()
+        let seed = |i: usize, r: f64| -> Vec<f64> {
+            let along = |j: usize| if j == i { r } else { 0.0 };
+            self.centre.iter().enumerate().map(|(j, c)| c + along(j)).collect()
+        };
+        (0..self.centre.len()).flat_map(|i| [self.r, -self.r].map(|r| seed(i, r))).collect()
     }
+}
+
+impl<const D: usize> ClosedSet<D> for Sphere<D> {
+    closed_set_in_any!(self => Shape::Sphere(self.clone()));
 }
 
 #[cfg(test)]

@@ -7,7 +7,8 @@ use tautline_scalar::Interval;
 
 use crate::closed_set::append_pieces;
 use crate::norm::{between, norm, norm_above, sum_above};
-use crate::{ClosedSet, SetError, Shape};
+use crate::place::{Place, add, minus};
+use crate::{AnySet, ClosedSet, InAny, SetError, Shape};
 
 /// The union of finitely many closed sets.
 ///
@@ -44,60 +45,72 @@ impl<const D: usize> Union<D> {
         if pieces.is_empty() { Err(SetError::Empty) } else { Ok(Union { pieces }) }
     }
 
-    /// Returns the point of the union nearest to `x`, and the piece that contains it.
-    fn nearest(&self, x: &SVector<f64, D>) -> (SVector<f64, D>, &Arc<dyn ClosedSet<D>>) {
-        let (first, rest) = self.pieces.split_first().expect("never empty");
-        let mut point = first.project(x);
-        let (mut distance, mut nearest) = (norm(&(point - x)), first);
-        for piece in rest {
-            let candidate = piece.project(x);
-            let to_candidate = norm(&(candidate - x));
-            if to_candidate < distance {
-                (point, distance, nearest) = (candidate, to_candidate, piece);
+    /// Returns the pieces as sets of a space whose dimension is a value, one after the other.
+    fn in_any(&self) -> impl Iterator<Item = InAny<'_, D>> {
+        self.pieces.iter().map(|piece| InAny(&**piece))
+    }
+}
+
+/// The union of the sets that an iterator lists.
+pub(crate) struct Pieces<F>(pub(crate) F);
+
+impl<I: Iterator<Item: AnySet>, F: Fn() -> I> Pieces<F> {
+    /// Returns the point of the union nearest to `x`, and the piece that contains it; `None` if there
+    /// are no pieces.
+    fn nearest(&self, x: &[f64]) -> Option<(Place, I::Item)> {
+        let mut nearest: Option<(f64, Place, I::Item)> = None;
+        for piece in self.0() {
+            let mut point = Place::from_slice(x);
+            piece.project(&mut point);
+            let distance = norm(&minus(&point, x));
+            if nearest.as_ref().is_none_or(|(least, ..)| distance < *least) {
+                nearest = Some((distance, point, piece));
             }
         }
-        (point, nearest)
-    }
-}
-
-/// Returns the largest radius. If one is NaN, the result is NaN, which bounds nothing.
-fn largest(radii: impl IntoIterator<Item = f64>) -> f64 {
-    radii.into_iter().fold(0.0, |a, b| if a.is_nan() || b <= a { a } else { b })
-}
-
-impl<const D: usize> ClosedSet<D> for Union<D> {
-    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
-        self.nearest(x).0
+        nearest.map(|(_, point, piece)| (point, piece))
     }
 
-    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        self.nearest(x).1.projection_derivative(x)
+    /// Moves `x` to the nearest point; to NaN if there are no pieces.
+    pub(crate) fn project(&self, x: &mut [f64]) {
+        match self.nearest(x) {
+            Some((point, _)) => x.copy_from_slice(&point),
+            None => x.fill(f64::NAN),
+        }
     }
 
-    fn radius(&self) -> Option<f64> {
-        let radii: Option<Vec<f64>> = self.pieces.iter().map(|piece| piece.radius()).collect();
+    pub(crate) fn projection_derivative(&self, x: &[f64], derivative: &mut [f64]) {
+        match self.nearest(x) {
+            Some((_, piece)) => piece.projection_derivative(x, derivative),
+            None => derivative.fill(f64::NAN),
+        }
+    }
+
+    pub(crate) fn radius(&self) -> Option<f64> {
+        let radii: Option<Vec<f64>> = self.0().map(|piece| piece.radius()).collect();
         Some(largest(radii?))
     }
 
     /// The ball is centred at the mean of the centres of the members.
-    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
-        let balls: Option<Vec<_>> =
-            self.pieces.iter().map(|piece| piece.enclosing_ball()).collect();
+    pub(crate) fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
+        let balls: Option<Vec<_>> = self.0().map(|piece| piece.enclosing_ball()).collect();
         let balls = balls?;
         let share = 1.0 / balls.len() as f64;
-        let middle = balls.iter().fold(SVector::zeros(), |sum, (centre, _)| sum + centre * share);
-        let reach = |(centre, radius): &(SVector<f64, D>, f64)| {
+        let mut middle = vec![0.0; balls.first()?.0.len()];
+        balls.iter().for_each(|(centre, _)| add(&mut middle, centre, share));
+        let reach = |(centre, radius): &(Vec<f64>, f64)| {
             sum_above(norm_above(&between(centre, &middle)), *radius)
         };
-        Some((middle, largest(balls.iter().map(reach))))
+        let radius = largest(balls.iter().map(reach));
+        Some((middle, radius))
     }
 
     /// Returns the nearest of the boxes that the members prove. Members that prove nothing are
     /// skipped.
-    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        let mut nearest: Option<(f64, SVector<Interval, D>)> = None;
-        for member in self.pieces.iter().filter_map(|piece| piece.member_near(x)) {
-            let away = norm(&(member.map(Interval::midpoint) - x));
+    pub(crate) fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
+        let mut nearest: Option<(f64, Vec<Interval>)> = None;
+        for member in self.0().filter_map(|piece| piece.member_near(x)) {
+            let middle: Place = member.iter().map(|side| side.midpoint()).collect();
+            let away = norm(&minus(&middle, x));
             // On a tie the first box is kept.
             if nearest.as_ref().is_none_or(|(distance, _)| away < *distance) {
                 nearest = Some((away, member));
@@ -108,21 +121,64 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
 
     /// Returns whether the only member is convex. The result is `false` for several members, which
     /// are not examined.
-    fn is_convex(&self) -> bool {
-        matches!(self.pieces.as_slice(), [one] if one.is_convex())
-    }
-
-    fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
-        &self.pieces
+    pub(crate) fn is_convex(&self) -> bool {
+        let mut pieces = self.0();
+        pieces.next().is_some_and(|one| one.is_convex()) && pieces.next().is_none()
     }
 
     /// Returns the seeds of all pieces, in their order.
+    pub(crate) fn seeds(&self) -> Vec<Vec<f64>> {
+        self.0().flat_map(|piece| piece.seeds()).collect()
+    }
+}
+
+/// Returns the largest radius. If one is NaN, the result is NaN, which bounds nothing.
+fn largest(radii: impl IntoIterator<Item = f64>) -> f64 {
+    radii.into_iter().fold(0.0, |a, b| if a.is_nan() || b <= a { a } else { b })
+}
+
+impl<const D: usize> ClosedSet<D> for Union<D> {
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        let mut nearest = *x;
+        Pieces(|| self.in_any()).project(nearest.as_mut_slice());
+        nearest
+    }
+
+    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        let mut derivative = SMatrix::<f64, D, D>::zeros();
+        Pieces(|| self.in_any()).projection_derivative(x.as_slice(), derivative.as_mut_slice());
+        derivative
+    }
+
+    fn radius(&self) -> Option<f64> {
+        Pieces(|| self.in_any()).radius()
+    }
+
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        let (centre, radius) = Pieces(|| self.in_any()).enclosing_ball()?;
+        Some((SVector::from_column_slice(&centre), radius))
+    }
+
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        let member = Pieces(|| self.in_any()).member_near(x.as_slice())?;
+        Some(SVector::from_column_slice(&member))
+    }
+
+    fn is_convex(&self) -> bool {
+        Pieces(|| self.in_any()).is_convex()
+    }
+
+    fn pieces(&self) -> Vec<Arc<dyn ClosedSet<D>>> {
+        self.pieces.clone()
+    }
+
     fn seeds(&self) -> Vec<SVector<f64, D>> {
-        self.pieces.iter().flat_map(|piece| piece.seeds()).collect()
+        let seeds = Pieces(|| self.in_any()).seeds();
+        seeds.iter().map(|x| SVector::from_column_slice(x)).collect()
     }
 
     fn shape(&self) -> Option<Shape<D>> {
-        Shape::union(&self.pieces)
+        Shape::of_sets(&self.pieces)
     }
 }
 
@@ -224,7 +280,10 @@ mod tests {
     fn union_with_an_unbounded_member_is_unbounded() {
         let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
         let wall = HalfSpace::new([1.0, 0.0], -3.0).expect("a normal");
-        assert_eq!(Union::new(vec![Arc::new(ball), Arc::new(wall)]).expect("two").radius(), None);
+        assert_eq!(
+            Union::new(vec![Arc::new(ball.clone()), Arc::new(wall)]).expect("two").radius(),
+            None
+        );
         let one = Union::new(vec![Arc::new(ball)]).expect("one");
         assert_eq!(one.radius(), Some(1.0));
         assert!(one.is_convex());

@@ -156,8 +156,8 @@ impl<const D: usize> ClosedSet<D> for SetInUnits<D> {
         self.set.is_convex()
     }
 
-    fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
-        &self.pieces
+    fn pieces(&self) -> Vec<Arc<dyn ClosedSet<D>>> {
+        self.pieces.clone()
     }
 
     fn seeds(&self) -> Vec<SVector<f64, D>> {

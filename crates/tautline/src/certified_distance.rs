@@ -133,7 +133,8 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         };
         formula.symmetric()?;
         let shape = |end, set: &Arc<dyn tautline_sets::ClosedSet<D>>| {
-            set.shape().ok_or(CertificateError::NoShape { end })
+            let shape = set.shape().and_then(tautline_sets::Shape::into_elementary);
+            shape.ok_or(CertificateError::NoShape { end })
         };
         let sets = [shape("first", self.ends().first())?, shape("second", self.ends().second())?];
         if self.minimum().stop == Stop::EndsTouch {

@@ -42,13 +42,13 @@ impl<const D: usize> Competitors<D> {
         };
         let refused =
             |reach, ball: &Ball<D>| Err(BoundError::LeavesTheBall { reach, radius: ball.r() });
-        let own = (self.within, self.constants);
-        let (first, constants) = *self.outer.first().unwrap_or(&own);
-        let reach = bounded.left_by(length(constants)?, first.centre());
+        let own = (self.within.clone(), self.constants);
+        let (first, constants) = self.outer.first().unwrap_or(&own);
+        let reach = bounded.left_by(length(*constants)?, first.centre());
         if !(reach < first.r() || (upper == 0.0 && reach <= first.r())) {
-            return refused(reach, &first);
+            return refused(reach, first);
         }
-        let mut longest = length(constants)?;
+        let mut longest = length(*constants)?;
         for (ball, constants) in self.outer.iter().chain([&own]).skip(1) {
             let reach = bounded.filled_by(longest, ball.centre());
             if !(reach <= ball.r()) {

@@ -69,7 +69,7 @@
 //! | numbers with their errors | [`Estimate`], [`Integral`], [`LeadingConstants`] |
 //! | bounds | [`bounds::Enclosure`], [`bounds::Bound`], [`SuggestedN`], [`Competitors`] |
 //! | constants | [`Constants`], [`CertifiedConstant`] |
-//! | sets that are finitely many numbers | [`Point`], [`Ball`], [`AxisBox`], [`HalfSpace`], [`Shape`] |
+//! | sets that are finitely many numbers | [`Shape`] and the kinds that it may be |
 //! | words | [`Convention`], [`Quantity`], [`bounds::PaperRule`], [`bounds::Theorem`], [`distance::Ended`] |
 //!
 //! - What a constructor checks is checked when it is read: constants, point sequences and sets.
@@ -137,8 +137,8 @@ pub use tautline_optimizers::{
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table, decimal};
 pub use tautline_sets::{
-    AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
-    Shape, Sphere, Union,
+    AffineSubspace, AnySet, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment,
+    SetError, Shape, Sphere, Union,
 };
 
 pub use nalgebra::{SMatrix, SVector};

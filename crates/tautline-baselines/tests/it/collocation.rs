@@ -173,13 +173,13 @@ fn paths_between_sets_reach_the_known_distance() {
     let ball = Ball::new([0.0, 0.0], 0.5).expect("a radius");
     let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("a normal");
     let d = 5.0 - 3_f64.sin() + 0.5_f64.sin();
-    check(&Valleys, Ends::new(ball, wall), d);
+    check(&Valleys, Ends::new(ball.clone(), wall.clone()), d);
     check(&Valleys, Ends::new(wall, ball), d);
     let circle = |radius| Sphere::new([0.0, 0.0], radius).expect("a radius");
     check(&crate::problems::swirl(), Ends::new(circle(0.5), circle(2.0)), 1.5);
     let line = AffineSubspace::new([0.0, 2.0], [[1.0, 0.0]]).expect("a direction");
     let point = Point::new([0.3, -0.4]).expect("finite");
-    check(&crate::problems::shear(), Ends::new(point, line.clone()), 2.4);
+    check(&crate::problems::shear(), Ends::new(point.clone(), line.clone()), 2.4);
     check(&crate::problems::shear(), Ends::new(line, point), 2.4);
 }
 

@@ -107,7 +107,7 @@ fn shots_between_sets_reach_the_known_distance() {
     let ball = Ball::new([0.0, 0.0], 0.5).expect("a radius");
     let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("a normal");
     let exact = 5.0 - 3_f64.sin() + 0.5_f64.sin();
-    assert!((length(&Valleys, Ends::new(ball, wall)) / exact - 1.0).abs() < 1e-9);
+    assert!((length(&Valleys, Ends::new(ball.clone(), wall.clone())) / exact - 1.0).abs() < 1e-9);
     assert!((length(&Valleys, Ends::new(wall, ball)) / exact - 1.0).abs() < 1e-9);
 
     let swirl = Swirl::new(1.0, 0.8).expect("a width");
@@ -120,7 +120,7 @@ fn shots_between_sets_reach_the_known_distance() {
     let shear = crate::problems::shear();
     let line = AffineSubspace::new([0.0, 2.0], [[1.0, 0.0]]).expect("a direction");
     let point = tautline::Point::new([0.3, -0.4]).expect("finite");
-    let found = length(&shear, Ends::new(point, line.clone()));
+    let found = length(&shear, Ends::new(point.clone(), line.clone()));
     assert!((found / 2.4 - 1.0).abs() < 1e-9, "{found}");
     let found = length(&shear, Ends::new(line, point));
     assert!((found / 2.4 - 1.0).abs() < 1e-9, "{found}");

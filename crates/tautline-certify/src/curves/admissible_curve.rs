@@ -179,7 +179,7 @@ mod tests {
     fn a_set_that_proves_nothing_is_reported() {
         let goal = Point::new([1.0, 0.0]).expect("finite");
         let curve = line([0.0, 3.0], [1.0, 0.0], 2);
-        let ends = Ends::new(Origin, goal).expect("bounded");
+        let ends = Ends::new(Origin, goal.clone()).expect("bounded");
         let error = AdmissibleCurve::new(&Valleys, &curve, &ends).expect_err("nothing proved");
         assert_eq!(error, CurveError::NoMember { end: "first", distance: 3.0 });
         let ends = Ends::new(goal, Origin).expect("bounded");
@@ -406,7 +406,7 @@ mod tests {
     #[test]
     fn a_constant_curve_proves_distance_zero() {
         let ball = Ball::new([0.1, 0.2], 0.5).expect("finite");
-        let ends = Ends::new(ball, ball).expect("bounded");
+        let ends = Ends::new(ball.clone(), ball).expect("bounded");
         let curve = line([0.3, 0.4], [0.3, 0.4], 3);
         let points = curve.points();
         assert!(points.iter().all(|x| x == &points[0]), "{points:?}");

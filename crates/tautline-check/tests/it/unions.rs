@@ -37,7 +37,7 @@ fn project<const D: usize>(piece: &Shape<D>, x: &SVector<f64, D>) -> SVector<f64
         Shape::Ball(set) => set.project(x),
         Shape::AxisBox(set) => set.project(x),
         Shape::HalfSpace(set) => set.project(x),
-        Shape::Union(_) => unreachable!("a piece is no union"),
+        other => unreachable!("{} is no piece", other.name()),
     }
 }
 

@@ -39,7 +39,7 @@ fn in_the_plane_the_distance_is_that_of_the_nearest_point_of_the_boundary() {
                 .map(|(a, b)| centre + vector![a * half[0], b * half[1]])
         }));
         for (shape, sampled, is_outside) in [
-            (Shape::Ball(ball), circle, (x - centre).norm() > ball.r()),
+            (Shape::Ball(ball.clone()), circle, (x - centre).norm() > ball.r()),
             (Shape::AxisBox(side), frame, (0..2).any(|i| (x - centre)[i].abs() > half[i])),
         ] {
             let (found, y) = signed_distance(&shape, &h, &x).expect("definite");

@@ -89,7 +89,7 @@ fn project<const D: usize>(piece: &Shape<D>, x: &SVector<f64, D>) -> SVector<f64
         Shape::Ball(ball) => ball.project(x),
         Shape::AxisBox(side) => side.project(x),
         Shape::HalfSpace(wall) => wall.project(x),
-        Shape::Union(_) => panic!("not one piece"),
+        other => panic!("{} is no piece", other.name()),
     }
 }
 
@@ -105,7 +105,7 @@ fn farthest<const D: usize>(piece: &Shape<D>, direction: &SVector<f64, D>) -> SV
                 },
             )
         }
-        Shape::HalfSpace(_) | Shape::Union(_) => panic!("not one bounded piece"),
+        other => panic!("{} is no bounded piece", other.name()),
     }
 }
 

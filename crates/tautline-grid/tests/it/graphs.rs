@@ -131,7 +131,7 @@ fn an_independent_search_finds_the_same_length() {
     let lattice = Lattice::new([-1.0, -1.0], [1.0, 1.5], 0.1).expect("a lattice");
     let ball = Ball::new([-0.5, -0.31], 0.22).expect("a ball");
     let wall = HalfSpace::at_least([0.6, 0.8], 0.93).expect("a wall");
-    let ends = Ends::new(ball, wall).expect("bounded");
+    let ends = Ends::new(ball.clone(), wall.clone()).expect("bounded");
     for reach in 1..=3 {
         let graph = LatticeGraph::new(&metric, lattice.clone(), reach).expect("a reach");
         let mut edges = DiGraph::<(), f64>::new();

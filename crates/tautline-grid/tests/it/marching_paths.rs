@@ -222,7 +222,7 @@ fn a_path_may_be_short() {
     let shear = Shear::new(0.5, 1.0).expect("a shear");
     let disc = Ball::new([0.0, 0.0], 0.5).expect("a disc");
     for x in [0.2, 0.5, 0.52, 0.7, 0.9] {
-        let ends = Ends::new(disc, Point::new([x, 0.0]).expect("finite")).expect("bounded");
+        let ends = Ends::new(disc.clone(), Point::new([x, 0.0]).expect("finite")).expect("bounded");
         let path = eikonal(&shear, &ends, &square(0.1), Order::Second).expect("a path");
         check(&shear, &path);
         // Φ maps the segment from the nearest point of the disc to a chord that is not longer than that

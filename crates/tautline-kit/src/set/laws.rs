@@ -203,7 +203,7 @@ pub(super) fn seeds_and_pieces<const D: usize>(case: &Case<'_, D>) -> LawResult 
     }
     case.at_points(|x| {
         let p = case.set.project(x);
-        let pieces = case.set.pieces().iter();
+        let pieces = case.set.pieces().into_iter();
         let nearest =
             pieces.map(|piece| (piece.project(x) - x).norm()).fold(f64::INFINITY, f64::min);
         if nearest == f64::INFINITY {

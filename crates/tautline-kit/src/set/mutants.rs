@@ -68,7 +68,7 @@ impl<const D: usize> ClosedSet<D> for Mutant<'_, D> {
         self.set.is_convex()
     }
 
-    fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
+    fn pieces(&self) -> Vec<Arc<dyn ClosedSet<D>>> {
         self.set.pieces()
     }
 

@@ -282,7 +282,7 @@ fn points_outside_the_hyperbolic_disc_are_errors() {
 fn the_part_of_a_set_with_a_metric_is_used() {
     let set = FiniteSet::new([[3.0, 0.0], [0.0, 0.5], [0.0, -2.0]]).expect("finite");
     let origin = point([0.0, 0.0]);
-    let minimum = lowest(&Hyperbolic, &between(origin, set), Rule::TRAPEZOIDAL, 64);
+    let minimum = lowest(&Hyperbolic, &between(origin.clone(), set), Rule::TRAPEZOIDAL, 64);
     assert!(minimum.is_local_minimum());
     assert_eq!(*minimum.sequence.last(), vector![0.0, 0.5]);
     let ends = between(origin, ball([1.0, 0.0], 0.5));

@@ -35,13 +35,13 @@ fn sets_that_touch_or_overlap_have_energy_zero() {
     let square = AxisBox::new([2.0, 0.0], [1.0, 1.0]).expect("half-widths");
     let all = [
         // These sets are tangent, also at a contact with rounded coordinates, or they overlap.
-        between(unit, half_space([1.0, 0.0], 1.0)),
-        between(unit, half_space([0.6, 0.8], 1.0)),
-        between(half_space([1.0, 2.0], 0.3), unit),
-        between(unit, square),
-        between(Sphere::new([0.0, 0.0], 1.0).expect("a radius"), unit),
+        between(unit.clone(), half_space([1.0, 0.0], 1.0)),
+        between(unit.clone(), half_space([0.6, 0.8], 1.0)),
+        between(half_space([1.0, 2.0], 0.3), unit.clone()),
+        between(unit.clone(), square.clone()),
+        between(Sphere::new([0.0, 0.0], 1.0).expect("a radius"), unit.clone()),
         // A corner touches a corner, a point lies on a face, and a point coincides with a point.
-        between(square, AxisBox::new([4.0, 2.0], [1.0, 1.0]).expect("half-widths")),
+        between(square.clone(), AxisBox::new([4.0, 2.0], [1.0, 1.0]).expect("half-widths")),
         between(point([2.0, 1.0]), square),
         between(point([0.3, -0.7]), point([0.3, -0.7])),
         between(point([0.0, 0.0]), point([0.0, 0.0])),
@@ -72,7 +72,7 @@ fn sets_that_almost_touch_have_the_energy_of_the_gap() {
         let gap = 10_f64.powi(-exponent);
         let minimum = solve(
             &euclidean(),
-            &between(unit, half_space([0.6, 0.8], 1.0 + gap)),
+            &between(unit.clone(), half_space([0.6, 0.8], 1.0 + gap)),
             Rule::TRAPEZOIDAL,
             10,
         );
@@ -101,10 +101,10 @@ fn a_continuum_of_minimisers_is_degenerate() {
     // metric.
     for n in [1, 2, 3, 7, 64, 500] {
         for (metric, ends, energy) in [
-            (oblique, between(square, wall), 7.0),
-            (oblique, between(wide, square), 7.0),
-            (euclidean(), between(square, wall), 4.0),
-            (euclidean(), between(ball, shell), 2.25),
+            (oblique, between(square.clone(), wall.clone()), 7.0),
+            (oblique, between(wide.clone(), square.clone()), 7.0),
+            (euclidean(), between(square.clone(), wall.clone()), 4.0),
+            (euclidean(), between(ball.clone(), shell.clone()), 2.25),
         ] {
             let minimum = solve(&metric, &ends, Rule::TRAPEZOIDAL, n);
             assert_close(minimum.energy, energy, 1e-14);

@@ -66,13 +66,14 @@ fn a_ball_beside_the_bump_beats_a_nearer_one_behind_it() {
     let bump = bump();
     let (behind, beside) = (ball([1.2, 0.0], 0.1), ball([-1.5, 2.9], 0.1));
     let start = point([-1.5, 0.0]);
-    let alone = [behind, beside].map(|ball| solve(&bump, &between(start, ball), 200).energy);
+    let alone = [&behind, &beside]
+        .map(|ball| solve(&bump, &between(start.clone(), ball.clone()), 200).energy);
     assert!(alone[1] < 0.6 * alone[0], "{alone:?}: (2.8)² against more than 4²");
-    for pieces in [[behind, beside], [beside, behind]] {
+    for pieces in [[&behind, &beside], [&beside, &behind]] {
         let members: Vec<Arc<dyn ClosedSet<2>>> =
-            pieces.iter().map(|piece| Arc::new(*piece) as _).collect();
+            pieces.map(|piece| Arc::new(piece.clone()) as _).to_vec();
         let union = Union::new(members).expect("two");
-        let minimum = solve(&bump, &between(start, union), 200);
+        let minimum = solve(&bump, &between(start.clone(), union), 200);
         // It is the same search, so the energies are equal up to the decrement.
         assert_close(minimum.energy, alone[1], 1e-14);
         assert!((beside.project(minimum.sequence.last()) - minimum.sequence.last()).amax() < 1e-15);
@@ -162,8 +163,11 @@ fn the_point_of_a_circle_is_the_nearest_in_the_metric() {
             // The circle and the point are tried in either order.
             let first = (k + n as i32) % 3 == 0;
             let p = point(p);
-            let minimum =
-                solve(&metric, &if first { between(circle, p) } else { between(p, circle) }, n);
+            let minimum = solve(
+                &metric,
+                &if first { between(circle.clone(), p) } else { between(p, circle.clone()) },
+                n,
+            );
             // The scan rounds numbers of size 1, with an absolute error of h · 1e-16.
             let error = (minimum.energy - reference).abs();
             assert!(error <= 1e-12 * reference + 1e-14, "{k} {n}: {error:e}");

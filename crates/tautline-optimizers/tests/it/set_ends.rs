@@ -65,7 +65,7 @@ fn assert_distance<const D: usize>(minimum: &Minimum<D>, distance: f64) {
 fn valleys_from_a_ball_to_a_half_space_and_back() {
     let d = 5.0 - 3_f64.sin() + 0.5_f64.sin();
     let (ball, wall) = (ball([0.0, 0.0], 0.5), half_space([1.0, 0.0], 3.0));
-    for ends in [between(ball, wall), between(wall, ball)] {
+    for ends in [between(ball.clone(), wall.clone()), between(wall, ball)] {
         let minimum = solve(&Valleys, &ends, 512, 9.0);
         assert_distance(&minimum, d);
         let left = lowest(&Valleys, &ends, Rule::LEFT_ENDPOINT, 512);
@@ -93,8 +93,8 @@ fn sheared_plane_from_the_highest_point_to_a_half_plane() {
     let wall = half_space([0.0, 1.0], 3.0);
     // The last ball is above the line, so its lowest point is the nearest.
     for (ends, from, d) in [
-        (between(ball([0.0, 0.0], 0.5), wall), [0.0, 0.5], 2.5),
-        (between(segment, wall), [1.0, 0.75], 2.25),
+        (between(ball([0.0, 0.0], 0.5), wall.clone()), [0.0, 0.5], 2.5),
+        (between(segment, wall.clone()), [1.0, 0.75], 2.25),
         (between(point([0.3, 0.2]), wall), [0.3, 0.2], 2.8),
         (between(ball([0.0, 0.0], 0.5), line.clone()), [0.0, 0.5], 2.5),
         (between(ball([0.7, 5.0], 0.5), line), [0.7, 4.5], 1.5),
@@ -254,7 +254,7 @@ fn a_point_beside_and_beyond_a_segment() {
         let y = a + v * s;
         let segment = Segment::new(a, b).expect("finite");
         for n in [1, 2, 33] {
-            let minimum = solve(&metric, &between(segment, point(x)), n, 5.0);
+            let minimum = solve(&metric, &between(segment.clone(), point(x)), n, 5.0);
             assert_close(minimum.energy, (x - y).dot(&(h * (x - y))), 4e-15);
         }
     }
@@ -306,7 +306,7 @@ fn a_ball_inside_a_sphere_goes_to_the_nearest_wall() {
     let metric = euclidean::<2>();
     let hollow = Sphere::new([0.0, 0.0], 3.0).expect("a radius");
     for n in [1, 2, 40] {
-        let minimum = solve(&metric, &between(ball([0.5, 0.5], 1.0), hollow), n, 1.0);
+        let minimum = solve(&metric, &between(ball([0.5, 0.5], 1.0), hollow.clone()), n, 1.0);
         let d = 2.0 - 0.5_f64.hypot(0.5);
         assert_close(minimum.energy, d * d, 1e-14);
     }

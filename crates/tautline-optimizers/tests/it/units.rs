@@ -168,7 +168,7 @@ fn exchanging_the_ends_reverses_the_sequence() {
     let bump = bump();
     let ball = ball([-2.0, 0.1], 0.5);
     let wall = half_space([1.0, 0.2], 2.0);
-    let (forth, back) = (Ends::new(ball, wall), Ends::new(wall, ball));
+    let (forth, back) = (Ends::new(ball.clone(), wall.clone()), Ends::new(wall, ball));
     let start = straight([-1.5, 0.5], [2.0, 0.4], 32);
     let turned = sequence(start.points().iter().rev().copied().collect());
     let solve = |ends: &Ends<2>, start: &PointSequence<2>| {

@@ -3,8 +3,8 @@
 use std::{ops::Range, sync::Arc};
 
 use tautline::{
-    AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, SVector, Segment,
-    SetError, Sphere, Union,
+    ANY, AffineSubspace, AnySet, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, SVector,
+    Segment, SetError, Shape as Set, Sphere, Union,
 };
 use tautline_picture::portrait::Shape;
 
@@ -37,21 +37,31 @@ impl Piece {
     }
 }
 
-/// Returns the set. The vectors must have `D` coordinates; missing ones count as 0.
+/// Returns the set, whose vectors must have `D` coordinates.
 pub(crate) fn set_of<const D: usize>(shape: &Shape) -> Result<Arc<dyn ClosedSet<D>>, SetError> {
-    let at = vector::<D>;
-    Ok(match shape {
-        Shape::Point(x) => Arc::new(Point::new(at(x))?),
-        Shape::Points(points) => Arc::new(FiniteSet::new(points.iter().map(|x| at(x)))?),
-        Shape::Ball { centre, radius } => Arc::new(Ball::new(at(centre), *radius)?),
-        Shape::Sphere { centre, radius } => Arc::new(Sphere::new(at(centre), *radius)?),
-        Shape::AxisBox { low, high } => Arc::new(AxisBox::from_corners(at(low), at(high))?),
-        Shape::HalfSpace { normal, offset } => Arc::new(HalfSpace::new(at(normal), *offset)?),
-        Shape::Segment { from, to } => Arc::new(Segment::new(at(from), at(to))?),
-        Shape::AffineSubspace { point, directions } => {
-            Arc::new(AffineSubspace::new(at(point), directions.iter().map(|x| at(x)))?)
+    let set = in_any(shape)?;
+    let found = set.dimension();
+    let set: Option<Set<D>> = set.into_dimension();
+    let other = SetError::Coordinates { what: shape.name(), found, dimension: D };
+    set.map(|set| Arc::new(set) as _).ok_or(other)
+}
+
+/// Returns the set in a dimension that is a value.
+fn in_any(shape: &Shape) -> Result<Set<ANY>, SetError> {
+    match shape {
+        Shape::Point(x) => Point::from_slice(x).map(Set::Point),
+        Shape::Points(points) => FiniteSet::from_slices(points).map(Set::FiniteSet),
+        Shape::Ball { centre, radius } => Ball::from_slice(centre, *radius).map(Set::Ball),
+        Shape::Sphere { centre, radius } => Sphere::from_slice(centre, *radius).map(Set::Sphere),
+        Shape::AxisBox { low, high } => AxisBox::from_slices(low, high).map(Set::AxisBox),
+        Shape::HalfSpace { normal, offset } => {
+            HalfSpace::from_slice(normal, *offset).map(Set::HalfSpace)
         }
-    })
+        Shape::Segment { from, to } => Segment::from_slices(from, to).map(Set::Segment),
+        Shape::AffineSubspace { point, directions } => {
+            AffineSubspace::from_slices(point, directions).map(Set::AffineSubspace)
+        }
+    }
 }
 
 /// Returns the first `D` coordinates.

@@ -81,7 +81,7 @@ fn half_a_ball_needs_the_larger_ones() {
     // Each ball must be large enough for the one before it.
     for k in 0..own.outer.len() {
         let mut outer = own.outer.clone();
-        let (ball, constants) = outer[k];
+        let (ball, constants) = outer[k].clone();
         let smaller = Ball::new(*ball.centre(), 0.9 * ball.r()).expect("a radius");
         outer[k] = (smaller, constants);
         let smaller = Competitors { outer, ..own.clone() };
@@ -131,11 +131,11 @@ fn the_ball_is_about_a_bounded_end() {
     // ball of its own.
     for (r, s, gap, at) in [(0.01, 0.1, 0.19, 0.45), (0.01, 0.3, 0.05, 0.3)] {
         let (near, far) = (disc(0.3, r), disc(0.3 + r + gap + s, s));
-        for ends in [Ends::new(near, far), Ends::new(far, near)] {
+        for ends in [Ends::new(near.clone(), far.clone()), Ends::new(far, near)] {
             let problem = Problem::new(Sphere, ends.expect("bounded"));
             let line = problem.solve(Rule::TRAPEZOIDAL, 16).expect("solved");
             let competitors = line.competitors().expect("near");
-            let ball = competitors.within;
+            let ball = &competitors.within;
             assert!((ball.centre()[0] - at).abs() < 1e-15, "{ball:?}");
             assert!(line.enclosure_among(&competitors).is_ok());
         }
@@ -203,7 +203,7 @@ fn competitors_of_another_line_are_refused() {
 fn a_ball_that_is_a_little_off_is_refused() {
     let ball = Ball::new([0.3, 0.2], 0.05).expect("a radius");
     let wall = HalfSpace::at_least([1.0, 0.0], 0.45).expect("a normal");
-    for ends in [Ends::new(ball, wall), Ends::new(wall, ball)] {
+    for ends in [Ends::new(ball.clone(), wall.clone()), Ends::new(wall, ball)] {
         let ends = ends.expect("one bounded");
         let line = Problem::new(Sphere, ends).solve(Rule::TRAPEZOIDAL, 32).expect("solved");
         let own = line.competitors().expect("near");
@@ -348,14 +348,14 @@ fn each_ball_is_measured_by_the_constants_of_the_ball_before_it() {
     };
     let holds = |balls: &[(Ball<2>, Constants)]| {
         let (outer, own) = balls.split_at(balls.len() - 1);
-        let (within, constants) = own[0];
+        let (within, constants) = own[0].clone();
         let chain = Competitors { constants, within, outer: outer.to_vec() };
         chain.hold_those_of(&line, extent).is_ok()
     };
     assert!(holds(&balls));
-    for (k, &(ball, constants)) in balls.iter().enumerate() {
+    for (k, (ball, constants)) in balls.iter().enumerate() {
         let reach = match k {
-            0 => bounded.left_by(long(constants), ball.centre()),
+            0 => bounded.left_by(long(*constants), ball.centre()),
             _ => bounded.filled_by(long(balls[k - 1].1), ball.centre()),
         };
         let with = |r: f64| {

@@ -39,7 +39,7 @@ fn compare(rule: Rule, n: usize) {
             let y = 0.1 + 0.3 * f64::from(k);
             let points = Ends::points([-1.5, y], [1.5, -0.1]).expect("finite");
             let ball = Ball::new([-2.0, y], 0.5).expect("a radius");
-            let sets = Ends::new(ball, wall).expect("one bounded");
+            let sets = Ends::new(ball, wall.clone()).expect("one bounded");
             problems.extend([points, sets].map(|ends| Problem::new(bump, ends)));
         }
     }

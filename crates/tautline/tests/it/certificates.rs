@@ -106,7 +106,7 @@ fn a_ball_and_a_half_space_are_ends() {
     let wall = HalfSpace::at_least([1.0, 0.0], 2.0).expect("a normal");
     let hill = || Formula::<2>::parse("cost(1 + 4*exp(-2*(x1^2 + x2^2)))", &[]).expect("a formula");
     let mut lowers = Vec::new();
-    for ends in [Ends::new(ball, wall), Ends::new(wall, ball)] {
+    for ends in [Ends::new(ball.clone(), wall.clone()), Ends::new(wall, ball)] {
         let line = Problem::new(hill(), ends.expect("bounded")).solve(Rule::TRAPEZOIDAL, 256);
         let found = line.expect("solved").certificate(1e-4).expect("a certificate");
         let proved = found.certificate.check().expect("proved");

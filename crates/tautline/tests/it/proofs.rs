@@ -108,7 +108,7 @@ fn without_a_certificate_the_assumption_is_said() {
     let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
     let around = Sphere::new([0.0, 0.0], 3.0).expect("a radius");
     let solved = |ends| Problem::new(Valleys, ends).solve(Rule::TRAPEZOIDAL, 64).expect("solved");
-    let sets = solved(Ends::new(ball, wall).expect("bounded"));
+    let sets = solved(Ends::new(ball.clone(), wall).expect("bounded"));
     is_checked(&sets.prove(Accuracy::default()).expect("proved"));
     let sphere = solved(Ends::new(ball, around).expect("bounded"));
     let proof = sphere.prove(Accuracy::default()).expect("proved");

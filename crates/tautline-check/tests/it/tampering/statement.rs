@@ -3,7 +3,7 @@
 use nalgebra::{SVector, vector};
 use tautline_check::{Chain, CheckError, Level, Region};
 use tautline_formula::Formula;
-use tautline_sets::{Ball, HalfSpace, Shape};
+use tautline_sets::{Ball, FiniteSet, HalfSpace, Shape, Sphere};
 
 use super::BASE;
 use crate::{
@@ -213,6 +213,22 @@ fn a_proof_that_contradicts_its_curve_is_refused() {
     let upper = 0.9 * BASE.d;
     let refused = chain.proved(Some(upper));
     assert_eq!(refused, Err(CheckError::Contradiction { lower: BASE.proved.lower, upper }));
+}
+
+/// Spheres, segments, subspaces and finite sets are in no file. A finite set is a union of points.
+#[test]
+fn sets_without_lines_in_a_file_are_refused() {
+    let [from, _] = &BASE.certificate.sets;
+    let sphere = Shape::Sphere(Sphere::new([3.0, 0.0], 0.5).expect("a radius"));
+    let points = Shape::FiniteSet(FiniteSet::new([[3.0, 0.0], [4.0, 0.0]]).expect("finite"));
+    let begun = |set: Shape<2>| {
+        let region = Region::Declared { c1: BASE.wave.c1() };
+        let sets = [from.clone(), Shape::Union(vec![from.clone(), set])];
+        Chain::new(&BASE.certificate.formula, &sets, 1.0, region).map(|_| ())
+    };
+    assert_eq!(begun(sphere), Err(CheckError::Set { kind: "a sphere" }));
+    assert_eq!(begun(points.clone()), Err(CheckError::Set { kind: "a finite set" }));
+    assert_eq!(begun(points.into_elementary().expect("points")), Ok(()));
 }
 
 /// The quotient of offset and normal is a double for every half-space that a file may have.

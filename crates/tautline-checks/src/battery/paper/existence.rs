@@ -94,7 +94,7 @@ fn attained(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<3>::new(SMatrix::identity() * 4.0)?;
     let ball = Ball::new([1.0, 0.0, 0.0], 1.0)?;
     let wall = HalfSpace::at_least([1.0, 0.0, 0.0], 5.0)?;
-    let ends = Ends::new(ball, wall)?;
+    let ends = Ends::new(ball.clone(), wall.clone())?;
     for_rules([1, 3, 20], |rule, n| {
         let line = PointSequence::straight([2.0, 0.0, 0.0], [5.0, 0.0, 0.0], n)?;
         let least = trial.subject.minimise(rule.into(), &metric, &ends, n)?.sequence;
@@ -119,7 +119,7 @@ fn claim_fails_without(hypothesis: &str, claim: &str, evidence: Evidence) -> Out
 /// attained, and [`Ends`] refuses the pair.
 fn both_unbounded(_: &Trial<'_>) -> Outcome {
     let floor = HalfSpace::new([0.0, 1.0], 0.0)?;
-    let refused = Ends::new(floor, AboveExponential);
+    let refused = Ends::new(floor.clone(), AboveExponential);
     if !matches!(refused, Err(SetError::BothUnbounded)) {
         return Err(Failure::new(format!("two unbounded sets: {refused:?}")));
     }
