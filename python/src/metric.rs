@@ -10,7 +10,7 @@ use numpy::{
 };
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use tautline::{Rule, Table};
+use tautline::{Point, Rule, SetError, Table};
 use tautline_problem::{
     IF_IT_SETTLES,
     value::{self, Found, Given, Grid, Nodes, Proofs, Request, Shape},
@@ -221,23 +221,36 @@ impl Program {
             );
             return Err(ProblemError::new_err(message));
         }
-        let rows = |array: &PyReadonlyArray2<'_, f64>| -> Vec<[Shape; 1]> {
-            let row = |row: numpy::ndarray::ArrayView1<'_, f64>| [Shape::Point(row.to_vec())];
+        let rows = |array: &PyReadonlyArray2<'_, f64>| -> Vec<Result<[Shape; 1], SetError>> {
+            let row = |row: numpy::ndarray::ArrayView1<'_, f64>| {
+                Ok([Shape::Point(Point::from_slice(&row.to_vec())?)])
+            };
             array.as_array().rows().into_iter().map(row).collect()
         };
         let (starts, goals) = (rows(&starts), rows(&goals));
         let threads = options.threads;
         let request = self.request(options)?;
-        let ends: Vec<[&[Shape]; 2]> =
-            starts.iter().zip(&goals).map(|(a, b)| [&a[..], &b[..]]).collect();
+        // A row that is no point does not affect the others.
+        let refused = |error: &SetError| error.to_string();
+        let pairs = starts.iter().zip(&goals).map(|(start, goal)| {
+            let (start, goal) = (start.as_ref().map_err(refused)?, goal.as_ref().map_err(refused)?);
+            Ok([&start[..], &goal[..]])
+        });
+        let ends: Vec<Result<[&[Shape]; 2], String>> = pairs.collect();
         let pool = threads.map_or_else(|| pool(py), pool::threads)?;
         let mut found = Vec::with_capacity(ends.len());
         for block in ends.chunks(BLOCK) {
             let solved = || {
-                let curves = self.given.solve_all(block, &request).into_par_iter();
+                let points: Vec<_> = block.iter().filter_map(|ends| ends.clone().ok()).collect();
+                let curves = self.given.solve_all(&points, &request).into_par_iter();
                 curves.map(|curve| self.checked(curve)).collect::<Vec<_>>()
             };
-            found.extend(py.detach(|| pool.install(solved)));
+            let mut solved = py.detach(|| pool.install(solved)).into_iter();
+            let curve = |ends: &Result<_, String>| match ends {
+                Ok(_) => solved.next(),
+                Err(wrong) => Some(Err(wrong.clone())),
+            };
+            found.extend(block.iter().filter_map(curve));
             self.unless_raised()?;
             py.check_signals()?;
         }

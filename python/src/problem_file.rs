@@ -39,10 +39,10 @@ pub(crate) fn problem_file(
         }
     }
     if let Some(set) = region {
-        let [Shape::AxisBox { low, high }] = &set.pieces[..] else {
+        let [Shape::AxisBox(side)] = &set.pieces[..] else {
             return Err(ProblemError::new_err("the region of the samples is a box"));
         };
-        file += &format!("\n[audit]\nregion = {}\n", corners(low, high)?);
+        file += &format!("\n[audit]\nregion = {}\n", corners(side.corner_slices())?);
     }
     if let Some(Claims(claimed)) = claimed {
         let first = [("c1", claimed.c1()), ("c2", claimed.c2()), ("l_h", claimed.l_h())];
@@ -67,31 +67,36 @@ fn union(pieces: &[Shape]) -> PyResult<String> {
 }
 
 fn piece(shape: &Shape) -> PyResult<String> {
-    let vectors = |rows: &[Vec<f64>]| list(rows, |row| vector(row));
     let round = |centre: &[f64], radius: f64| -> PyResult<String> {
         Ok(format!("{{ centre = {}, radius = {} }}", vector(centre)?, number(radius)?))
     };
     Ok(match shape {
-        Shape::Point(x) => format!("point = {}", vector(x)?),
-        Shape::Points(points) => format!("points = {}", vectors(points)?),
-        Shape::Ball { centre, radius } => format!("ball = {}", round(centre, *radius)?),
-        Shape::Sphere { centre, radius } => format!("sphere = {}", round(centre, *radius)?),
-        Shape::AxisBox { low, high } => format!("box = {}", corners(low, high)?),
-        Shape::HalfSpace { normal, offset } => {
-            let (normal, offset) = (vector(normal)?, number(*offset)?);
+        Shape::Point(point) => format!("point = {}", vector(point.position_slice())?),
+        Shape::FiniteSet(set) => {
+            format!("points = {}", list(set.points(), |point| vector(point.position_slice()))?)
+        }
+        Shape::Ball(ball) => format!("ball = {}", round(ball.centre_slice(), ball.r())?),
+        Shape::Sphere(sphere) => format!("sphere = {}", round(sphere.centre_slice(), sphere.r())?),
+        Shape::AxisBox(side) => format!("box = {}", corners(side.corner_slices())?),
+        Shape::HalfSpace(wall) => {
+            let (normal, offset) = wall.given_slice();
+            let (normal, offset) = (vector(normal)?, number(offset)?);
             format!("half_space = {{ normal = {normal}, at_most = {offset} }}")
         }
-        Shape::Segment { from, to } => {
-            format!("segment = {{ from = {}, to = {} }}", vector(from)?, vector(to)?)
+        Shape::Segment(segment) => {
+            let [start, end] = segment.end_slices();
+            format!("segment = {{ from = {}, to = {} }}", vector(start)?, vector(end)?)
         }
-        Shape::AffineSubspace { point, directions } => {
-            let (through, directions) = (vector(point)?, vectors(directions)?);
+        Shape::AffineSubspace(subspace) => {
+            let directions = list(subspace.given_slices(), |row| vector(row))?;
+            let through = vector(subspace.base_slice())?;
             format!("affine = {{ through = {through}, directions = {directions} }}")
         }
+        Shape::Union(shapes) => union(shapes)?,
     })
 }
 
-fn corners(low: &[f64], high: &[f64]) -> PyResult<String> {
+fn corners([low, high]: [&[f64]; 2]) -> PyResult<String> {
     Ok(format!("{{ lower = {}, upper = {} }}", vector(low)?, vector(high)?))
 }
 

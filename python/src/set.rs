@@ -1,6 +1,9 @@
 //! `Set`: a closed set.
 
 use pyo3::{prelude::*, types::PyType};
+use tautline::{
+    AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, SetError, Sphere,
+};
 use tautline_problem::value::Shape;
 
 use crate::error::ProblemError;
@@ -12,9 +15,11 @@ pub(crate) struct Set {
     pub(crate) pieces: Vec<Shape>,
 }
 
-impl From<Shape> for Set {
-    fn from(shape: Shape) -> Self {
-        Self { pieces: vec![shape] }
+impl Set {
+    /// Returns the set of one piece.
+    fn of(shape: Result<Shape, SetError>) -> PyResult<Self> {
+        let shape = shape.map_err(|error| ProblemError::new_err(error.to_string()))?;
+        Ok(Self { pieces: vec![shape] })
     }
 }
 
@@ -22,37 +27,52 @@ impl From<Shape> for Set {
 type Piece = (String, Vec<Vec<f64>>, Vec<f64>);
 
 /// Returns the parts of a piece, of which `whole` makes it again.
-fn parts(shape: &Shape) -> Piece {
-    let (kind, vectors, numbers) = match shape.clone() {
-        Shape::Point(x) => ("point", vec![x], vec![]),
-        Shape::Points(points) => ("points", points, vec![]),
-        Shape::Ball { centre, radius } => ("ball", vec![centre], vec![radius]),
-        Shape::Sphere { centre, radius } => ("sphere", vec![centre], vec![radius]),
-        Shape::AxisBox { low, high } => ("box", vec![low, high], vec![]),
-        Shape::HalfSpace { normal, offset } => ("half_space", vec![normal], vec![offset]),
-        Shape::Segment { from, to } => ("segment", vec![from, to], vec![]),
-        Shape::AffineSubspace { point, directions } => {
-            ("affine_subspace", [vec![point], directions].concat(), vec![])
+fn parts(shape: &Shape) -> Vec<Piece> {
+    let list = |vectors: &[&[f64]]| vectors.iter().map(|x| x.to_vec()).collect();
+    let (kind, vectors, numbers): (&str, Vec<Vec<f64>>, Vec<f64>) = match shape {
+        Shape::Point(point) => ("point", list(&[point.position_slice()]), vec![]),
+        Shape::FiniteSet(set) => {
+            let points = set.points().iter().map(|point| point.position_slice().to_vec());
+            ("points", points.collect(), vec![])
         }
+        Shape::Ball(ball) => ("ball", list(&[ball.centre_slice()]), vec![ball.r()]),
+        Shape::Sphere(sphere) => ("sphere", list(&[sphere.centre_slice()]), vec![sphere.r()]),
+        Shape::AxisBox(side) => ("box", list(&side.corner_slices()), vec![]),
+        Shape::HalfSpace(wall) => {
+            let (normal, offset) = wall.given_slice();
+            ("half_space", list(&[normal]), vec![offset])
+        }
+        Shape::Segment(segment) => ("segment", list(&segment.end_slices()), vec![]),
+        Shape::AffineSubspace(subspace) => {
+            let directions = subspace.given_slices().iter().map(|v| v.to_vec());
+            let vectors = std::iter::once(subspace.base_slice().to_vec()).chain(directions);
+            ("affine_subspace", vectors.collect(), vec![])
+        }
+        Shape::Union(shapes) => return shapes.iter().flat_map(parts).collect(),
     };
-    (kind.to_owned(), vectors, numbers)
+    vec![(kind.to_owned(), vectors, numbers)]
 }
 
 fn whole((kind, vectors, numbers): Piece) -> PyResult<Shape> {
-    let unknown = format!("no piece of a set: {kind:?}, {vectors:?}, {numbers:?}");
-    Ok(match (&kind[..], &vectors[..], &numbers[..]) {
-        ("point", [x], []) => Shape::Point(x.clone()),
-        ("points", _, []) => Shape::Points(vectors),
-        ("ball", [centre], &[radius]) => Shape::Ball { centre: centre.clone(), radius },
-        ("sphere", [centre], &[radius]) => Shape::Sphere { centre: centre.clone(), radius },
-        ("box", [low, high], []) => Shape::AxisBox { low: low.clone(), high: high.clone() },
-        ("half_space", [normal], &[offset]) => Shape::HalfSpace { normal: normal.clone(), offset },
-        ("segment", [from, to], []) => Shape::Segment { from: from.clone(), to: to.clone() },
-        ("affine_subspace", [point, directions @ ..], []) => {
-            Shape::AffineSubspace { point: point.clone(), directions: directions.to_vec() }
+    let shape = match (&kind[..], &vectors[..], &numbers[..]) {
+        ("point", [x], []) => Point::from_slice(x).map(Shape::Point),
+        ("points", points, []) => FiniteSet::from_slices(points).map(Shape::FiniteSet),
+        ("ball", [centre], &[radius]) => Ball::from_slice(centre, radius).map(Shape::Ball),
+        ("sphere", [centre], &[radius]) => Sphere::from_slice(centre, radius).map(Shape::Sphere),
+        ("box", [low, high], []) => AxisBox::from_slices(low, high).map(Shape::AxisBox),
+        ("half_space", [normal], &[offset]) => {
+            HalfSpace::from_slice(normal, offset).map(Shape::HalfSpace)
         }
-        _ => return Err(ProblemError::new_err(unknown)),
-    })
+        ("segment", [start, end], []) => Segment::from_slices(start, end).map(Shape::Segment),
+        ("affine_subspace", [point, directions @ ..], []) => {
+            AffineSubspace::from_slices(point, directions).map(Shape::AffineSubspace)
+        }
+        _ => {
+            let unknown = format!("no piece of a set: {kind:?}, {vectors:?}, {numbers:?}");
+            return Err(ProblemError::new_err(unknown));
+        }
+    };
+    shape.map_err(|error| ProblemError::new_err(error.to_string()))
 }
 
 #[pymethods]
@@ -64,7 +84,7 @@ impl Set {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, (Vec<Piece>,)) {
-        (slf.get_type(), (slf.get().pieces.iter().map(parts).collect(),))
+        (slf.get_type(), (slf.get().pieces.iter().flat_map(parts).collect(),))
     }
 
     fn __or__(&self, other: &Self) -> Self {
@@ -79,33 +99,33 @@ impl Set {
 
 /// The set of one point.
 #[pyfunction]
-pub(crate) fn point(x: Vec<f64>) -> Set {
-    Shape::Point(x).into()
+pub(crate) fn point(x: Vec<f64>) -> PyResult<Set> {
+    Set::of(Point::from_slice(&x).map(Shape::Point))
 }
 
 /// Finitely many points, an array of shape (m, D).
 #[pyfunction]
-pub(crate) fn points(x: Vec<Vec<f64>>) -> Set {
-    Shape::Points(x).into()
+pub(crate) fn points(x: Vec<Vec<f64>>) -> PyResult<Set> {
+    Set::of(FiniteSet::from_slices(x).map(Shape::FiniteSet))
 }
 
 /// The ball |x - centre| <= radius.
 #[pyfunction]
-pub(crate) fn ball(centre: Vec<f64>, radius: f64) -> Set {
-    Shape::Ball { centre, radius }.into()
+pub(crate) fn ball(centre: Vec<f64>, radius: f64) -> PyResult<Set> {
+    Set::of(Ball::from_slice(&centre, radius).map(Shape::Ball))
 }
 
 /// The sphere |x - centre| = radius.
 #[pyfunction]
-pub(crate) fn sphere(centre: Vec<f64>, radius: f64) -> Set {
-    Shape::Sphere { centre, radius }.into()
+pub(crate) fn sphere(centre: Vec<f64>, radius: f64) -> PyResult<Set> {
+    Set::of(Sphere::from_slice(&centre, radius).map(Shape::Sphere))
 }
 
 /// The box lower <= x <= upper.
 #[pyfunction]
 #[pyo3(name = "box")]
-pub(crate) fn box_(lower: Vec<f64>, upper: Vec<f64>) -> Set {
-    Shape::AxisBox { low: lower, high: upper }.into()
+pub(crate) fn box_(lower: Vec<f64>, upper: Vec<f64>) -> PyResult<Set> {
+    Set::of(AxisBox::from_slices(&lower, &upper).map(Shape::AxisBox))
 }
 
 /// The half-space normal·x <= at_most, or normal·x >= at_least.
@@ -116,26 +136,24 @@ pub(crate) fn half_space(
     at_most: Option<f64>,
     at_least: Option<f64>,
 ) -> PyResult<Set> {
-    match (at_most, at_least) {
-        (Some(offset), None) => Ok(Shape::HalfSpace { normal, offset }.into()),
-        (None, Some(offset)) => {
-            let normal = normal.into_iter().map(|n| -n).collect();
-            Ok(Shape::HalfSpace { normal, offset: -offset }.into())
-        }
-        _ => Err(ProblemError::new_err("a half-space has either at_most or at_least")),
-    }
+    let (normal, offset): (Vec<f64>, f64) = match (at_most, at_least) {
+        (Some(offset), None) => (normal, offset),
+        (None, Some(offset)) => (normal.into_iter().map(|n| -n).collect(), -offset),
+        _ => return Err(ProblemError::new_err("a half-space has either at_most or at_least")),
+    };
+    Set::of(HalfSpace::from_slice(&normal, offset).map(Shape::HalfSpace))
 }
 
 /// The segment between two points.
 #[pyfunction]
-pub(crate) fn segment(start: Vec<f64>, end: Vec<f64>) -> Set {
-    Shape::Segment { from: start, to: end }.into()
+pub(crate) fn segment(start: Vec<f64>, end: Vec<f64>) -> PyResult<Set> {
+    Set::of(Segment::from_slices(&start, &end).map(Shape::Segment))
 }
 
 /// The points point + t1 directions[0] + t2 directions[1] + … for all real t.
 #[pyfunction]
-pub(crate) fn affine_subspace(point: Vec<f64>, directions: Vec<Vec<f64>>) -> Set {
-    Shape::AffineSubspace { point, directions }.into()
+pub(crate) fn affine_subspace(point: Vec<f64>, directions: Vec<Vec<f64>>) -> PyResult<Set> {
+    Set::of(AffineSubspace::from_slices(&point, directions).map(Shape::AffineSubspace))
 }
 
 /// The union of sets.

@@ -50,7 +50,8 @@ pub(crate) fn prove<const D: usize>(
     match proved(&question, ball.clone()) {
         Err(Unproved::Reason(everywhere)) if ball.is_none() => {
             let (centre, radius) = largest_ball(region);
-            question.prove_within_ball(centre, radius);
+            let within = question.prove_within_ball(&centre, radius);
+            within.map_err(|wrong| Unproved::BadFile(Failure::BadInput(wrong)))?;
             let ball = question.ball_of_constants();
             proved(&question, ball).map_err(|unproved| match unproved {
                 Unproved::Reason(reason) if reason != everywhere => {

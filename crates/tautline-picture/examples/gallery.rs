@@ -3,8 +3,8 @@
 use std::{error::Error, f64::consts::PI, fs, path::PathBuf, sync::Arc};
 
 use tautline::{
-    AxisBox, Ball, Ends, FiniteSet, HalfSpace, Metric, Point, Problem, Rule, SMatrix, SVector,
-    Scalar, Sphere, Union, check,
+    ANY, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Metric, Point, Problem, Rule,
+    SMatrix, SVector, Scalar, Shape, Sphere, Union, check,
     gallery::{
         Bump, CoupledCosines, Obstacle, RotatingAnisotropy, SineProjections, SoftObstacles,
         SpherePatch, TwoLinkArm, Valleys,
@@ -12,7 +12,7 @@ use tautline::{
 };
 use tautline_picture::{
     pdf, png,
-    portrait::{Corridor, Cubes, Field, Portrait, Shape},
+    portrait::{Corridor, Cubes, Field, Portrait},
     svg,
 };
 
@@ -69,10 +69,16 @@ fn gram<M: Metric<D>, const D: usize>(metric: &M) -> impl Fn(&[f64]) -> Option<V
     |x| Some(metric.gram(&SVector::<f64, D>::from_column_slice(x)).as_slice().to_vec())
 }
 
+/// Returns the two sets as data.
+fn shapes<const D: usize>(ends: &Ends<D>) -> Outcome<[[Shape<ANY>; 1]; 2]> {
+    let shape =
+        |set: &dyn ClosedSet<D>| set.shape().map(Shape::into_any).ok_or("a set of one's own");
+    Ok([[shape(&**ends.first())?], [shape(&**ends.second())?]])
+}
+
 fn valleys(write: &Write<'_>) -> Outcome {
     let ends = Ends::new(Ball::new([0.0, 0.0], 1.0)?, HalfSpace::at_least([3.0, 1.0], 24.0)?)?;
-    let from = [Shape::Ball { centre: vec![0.0, 0.0], radius: 1.0 }];
-    let to = [Shape::HalfSpace { normal: vec![-3.0, -1.0], offset: -24.0 }];
+    let [from, to] = shapes(&ends)?;
     let curve = solve(Valleys, ends)?;
     write(&Portrait {
         ends: [&from, &to],
@@ -84,7 +90,7 @@ fn valleys(write: &Write<'_>) -> Outcome {
 fn arm(write: &Write<'_>) -> Outcome {
     let arm = TwoLinkArm::new(3.0, 1.0, 1.0)?;
     let ends = Ends::points([-1.2, 2.6], [1.6, -2.2])?;
-    let [from, to] = [[-1.2, 2.6], [1.6, -2.2]].map(|x| [Shape::Point(x.to_vec())]);
+    let [from, to] = shapes(&ends)?;
     let curve = solve(arm, ends)?;
     write(&Portrait { ends: [&from, &to], curve: &curve, ..Portrait::new(2, &gram::<_, 2>(&arm)) })
 }
@@ -92,8 +98,7 @@ fn arm(write: &Write<'_>) -> Outcome {
 fn rotating(write: &Write<'_>) -> Outcome {
     let metric = RotatingAnisotropy::new([1.0, 9.0], [0.8, 0.4])?;
     let ends = Ends::new(Point::new([-2.0, -1.0])?, AxisBox::new([2.5, 1.0], [0.5, 0.7])?)?;
-    let from = [Shape::Point(vec![-2.0, -1.0])];
-    let to = [Shape::AxisBox { low: vec![2.0, 0.3], high: vec![3.0, 1.7] }];
+    let [from, to] = shapes(&ends)?;
     let curve = solve(metric, ends)?;
     let gram = gram::<_, 2>(&metric);
     let portrait = Portrait::new(2, &gram);
@@ -104,7 +109,7 @@ fn two_minima(write: &Write<'_>) -> Outcome {
     // The hill and the ends are symmetric about the first axis, and so are the two minima.
     let metric = Bump::new(8.0, 0.5)?;
     let ends = Ends::points([-1.5, 0.0], [1.5, 0.0])?;
-    let [from, to] = [[-1.5, 0.0], [1.5, 0.0]].map(|x| [Shape::Point(x.to_vec())]);
+    let [from, to] = shapes(&ends)?;
     let curve = solve(metric, ends)?;
     let mirrored: Vec<Vec<f64>> = curve.iter().map(|x| vec![x[0], -x[1]]).collect();
     let gram = gram::<_, 2>(&metric);
@@ -115,9 +120,9 @@ fn two_minima(write: &Write<'_>) -> Outcome {
 fn corridor(write: &Write<'_>) -> Outcome {
     // The way around the other side of the hill is longer by 2 per cent.
     let metric = Bump::new(4.0, 0.5)?;
-    let ends = [[-1.5, 0.05], [1.5, -0.1]];
-    let line =
-        Problem::new(metric, Ends::points(ends[0], ends[1])?).solve(Rule::TRAPEZOIDAL, 256)?;
+    let ends = Ends::points([-1.5, 0.05], [1.5, -0.1])?;
+    let [from, to] = shapes(&ends)?;
+    let line = Problem::new(metric, ends).solve(Rule::TRAPEZOIDAL, 256)?;
     let found = line.certificate(1e-4)?;
     let plain = |cubes: &check::Cubes<2>| Cubes {
         side: cubes.side(),
@@ -128,7 +133,6 @@ fn corridor(write: &Write<'_>) -> Outcome {
     let bounds = [found.proved.lower, found.proved.upper.ok_or("no upper bound")?];
     let curve: Vec<Vec<f64>> =
         line.sequence().points().iter().map(|x| x.as_slice().to_vec()).collect();
-    let [from, to] = ends.map(|x| [Shape::Point(x.to_vec())]);
     write(&Portrait {
         ends: [&from, &to],
         curve: &curve,
@@ -154,12 +158,9 @@ fn union(write: &Write<'_>) -> Outcome {
         Arc::new(AxisBox::new([-0.4, 1.6], [0.3, 0.4])?),
     ])?;
     let harbours = [[3.2, 0.6], [3.0, 2.2], [1.4, -1.8]];
-    let curve = solve(metric.clone(), Ends::new(from, FiniteSet::new(harbours)?)?)?;
-    let from = [
-        Shape::Ball { centre: vec![-0.6, 0.0], radius: 0.4 },
-        Shape::AxisBox { low: vec![-0.7, 1.2], high: vec![-0.1, 2.0] },
-    ];
-    let to = [Shape::Points(harbours.map(|x| x.to_vec()).to_vec())];
+    let ends = Ends::new(from, FiniteSet::new(harbours)?)?;
+    let [from, to] = shapes(&ends)?;
+    let curve = solve(metric.clone(), ends)?;
     write(&Portrait {
         ends: [&from, &to],
         curve: &curve,
@@ -169,8 +170,7 @@ fn union(write: &Write<'_>) -> Outcome {
 
 fn line(write: &Write<'_>) -> Outcome {
     let ends = Ends::new(Ball::new([0.0], 0.4)?, HalfSpace::at_least([1.0], 4.0)?)?;
-    let from = [Shape::Ball { centre: vec![0.0], radius: 0.4 }];
-    let to = [Shape::HalfSpace { normal: vec![-1.0], offset: -4.0 }];
+    let [from, to] = shapes(&ends)?;
     let curve = solve(Waves, ends)?;
     write(&Portrait {
         ends: [&from, &to],
@@ -182,8 +182,7 @@ fn line(write: &Write<'_>) -> Outcome {
 fn eight_dimensions(write: &Write<'_>) -> Outcome {
     let metric = SineProjections::benchmark();
     let ends = Ends::new(Ball::new([0.0; 8], 0.3)?, Point::new([1.0; 8])?)?;
-    let from = [Shape::Ball { centre: vec![0.0; 8], radius: 0.3 }];
-    let to = [Shape::Point(vec![1.0; 8])];
+    let [from, to] = shapes(&ends)?;
     let curve = solve(metric.clone(), ends)?;
     write(&Portrait {
         ends: [&from, &to],
@@ -195,8 +194,7 @@ fn eight_dimensions(write: &Write<'_>) -> Outcome {
 fn sphere_patch(write: &Write<'_>) -> Outcome {
     let metric = SpherePatch::new(1.5)?;
     let ends = Ends::new(Sphere::new([-0.7, 0.3], 0.3)?, Point::new([1.2, 0.5])?)?;
-    let from = [Shape::Sphere { centre: vec![-0.7, 0.3], radius: 0.3 }];
-    let to = [Shape::Point(vec![1.2, 0.5])];
+    let [from, to] = shapes(&ends)?;
     let curve = solve(metric, ends)?;
     let gram = gram::<_, 2>(&metric);
     let portrait = Portrait::new(2, &gram);
@@ -215,7 +213,8 @@ fn half_plane(write: &Write<'_>) -> Outcome {
         vec![angle.cos(), angle.sin()]
     };
     let curve: Vec<Vec<f64>> = (0..=60).map(arc).collect();
-    let ends = [[Shape::Point(curve[0].clone())], [Shape::Point(curve[60].clone())]];
+    let end = |x| Point::from_slice(x).map(|point| [Shape::Point(point)]);
+    let ends = [end(&curve[0])?, end(&curve[60])?];
     let window = Some([[-1.3, 1.3], [-0.3, 1.4]]);
     let portrait = Portrait::new(2, &gram);
     write(&Portrait { ends: [&ends[0], &ends[1]], curve: &curve, window, ..portrait })
@@ -225,8 +224,7 @@ fn three_dimensions(write: &Write<'_>) -> Outcome {
     let metric = CoupledCosines;
     let wall = HalfSpace::at_least([0.0, 1.0, 1.0], 4.0)?;
     let ends = Ends::new(Ball::new([0.0; 3], 0.5)?, wall)?;
-    let from = [Shape::Ball { centre: vec![0.0; 3], radius: 0.5 }];
-    let to = [Shape::HalfSpace { normal: vec![0.0, -1.0, -1.0], offset: -4.0 }];
+    let [from, to] = shapes(&ends)?;
     let curve = solve(metric, ends)?;
     write(&Portrait {
         ends: [&from, &to],

@@ -1,9 +1,11 @@
 //! What an audit asks of a file: the part of space that it is about, and proofs in a ball.
 
-use tautline::Interval;
-use tautline_picture::portrait::Shape;
+use tautline::{ANY, AnySet, Ball, Interval, Shape};
 
-use crate::{Question, reading::shape::Piece};
+use crate::{
+    Diagnostic, Question,
+    reading::shape::{Piece, refused},
+};
 
 impl Question {
     /// Returns the lower and the upper corner of a box around the bounded pieces of both sets and a
@@ -11,7 +13,8 @@ impl Question {
     #[must_use]
     pub fn extents(&self) -> Option<[Vec<f64>; 2]> {
         let pieces = || self.ends.iter().flatten().flatten();
-        let bounded: Vec<Vec<f64>> = pieces().flat_map(|piece| corners(&piece.shape)).collect();
+        let boxes = pieces().flat_map(|piece| piece.shape.boxes());
+        let bounded: Vec<Vec<f64>> = boxes.flatten().collect();
         let [low, high] = hull(&bounded)?;
         let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).collect();
         let far = pieces().filter_map(|piece| near(&piece.shape, &middle));
@@ -23,8 +26,9 @@ impl Question {
     #[must_use]
     pub fn ball_of_constants(&self) -> Option<(Vec<f64>, f64)> {
         match &self.within.as_ref()?.shape {
-            Shape::Ball { centre, radius } => Some((centre.clone(), *radius)),
-            Shape::AxisBox { low, high } => {
+            Shape::Ball(ball) => Some((ball.centre_slice().to_vec(), ball.r())),
+            Shape::AxisBox(side) => {
+                let [low, high] = side.corner_slices();
                 let centre: Vec<f64> =
                     low.iter().zip(high).map(|(a, b)| 0.5 * a + 0.5 * b).collect();
                 // Rounded down, so that the ball lies in the box.
@@ -38,11 +42,16 @@ impl Question {
         }
     }
 
-    /// Has constants proved in this ball. The centre must have as many coordinates as the metric;
-    /// missing ones count as 0.
-    pub fn prove_within_ball(&mut self, centre: Vec<f64>, radius: f64) {
+    /// Has constants proved in this ball. The centre must have as many coordinates as the metric.
+    ///
+    /// # Errors
+    ///
+    /// [`Diagnostic`] if the centre or the radius is not finite, or the radius is negative.
+    pub fn prove_within_ball(&mut self, centre: &[f64], radius: f64) -> Result<(), Diagnostic> {
         let places = vec![self.problem.metric.span()];
-        self.within = Some(Piece { shape: Shape::Ball { centre, radius }, places });
+        let ball = Ball::from_slice(centre, radius).map_err(|error| refused(&error, &places))?;
+        self.within = Some(Piece { shape: Shape::Ball(ball), places });
+        Ok(())
     }
 
     /// Sets the largest number of boxes for one constant, if the file has none.
@@ -53,29 +62,15 @@ impl Question {
     }
 }
 
-/// Returns points whose hull contains a bounded shape; none for an unbounded one.
-fn corners(shape: &Shape) -> Vec<Vec<f64>> {
-    match shape {
-        Shape::Point(x) => vec![x.clone()],
-        Shape::Points(points) => points.clone(),
-        Shape::Ball { centre, radius } | Shape::Sphere { centre, radius } => {
-            [-radius, *radius].map(|by| centre.iter().map(|x| x + by).collect()).into()
-        }
-        Shape::AxisBox { low, high } => vec![low.clone(), high.clone()],
-        Shape::Segment { from, to } => vec![from.clone(), to.clone()],
-        Shape::HalfSpace { .. } | Shape::AffineSubspace { .. } => Vec::new(),
-    }
-}
-
 /// Returns a point of an unbounded shape, the nearest of a half-space.
-fn near(shape: &Shape, x: &[f64]) -> Option<Vec<f64>> {
+fn near(shape: &Shape<ANY>, x: &[f64]) -> Option<Vec<f64>> {
     match shape {
-        Shape::HalfSpace { normal, offset } => {
-            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-            let step = (dot(normal, x) - offset).max(0.0) / dot(normal, normal);
-            Some(x.iter().zip(normal).map(|(x, n)| x - step * n).collect())
+        Shape::HalfSpace(wall) => {
+            let mut nearest = x.to_vec();
+            wall.project(&mut nearest);
+            Some(nearest)
         }
-        Shape::AffineSubspace { point, .. } => Some(point.clone()),
+        Shape::AffineSubspace(subspace) => Some(subspace.base_slice().to_vec()),
         _ => None,
     }
 }
@@ -108,7 +103,7 @@ mod tests {
                     within = { box = { lower = [0, 0], upper = [4, 2] } }\n";
         let mut question = Question::read(file).expect("a problem");
         assert_eq!(question.ball_of_constants(), Some((vec![2.0, 1.0], 1.0)));
-        question.prove_within_ball(vec![3.0, 4.0], 0.5);
+        question.prove_within_ball(&[3.0, 4.0], 0.5).expect("a ball");
         assert_eq!(question.ball_of_constants(), Some((vec![3.0, 4.0], 0.5)));
     }
 

@@ -3,15 +3,13 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    AxisBox, Ball, CertifyError, Domain, Formula, Quantity, RecordError,
+    ANY, CertifyError, Domain, Formula, Quantity, RecordError, SetError, Shape,
     certify::{Accuracy, Cell, Progress, Watch, certify_watched},
 };
-use tautline_picture::portrait::Shape;
 
 use crate::{
     Diagnostic, Failure, Float, LARGEST_PROVED_DIMENSION, Question,
     dimension::{InDimension, in_dimension},
-    reading::shape::vector,
 };
 
 /// The constants of a metric, and where they hold.
@@ -125,7 +123,7 @@ impl InDimension for Prove<'_> {
 /// Why no constants were sought.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ConstantsError {
-    /// The region is neither a ball nor a box, or is empty.
+    /// The region is neither a ball nor a box, or lies in another dimension.
     #[error("{0}")]
     Region(String),
     /// The formula does not show what happens far out, and no region was given.
@@ -142,7 +140,7 @@ pub enum ConstantsError {
 /// Proves the constants of a formula, in a ball or a box or on all of space.
 pub(crate) fn constants<const D: usize>(
     formula: &Formula<D>,
-    within: Option<&Shape>,
+    within: Option<&Shape<ANY>>,
     accuracy: Accuracy,
     watch: &dyn Watch,
 ) -> Result<ConstantsAnswer, ConstantsError> {
@@ -165,9 +163,11 @@ pub const IF_IT_SETTLES: &str = "if the metric settles within a distance of 2^10
 /// Returns where constants are proved, and the same in words.
 fn domain<const D: usize>(
     formula: &Formula<D>,
-    within: Option<&Shape>,
+    within: Option<&Shape<ANY>>,
 ) -> Result<(Domain<D>, String), ConstantsError> {
     let refuse = |message: String| ConstantsError::Region(message);
+    let within = within.map(|shape| shape.clone().into_dimension());
+    let within = within.transpose().map_err(|error: SetError| refuse(error.to_string()))?;
     let (domain, region) = match within {
         None => {
             let space = Domain::space(formula);
@@ -179,18 +179,15 @@ fn domain<const D: usize>(
                 .map(|space| (space, format!("all of space, {IF_IT_SETTLES}")))
                 .map_err(ConstantsError::NotAllOfSpace);
         }
-        Some(Shape::Ball { centre, radius }) => {
-            let ball = Ball::new(vector::<D>(centre), *radius);
-            ball.map_err(|error| refuse(error.to_string()))?;
-            let region = format!("the ball of radius {radius} about {centre:?}");
-            (Domain::ball(vector::<D>(centre), *radius), region)
+        Some(Shape::Ball(ball)) => {
+            let (centre, r) = (ball.centre_slice(), ball.r());
+            let region = format!("the ball of radius {r} about {centre:?}");
+            (Domain::ball(*ball.centre(), r), region)
         }
-        Some(Shape::AxisBox { low, high }) => {
-            let sides = AxisBox::from_corners(vector::<D>(low), vector::<D>(high));
-            sides.map_err(|error| refuse(error.to_string()))?;
-            let corners = [low, high].map(|corner| vector::<D>(corner));
+        Some(Shape::AxisBox(side)) => {
+            let [low, high] = side.corner_slices();
             let region = format!("the box from {low:?} to {high:?}");
-            (Cell::new(corners[0], corners[1]).map(Domain::cell), region)
+            (Cell::new(*side.lower(), *side.upper()).map(Domain::cell), region)
         }
         Some(shape) => {
             return Err(refuse(format!("constants hold in a ball or a box, not {}", shape.name())));

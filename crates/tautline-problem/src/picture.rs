@@ -1,9 +1,9 @@
 //! The picture of a problem and its answer.
 
-use tautline::{Formula, Metric, SVector};
+use tautline::{ANY, Formula, Metric, SVector, Shape};
 use tautline_picture::{
     Scene,
-    portrait::{Corridor, Portrait, PortraitError, Shape},
+    portrait::{Corridor, Portrait, PortraitError},
 };
 
 use crate::{
@@ -49,7 +49,7 @@ impl Question {
         let ends = self.ends.as_ref().map(|ends| {
             ends.each_ref().map(|end| end.iter().map(|piece| piece.shape.clone()).collect())
         });
-        let ends: [Vec<Shape>; 2] = ends.unwrap_or_default();
+        let ends: [Vec<Shape<ANY>>; 2] = ends.unwrap_or_default();
         let portrait = Portrait {
             ends: [&ends[0], &ends[1]],
             curve,

@@ -299,7 +299,10 @@ fn constants(claimed: &ConstantsFile, numbers: &Numbers<'_>) -> Result<Constants
 
 #[cfg(test)]
 mod tests {
-    use tautline_picture::portrait::{Field, Shape};
+    use tautline::{
+        ANY, AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, Shape, Sphere,
+    };
+    use tautline_picture::portrait::Field;
 
     use super::{Question, default_boxes};
     use crate::{Grid, reading::view::View};
@@ -375,20 +378,22 @@ mod tests {
              { affine = { through = [1, 1], directions = [[0, 2]] } }]\n",
         );
         let [from, to] = found.ends.expect("two sets");
-        let shapes = |pieces: Vec<crate::reading::shape::Piece>| -> Vec<Shape> {
+        let shapes = |pieces: Vec<crate::reading::shape::Piece>| -> Vec<Shape<ANY>> {
             pieces.into_iter().map(|piece| piece.shape).collect()
         };
-        assert_eq!(shapes(from), [Shape::Point(vec![7.0, 8.0])]);
+        let point = Point::from_slice(&[7.0, 8.0]).expect("finite");
+        assert_eq!(shapes(from), [Shape::Point(point)]);
         let expected = [
-            Shape::Points(vec![vec![3.0, 4.0], vec![5.0, 6.0]]),
-            Shape::Ball { centre: vec![1.0, 0.0], radius: 2.0 },
-            Shape::Sphere { centre: vec![0.0, 1.0], radius: 3.0 },
-            Shape::AxisBox { low: vec![0.0, 1.0], high: vec![2.0, 3.0] },
-            Shape::HalfSpace { normal: vec![-1.0, 2.0], offset: -3.0 },
-            Shape::HalfSpace { normal: vec![1.0, -2.0], offset: 3.0 },
-            Shape::Segment { from: vec![0.0, 1.0], to: vec![2.0, 3.0] },
-            Shape::AffineSubspace { point: vec![1.0, 1.0], directions: vec![vec![0.0, 2.0]] },
-        ];
+            FiniteSet::from_slices([[3.0, 4.0], [5.0, 6.0]]).map(Shape::FiniteSet),
+            Ball::from_slice(&[1.0, 0.0], 2.0).map(Shape::Ball),
+            Sphere::from_slice(&[0.0, 1.0], 3.0).map(Shape::Sphere),
+            AxisBox::from_slices(&[0.0, 1.0], &[2.0, 3.0]).map(Shape::AxisBox),
+            HalfSpace::from_slice(&[-1.0, 2.0], -3.0).map(Shape::HalfSpace),
+            HalfSpace::from_slice(&[1.0, -2.0], 3.0).map(Shape::HalfSpace),
+            Segment::from_slices(&[0.0, 1.0], &[2.0, 3.0]).map(Shape::Segment),
+            AffineSubspace::from_slices(&[1.0, 1.0], [[0.0, 2.0]]).map(Shape::AffineSubspace),
+        ]
+        .map(|shape| shape.expect("a set"));
         assert_eq!(shapes(to), expected);
     }
 }

@@ -81,6 +81,34 @@ impl<const D: usize> Shape<D> {
         }
     }
 
+    /// Returns the lower and the upper corner, in `ℓ`, of a box around each bounded piece, and around each
+    /// point of a finite set. Those of a ball or a sphere are rounded.
+    #[must_use]
+    pub fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
+        let round = |centre: &[f64], r: f64| {
+            vec![[-r, r].map(|by| centre.iter().map(|x| x + by).collect())]
+        };
+        let single = |x: &[f64]| [x.to_vec(), x.to_vec()];
+        match self {
+            Shape::Point(point) => vec![single(point.position_slice())],
+            Shape::FiniteSet(set) => {
+                set.points().iter().map(|point| single(point.position_slice())).collect()
+            }
+            Shape::Ball(ball) => round(ball.centre_slice(), ball.r()),
+            Shape::Sphere(sphere) => round(sphere.centre_slice(), sphere.r()),
+            Shape::AxisBox(side) => vec![side.corner_slices().map(<[f64]>::to_vec)],
+            Shape::Segment(segment) => {
+                let [start, end] = segment.end_slices();
+                let corner = |of: fn(f64, f64) -> f64| {
+                    start.iter().zip(end).map(|(&a, &b)| of(a, b)).collect()
+                };
+                vec![[corner(f64::min), corner(f64::max)]]
+            }
+            Shape::HalfSpace(_) | Shape::AffineSubspace(_) => Vec::new(),
+            Shape::Union(shapes) => shapes.iter().flat_map(Shape::boxes).collect(),
+        }
+    }
+
     /// Returns the name of the kind of set, with its article.
     #[must_use]
     pub fn name(&self) -> &'static str {
@@ -186,11 +214,20 @@ impl<const D: usize> Shape<D> {
 }
 
 impl Shape<ANY> {
-    /// Returns the same set as one of `R^E`; `None` if it lies in another dimension.
-    #[must_use]
-    pub fn into_dimension<const E: usize>(self) -> Option<Shape<E>> {
-        let fits = self.pieces().iter().all(|piece| piece.dimension() == E);
-        fits.then(|| self.cast())
+    /// Returns the same set as one of `R^E`.
+    ///
+    /// # Errors
+    ///
+    /// [`SetError::Coordinates`] if a piece lies in another dimension.
+    pub fn into_dimension<const E: usize>(self) -> Result<Shape<E>, SetError> {
+        match self.pieces().iter().find(|piece| piece.dimension() != E) {
+            Some(other) => Err(SetError::Coordinates {
+                what: other.name(),
+                found: other.dimension(),
+                dimension: E,
+            }),
+            None => Ok(self.cast()),
+        }
     }
 }
 
@@ -336,8 +373,10 @@ mod tests {
         for (known, any) in known.iter().zip(kinds::<ANY>(&x, &y[..2])) {
             let (known, any) = (known.clone().expect("two coordinates"), any.expect("as many"));
             assert_eq!(known.clone().into_any(), any);
-            assert_eq!(any.clone().into_dimension(), Some(known));
-            assert_eq!(any.into_dimension::<3>(), None);
+            assert_eq!(any.clone().into_dimension(), Ok(known));
+            let what = any.name();
+            let other = SetError::Coordinates { what, found: 2, dimension: 3 };
+            assert_eq!(any.into_dimension::<3>(), Err(other));
         }
         for shape in kinds::<3>(&x, &x) {
             let error = shape.expect_err("two coordinates in space");
@@ -378,6 +417,26 @@ mod tests {
         assert_eq!((sphere.into_elementary(), mixed.into_elementary()), (None, None));
         let nested = Shape::Union(vec![Shape::FiniteSet(points)]);
         assert_eq!(nested.into_elementary(), Some(Shape::Union(vec![union])));
+    }
+
+    #[test]
+    fn each_bounded_piece_has_its_box() {
+        let points = FiniteSet::new([[0.0, 1.0], [3.0, 2.0]]).expect("finite");
+        let union = Shape::Union(vec![
+            Shape::Sphere(Sphere::new([1.0, 2.0], 5.0).expect("a radius")),
+            Shape::HalfSpace(HalfSpace::new([1.0, 0.0], 1.0).expect("a normal")),
+            Shape::Segment(Segment::new([4.0, 1.0], [-1.0, 2.0]).expect("finite")),
+            Shape::FiniteSet(points),
+            Shape::AxisBox(AxisBox::from_corners([0.0, 0.5], [1.0, 2.0]).expect("ordered")),
+        ]);
+        let expected = [
+            [[-4.0, -3.0], [6.0, 7.0]],
+            [[-1.0, 1.0], [4.0, 2.0]],
+            [[0.0, 1.0], [0.0, 1.0]],
+            [[3.0, 2.0], [3.0, 2.0]],
+            [[0.0, 0.5], [1.0, 2.0]],
+        ];
+        assert_eq!(union.boxes(), expected.map(|corners| corners.map(|x| x.to_vec())));
     }
 
     #[test]

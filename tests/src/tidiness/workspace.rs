@@ -23,7 +23,7 @@ const BELOW: &[(&str, &str)] = &[
     ),
     ("baselines", "chance tautline"),
     ("minima", "chance tautline"),
-    ("picture", "chance tautline"),
+    ("picture", "chance scalar sets tautline"),
     ("page", "picture tautline"),
     ("problem", "chance picture tautline"),
     ("cli", "chance problem"),

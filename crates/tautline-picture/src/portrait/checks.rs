@@ -1,6 +1,8 @@
 //! Refuses data that cannot be drawn.
 
-use super::{Corridor, Portrait, PortraitError, Shape};
+use tautline_sets::AnySet;
+
+use super::{Corridor, Portrait, PortraitError};
 
 /// Checks lengths and numbers of everything but the Gram matrix.
 pub(crate) fn check(portrait: &Portrait<'_>) -> Result<(), PortraitError> {
@@ -25,7 +27,14 @@ pub(crate) fn check(portrait: &Portrait<'_>) -> Result<(), PortraitError> {
     if let Some(found) = &portrait.corridor {
         corridor(found, dimension)?;
     }
-    portrait.ends.iter().flat_map(|end| end.iter()).try_for_each(|shape| set(shape, dimension))
+    for shape in portrait.pieces().into_iter().flatten() {
+        let length = shape.dimension();
+        if length != dimension {
+            let what = shape.name().to_owned();
+            return Err(PortraitError::Length { what, length, dimension });
+        }
+    }
+    Ok(())
 }
 
 fn corridor(corridor: &Corridor<'_>, dimension: usize) -> Result<(), PortraitError> {
@@ -49,68 +58,18 @@ fn corridor(corridor: &Corridor<'_>, dimension: usize) -> Result<(), PortraitErr
     )
 }
 
-fn set(shape: &Shape, dimension: usize) -> Result<(), PortraitError> {
-    let vector = |values: &[f64], what: &str| vector(values, dimension, || what.to_owned());
-    match shape {
-        Shape::Point(point) => vector(point, "a point"),
-        Shape::Points(points) => points.iter().try_for_each(|p| vector(p, "a point of a set")),
-        Shape::Ball { centre, radius } | Shape::Sphere { centre, radius } => {
-            vector(centre, &format!("the centre of {}", shape.name()))?;
-            let what = || format!("the radius of {}", shape.name());
-            finite(*radius, what)?;
-            require(*radius >= 0.0, *radius, what, "at least 0")
-        }
-        Shape::AxisBox { low, high } => {
-            length(low, dimension, || "the lower corner of a box".to_owned())?;
-            length(high, dimension, || "the upper corner of a box".to_owned())?;
-            for (low, high) in low.iter().zip(high) {
-                let what = || "the lower end of the side of a box".to_owned();
-                require(*low < f64::INFINITY, *low, what, "a number below ∞")?;
-                let what = || format!("the upper end of the side of a box from {low}");
-                require(*high > f64::NEG_INFINITY, *high, what, "a number above −∞")?;
-                require(low <= high, *high, what, "at least its lower end")?;
-            }
-            Ok(())
-        }
-        Shape::HalfSpace { normal, offset } => {
-            vector(normal, "the normal of a half-space")?;
-            let longest = normal.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
-            require(longest > 0.0, longest, || "the normal of a half-space".into(), "nonzero")?;
-            finite(*offset, || "the offset of a half-space".to_owned())
-        }
-        Shape::Segment { from, to } => {
-            vector(from, "the end of a segment")?;
-            vector(to, "the end of a segment")
-        }
-        Shape::AffineSubspace { point, directions } => {
-            vector(point, "the point of an affine subspace")?;
-            directions.iter().try_for_each(|d| vector(d, "the direction of an affine subspace"))
-        }
-    }
-}
-
 fn vector(
     values: &[f64],
     dimension: usize,
     what: impl Fn() -> String,
 ) -> Result<(), PortraitError> {
-    length(values, dimension, &what)?;
+    if values.len() != dimension {
+        return Err(PortraitError::Length { what: what(), length: values.len(), dimension });
+    }
     values
         .iter()
         .enumerate()
         .try_for_each(|(k, value)| finite(*value, || format!("coordinate {k} of {}", what())))
-}
-
-fn length(
-    values: &[f64],
-    dimension: usize,
-    what: impl Fn() -> String,
-) -> Result<(), PortraitError> {
-    if values.len() == dimension {
-        Ok(())
-    } else {
-        Err(PortraitError::Length { what: what(), length: values.len(), dimension })
-    }
 }
 
 fn finite(value: f64, what: impl Fn() -> String) -> Result<(), PortraitError> {

@@ -6,17 +6,18 @@
 //!
 //! ```
 //! use tautline_picture::{
-//!     portrait::{Field, Portrait, Shape},
+//!     portrait::{Field, Portrait},
 //!     svg,
 //! };
+//! use tautline_sets::{Ball, HalfSpace, Shape};
 //!
 //! // H(x) = (1 + x₁²) I, from a ball to the half-plane x₁ ≥ 2, that is −x₁ ≤ −2.
 //! let gram = |x: &[f64]| {
 //!     let phi = 1.0 + x[0] * x[0];
 //!     Some(vec![phi, 0.0, 0.0, phi])
 //! };
-//! let ball = [Shape::Ball { centre: vec![0.0, 0.0], radius: 0.5 }];
-//! let wall = [Shape::HalfSpace { normal: vec![-1.0, 0.0], offset: -2.0 }];
+//! let ball = [Shape::Ball(Ball::from_slice(&[0.0, 0.0], 0.5)?)];
+//! let wall = [Shape::HalfSpace(HalfSpace::from_slice(&[-1.0, 0.0], -2.0)?)];
 //! let curve = [vec![0.5, 0.0], vec![2.0, 0.0]];
 //! let portrait = Portrait {
 //!     ends: [&ball, &wall],
@@ -26,7 +27,7 @@
 //! };
 //! let picture = svg(&portrait.draw()?);
 //! assert!(picture.starts_with(b"<svg"));
-//! # Ok::<(), tautline_picture::portrait::PortraitError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod background;
@@ -41,14 +42,15 @@ mod lift;
 mod over_time;
 mod plane;
 mod shadow;
-mod shape;
 mod span;
 mod style;
 mod window;
 
 pub use corridor::{Corridor, Cubes};
 pub use error::PortraitError;
-pub use shape::Shape;
+
+use tautline_scalar::ANY;
+use tautline_sets::Shape;
 
 use crate::Scene;
 
@@ -83,7 +85,7 @@ pub struct Portrait<'a> {
     /// with an entry that is not finite counts as not defined.
     pub gram: &'a dyn Fn(&[f64]) -> Option<Vec<f64>>,
     /// The two ends. Each is the union of some sets.
-    pub ends: [&'a [Shape]; 2],
+    pub ends: [&'a [Shape<ANY>]; 2],
     /// The points of the solution, a polygon with the same time for each chord; empty if there is
     /// none.
     pub curve: &'a [Vec<f64>],
@@ -140,6 +142,11 @@ impl<'a> Portrait<'a> {
     pub fn draw(&self) -> Result<Scene, PortraitError> {
         checks::check(self)?;
         if self.dimension == 1 { over_time::draw(self) } else { plane::draw(self) }
+    }
+
+    /// Returns the pieces of each end, none of which is a union.
+    pub(crate) fn pieces(&self) -> [Vec<&'a Shape<ANY>>; 2] {
+        self.ends.map(|end| end.iter().flat_map(Shape::pieces).collect())
     }
 
     /// Returns the description for readers who cannot see the picture.

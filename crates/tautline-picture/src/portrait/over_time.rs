@@ -1,7 +1,10 @@
 //! The picture in one dimension: a graph over time.
 
+use tautline_scalar::ANY;
+use tautline_sets::Shape;
+
 use super::{
-    Field, Portrait, PortraitError, Shape,
+    Field, Portrait, PortraitError,
     background::{Background, contours},
     gram::Gram,
     plane::thinned,
@@ -32,8 +35,8 @@ pub(crate) fn draw(portrait: &Portrait<'_>) -> Result<Scene, PortraitError> {
     let ends = ends.map(|(a, b)| [(0.0, x.drawn(a[0])), (1.0, x.drawn(b[0]))]);
     let mut lines = Vec::new();
     let strips = [(from, 0.0), (1.0, to)];
-    for ((shapes, colour), strip) in portrait.ends.into_iter().zip(style::ENDS).zip(strips) {
-        for [low, high] in shapes.iter().flat_map(pieces) {
+    for ((shapes, colour), strip) in portrait.pieces().into_iter().zip(style::ENDS).zip(strips) {
+        for [low, high] in shapes.into_iter().flat_map(intervals) {
             let at = if strip.0 < 0.0 { strip.1 } else { strip.0 };
             if low == high {
                 if !style::is_covered((at, x.drawn(low)), ends, x.ends()) {
@@ -90,26 +93,34 @@ fn metric(portrait: &Portrait<'_>, time: (f64, f64), x: Span) -> Result<Backgrou
 }
 
 /// Returns the intervals of a set on the line; a point is an interval of length 0.
-fn pieces(shape: &Shape) -> Vec<[f64; 2]> {
+fn intervals(shape: &Shape<ANY>) -> Vec<[f64; 2]> {
     match shape {
-        Shape::Point(point) => vec![[point[0]; 2]],
-        Shape::Points(points) => points.iter().map(|point| [point[0]; 2]).collect(),
-        Shape::Ball { centre, radius } => vec![[centre[0] - radius, centre[0] + radius]],
-        Shape::Sphere { centre, radius } => {
-            vec![[centre[0] - radius; 2], [centre[0] + radius; 2]]
+        Shape::Point(point) => vec![[point.position_slice()[0]; 2]],
+        Shape::FiniteSet(set) => {
+            set.points().iter().map(|point| [point.position_slice()[0]; 2]).collect()
         }
-        Shape::AxisBox { low, high } => vec![[low[0], high[0]]],
-        Shape::HalfSpace { normal, offset } if normal[0] > 0.0 => {
-            vec![[f64::NEG_INFINITY, offset / normal[0]]]
+        Shape::Ball(ball) => {
+            let (centre, r) = (ball.centre_slice()[0], ball.r());
+            vec![[centre - r, centre + r]]
         }
-        Shape::HalfSpace { normal, offset } => vec![[offset / normal[0], f64::INFINITY]],
-        Shape::Segment { from, to } => vec![[from[0].min(to[0]), from[0].max(to[0])]],
-        Shape::AffineSubspace { point, directions } => {
-            if directions.iter().any(|direction| direction[0] != 0.0) {
-                vec![[f64::NEG_INFINITY, f64::INFINITY]]
-            } else {
-                vec![[point[0]; 2]]
-            }
+        Shape::Sphere(sphere) => {
+            let (centre, r) = (sphere.centre_slice()[0], sphere.r());
+            vec![[centre - r; 2], [centre + r; 2]]
         }
+        Shape::AxisBox(side) => vec![side.corner_slices().map(|corner| corner[0])],
+        Shape::HalfSpace(wall) => {
+            let (normal, offset) = wall.given_slice();
+            let at = offset / normal[0];
+            vec![if normal[0] > 0.0 { [f64::NEG_INFINITY, at] } else { [at, f64::INFINITY] }]
+        }
+        Shape::Segment(segment) => {
+            let [from, to] = segment.end_slices().map(|end| end[0]);
+            vec![[from.min(to), from.max(to)]]
+        }
+        Shape::AffineSubspace(subspace) if subspace.given_slices().is_empty() => {
+            vec![[subspace.base_slice()[0]; 2]]
+        }
+        Shape::AffineSubspace(_) => vec![[f64::NEG_INFINITY, f64::INFINITY]],
+        Shape::Union(shapes) => shapes.iter().flat_map(intervals).collect(),
     }
 }

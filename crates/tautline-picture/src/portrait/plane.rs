@@ -117,7 +117,7 @@ pub(crate) fn draw(portrait: &Portrait<'_>) -> Result<Scene, PortraitError> {
 fn sets(portrait: &Portrait<'_>, view: View, frame: Frame, ends: Option<[(f64, f64); 2]>) -> Sets {
     let mut sets = Sets::default();
     let mut any = false;
-    for (shapes, colour) in portrait.ends.into_iter().zip(style::ENDS) {
+    for (shapes, colour) in portrait.pieces().into_iter().zip(style::ENDS) {
         for shape in shapes {
             any = true;
             match frame.shadow(shape) {

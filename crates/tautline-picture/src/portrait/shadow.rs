@@ -2,7 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Shape, span::Span};
+use tautline_scalar::ANY;
+use tautline_sets::Shape;
+
+use super::span::Span;
 use crate::clip;
 
 /// A point of the plane, in the units of the data.
@@ -64,52 +67,62 @@ impl Frame {
         clip::polyline(points, self.x, self.y)
     }
 
-    /// Returns what is seen of a set.
-    pub(crate) fn shadow(&self, shape: &Shape) -> Shadow {
-        match shape {
-            Shape::Point(point) => Shadow::Points(vec![self.seen(point)]),
-            Shape::Points(points) => Shadow::Points(points.iter().map(|p| self.seen(p)).collect()),
-            Shape::Ball { centre, radius } => self.disc(self.seen(centre), *radius),
-            Shape::Sphere { centre, radius } if centre.len() > 2 => {
-                self.disc(self.seen(centre), *radius)
+    /// Returns what is seen of a piece of a set; nothing for a union, whose pieces are seen one by one.
+    pub(crate) fn shadow(&self, piece: &Shape<ANY>) -> Shadow {
+        match piece {
+            Shape::Point(point) => Shadow::Points(vec![self.seen(point.position_slice())]),
+            Shape::FiniteSet(set) => {
+                let points = set.points().iter();
+                Shadow::Points(points.map(|point| self.seen(point.position_slice())).collect())
             }
-            Shape::Sphere { centre, radius } => self.circle(self.seen(centre), *radius),
-            Shape::AxisBox { low, high } => {
-                let ((left, bottom), (right, top)) = (self.seen(low), self.seen(high));
-                if left == right && bottom == top {
-                    return Shadow::Points(vec![(left, bottom)]);
+            Shape::Ball(ball) => self.disc(self.seen(ball.centre_slice()), ball.r()),
+            Shape::Sphere(sphere) => {
+                let (centre, r) = (sphere.centre_slice(), sphere.r());
+                if centre.len() > 2 {
+                    self.disc(self.seen(centre), r)
+                } else {
+                    self.circle(self.seen(centre), r)
                 }
-                let side = |from: f64, to: f64, (low, high): (f64, f64)| {
-                    (from.max(low.min(to)), to.min(high.max(from)))
-                };
-                let ((left, right), (bottom, top)) =
-                    (side(left, right, self.x), side(bottom, top, self.y));
-                if left == right || bottom == top {
-                    return Shadow::Lines(self.pieces(&[(left, bottom), (right, top)]));
-                }
-                let ring = [(left, bottom), (right, bottom), (right, top), (left, top)];
-                Shadow::Area(clip::to_box(&ring, self.x, self.y))
             }
-            Shape::HalfSpace { normal, offset } => {
-                let largest = normal.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
-                let hidden = |(k, n): (usize, &f64)| {
-                    !self.plane.contains(&k) && n.abs() > NEGLIGIBLE * largest
-                };
-                if normal.iter().enumerate().any(hidden) {
-                    return Shadow::Everything;
-                }
-                let (a, b) = self.seen(normal);
-                let normal = (a / largest, b / largest);
-                Shadow::Area(clip::by_half_plane(&self.corners(), normal, offset / largest))
+            Shape::AxisBox(side) => self.rectangle(side.corner_slices()),
+            Shape::HalfSpace(wall) => self.half_plane(wall.given_slice()),
+            Shape::Segment(segment) => match segment.end_slices().map(|end| self.seen(end)) {
+                [from, to] if from == to => Shadow::Points(vec![from]),
+                ends => Shadow::Lines(self.pieces(&ends)),
+            },
+            Shape::AffineSubspace(subspace) => {
+                self.affine(subspace.base_slice(), subspace.given_slices())
             }
-            Shape::Segment { from, to } if self.seen(from) == self.seen(to) => {
-                Shadow::Points(vec![self.seen(from)])
-            }
-            Shape::Segment { from, to } => {
-                Shadow::Lines(self.pieces(&[self.seen(from), self.seen(to)]))
-            }
-            Shape::AffineSubspace { point, directions } => self.affine(point, directions),
+            Shape::Union(_) => Shadow::Points(Vec::new()),
         }
+    }
+
+    fn rectangle(&self, corners: [&[f64]; 2]) -> Shadow {
+        let [(left, bottom), (right, top)] = corners.map(|corner| self.seen(corner));
+        if left == right && bottom == top {
+            return Shadow::Points(vec![(left, bottom)]);
+        }
+        let side = |from: f64, to: f64, (low, high): (f64, f64)| {
+            (from.max(low.min(to)), to.min(high.max(from)))
+        };
+        let ((left, right), (bottom, top)) = (side(left, right, self.x), side(bottom, top, self.y));
+        if left == right || bottom == top {
+            return Shadow::Lines(self.pieces(&[(left, bottom), (right, top)]));
+        }
+        let ring = [(left, bottom), (right, bottom), (right, top), (left, top)];
+        Shadow::Area(clip::to_box(&ring, self.x, self.y))
+    }
+
+    fn half_plane(&self, (normal, offset): (&[f64], f64)) -> Shadow {
+        let largest = normal.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
+        let hidden =
+            |(k, n): (usize, &f64)| !self.plane.contains(&k) && n.abs() > NEGLIGIBLE * largest;
+        if normal.iter().enumerate().any(hidden) {
+            return Shadow::Everything;
+        }
+        let (a, b) = self.seen(normal);
+        let normal = (a / largest, b / largest);
+        Shadow::Area(clip::by_half_plane(&self.corners(), normal, offset / largest))
     }
 
     fn disc(&self, centre: Point, radius: f64) -> Shadow {
@@ -170,7 +183,7 @@ impl Frame {
         (0..sides).map(corner).collect()
     }
 
-    fn affine(&self, point: &[f64], directions: &[Vec<f64>]) -> Shadow {
+    fn affine(&self, point: &[f64], directions: &[Box<[f64]>]) -> Shadow {
         let (x, y) = self.seen(point);
         let mut along: Option<Point> = None;
         for direction in directions {

@@ -1,5 +1,8 @@
 //! Chooses the part of space that is drawn.
 
+use tautline_scalar::ANY;
+use tautline_sets::Shape;
+
 use super::{Portrait, PortraitError};
 
 /// White space around curves and sets, as a share of the longer side.
@@ -20,13 +23,13 @@ pub(crate) fn choose(
     let curves = portrait.curve.iter().chain(portrait.others.iter().flatten());
     let at = |point: &Vec<f64>| coordinates.iter().map(|&k| [point[k]; 2]).collect();
     let mut sides: Option<Vec<[f64; 2]>> = curves.map(at).reduce(union);
-    let shapes = || portrait.ends.iter().flat_map(|end| end.iter());
+    let shapes: Vec<&Shape<ANY>> = portrait.pieces().into_iter().flatten().collect();
     if sides.is_none() {
-        sides = shapes().filter_map(|shape| shape.anchor()).map(|p| at(&p)).reduce(union);
+        sides = shapes.iter().filter_map(|shape| anchor(shape)).map(|p| at(&p)).reduce(union);
     }
     let core = sides.as_ref().map_or(0.0, |sides| longest(sides));
     let is_point = sides.as_ref().is_none_or(|sides| is_a_point(sides));
-    for piece in shapes().flat_map(|shape| shape.extents(coordinates)) {
+    for piece in shapes.iter().flat_map(|shape| extents(shape, coordinates)) {
         let larger = match &sides {
             Some(sides) => union(sides.clone(), piece),
             None => piece,
@@ -68,6 +71,35 @@ pub(crate) fn rounder([x, y]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     [stretched(x, length(y) / TALLEST), stretched(y, FLATTEST * length(x))]
 }
 
+/// Returns the extents of the bounded pieces of a set along some coordinates, one list for each piece.
+fn extents(shape: &Shape<ANY>, coordinates: &[usize]) -> Vec<Vec<[f64; 2]>> {
+    let boxes = shape.boxes().into_iter();
+    let sides = boxes.map(|[low, high]| coordinates.iter().map(|&k| [low[k], high[k]]).collect());
+    // The extents of a large ball may overflow.
+    let bounded = |piece: &Vec<[f64; 2]>| piece.iter().flatten().all(|end| end.is_finite());
+    sides.filter(bounded).collect()
+}
+
+/// Returns a point of an unbounded set, or of a box, that is near the origin, for a picture without a
+/// curve.
+fn anchor(shape: &Shape<ANY>) -> Option<Vec<f64>> {
+    match shape {
+        Shape::HalfSpace(wall) => {
+            let (normal, offset) = wall.given_slice();
+            let largest = normal.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
+            let scaled: Vec<f64> = normal.iter().map(|n| n / largest).collect();
+            let square: f64 = scaled.iter().map(|n| n * n).sum();
+            Some(scaled.iter().map(|n| n * (offset / largest) / square).collect())
+        }
+        Shape::AffineSubspace(subspace) => Some(subspace.base_slice().to_vec()),
+        Shape::AxisBox(side) => {
+            let [low, high] = side.corner_slices();
+            Some(low.iter().zip(high).map(|(low, high)| 0.0_f64.clamp(*low, *high)).collect())
+        }
+        _ => None,
+    }
+}
+
 fn union(a: Vec<[f64; 2]>, b: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     a.into_iter().zip(b).map(|(a, b)| [a[0].min(b[0]), a[1].max(b[1])]).collect()
 }
@@ -87,14 +119,16 @@ fn is_a_point(sides: &[[f64; 2]]) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use tautline_sets::{Ball, Shape};
+
     use super::{choose, rounder};
-    use crate::portrait::{Portrait, PortraitError, Shape};
+    use crate::portrait::{Portrait, PortraitError};
 
     #[test]
     fn small_sets_are_shown_whole_and_large_ones_are_not() {
         let gram = |_: &[f64]| None;
-        let small = [Shape::Ball { centre: vec![0.0, 0.0], radius: 0.5 }];
-        let large = [Shape::Ball { centre: vec![103.0, 0.0], radius: 100.0 }];
+        let ball = |x, r| [Shape::Ball(Ball::from_slice(&[x, 0.0], r).expect("a radius"))];
+        let (small, large) = (ball(0.0, 0.5), ball(103.0, 100.0));
         let curve = [vec![0.5, 0.0], vec![3.0, 0.0]];
         let portrait =
             Portrait { ends: [&small, &large], curve: &curve, ..Portrait::new(2, &gram) };

@@ -1,12 +1,17 @@
 //! Extreme numbers give a picture or an error, never a panic.
 
 use proptest::prelude::*;
+use tautline::{
+    ANY, AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, Shape, Sphere,
+};
 use tautline_chance::config;
 use tautline_picture::{
     pdf,
-    portrait::{Field, Portrait, PortraitError, Shape},
+    portrait::{Field, Portrait, PortraitError},
     svg,
 };
+
+use crate::shapes::{ball, half_space, point};
 
 /// A number that is small or large, or a common special case.
 fn number() -> impl Strategy<Value = f64> {
@@ -24,26 +29,33 @@ fn vector(dimension: usize) -> impl Strategy<Value = Vec<f64>> {
     prop_oneof![prop::collection::vec(number(), dimension), alike]
 }
 
-fn shape(dimension: usize) -> impl Strategy<Value = Shape> {
+fn shape(dimension: usize) -> impl Strategy<Value = Shape<ANY>> {
     let v = move || vector(dimension);
     let size = || number().prop_map(f64::abs);
-    prop_oneof![
-        v().prop_map(Shape::Point),
-        prop::collection::vec(v(), 0..4).prop_map(Shape::Points),
-        (v(), size()).prop_map(|(centre, radius)| Shape::Ball { centre, radius }),
-        (v(), size()).prop_map(|(centre, radius)| Shape::Sphere { centre, radius }),
-        (v(), v()).prop_map(|(a, b)| Shape::AxisBox {
-            low: a.iter().zip(&b).map(|(a, b)| a.min(*b)).collect(),
-            high: a.iter().zip(&b).map(|(a, b)| a.max(*b)).collect(),
+    let shape = prop_oneof![
+        v().prop_map(|x| Point::from_slice(&x).map(Shape::Point)),
+        prop::collection::vec(v(), 1..4)
+            .prop_map(|points| FiniteSet::from_slices(points).map(Shape::FiniteSet)),
+        (v(), size()).prop_map(|(centre, r)| Ball::from_slice(&centre, r).map(Shape::Ball)),
+        (v(), size()).prop_map(|(centre, r)| Sphere::from_slice(&centre, r).map(Shape::Sphere)),
+        (v(), v()).prop_map(|(a, b)| {
+            let corner = |of: fn(f64, f64) -> f64| -> Vec<f64> {
+                a.iter().zip(&b).map(|(&a, &b)| of(a, b)).collect()
+            };
+            AxisBox::from_slices(&corner(f64::min), &corner(f64::max)).map(Shape::AxisBox)
         }),
-        (v(), number()).prop_map(|(normal, offset)| Shape::HalfSpace { normal, offset }),
-        (v(), v()).prop_map(|(from, to)| Shape::Segment { from, to }),
-        (v(), prop::collection::vec(v(), 0..3))
-            .prop_map(|(point, directions)| Shape::AffineSubspace { point, directions }),
-    ]
+        (v(), number())
+            .prop_map(|(normal, b)| HalfSpace::from_slice(&normal, b).map(Shape::HalfSpace)),
+        (v(), v()).prop_map(|(a, b)| Segment::from_slices(&a, &b).map(Shape::Segment)),
+        (v(), prop::collection::vec(v(), 0..3)).prop_map(|(base, directions)| {
+            AffineSubspace::from_slices(&base, directions).map(Shape::AffineSubspace)
+        }),
+    ];
+    // A normal or a direction may be 0, directions may be dependent.
+    shape.prop_filter_map("a set", Result::ok)
 }
 
-type Case = (usize, Vec<Vec<f64>>, Vec<Vec<Vec<f64>>>, [Vec<Shape>; 2], u8, Field);
+type Case = (usize, Vec<Vec<f64>>, Vec<Vec<Vec<f64>>>, [Vec<Shape<ANY>>; 2], u8, Field);
 
 fn case() -> impl Strategy<Value = Case> {
     (1..=12_usize).prop_flat_map(|dimension| {
@@ -101,8 +113,8 @@ proptest! {
 fn huge_and_tiny_problems_look_alike() {
     let gram = |_: &[f64]| None;
     let drawn = |scale: f64| {
-        let ball = [Shape::Ball { centre: vec![0.0, 0.0], radius: 0.5 * scale }];
-        let wall = [Shape::HalfSpace { normal: vec![-1.0, 0.0], offset: -3.0 * scale }];
+        let ball = [ball(&[0.0, 0.0], 0.5 * scale)];
+        let wall = [half_space(&[-1.0, 0.0], -3.0 * scale)];
         let curve = [vec![0.5 * scale, 0.0], vec![3.0 * scale, 0.0]];
         let portrait = Portrait {
             ends: [&ball, &wall],
@@ -129,7 +141,7 @@ fn touching_ends_leave_a_point() {
     let gram = |_: &[f64]| Some(vec![1.0, 0.0, 0.0, 1.0]);
     for at in [0.0, 1e-9, 1.0, 1e9] {
         let curve = [vec![at, at], vec![at, at]];
-        let ends = [Shape::Point(vec![at, at])];
+        let ends = [point(&[at, at])];
         for field in [Field::Plain, Field::Determinant, Field::Ellipses] {
             let portrait = Portrait {
                 ends: [&ends, &ends],

@@ -6,3 +6,4 @@ mod metric;
 mod places;
 mod reading;
 mod refusals;
+mod shapes;

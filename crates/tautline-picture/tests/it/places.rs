@@ -1,12 +1,14 @@
 //! Sets and curves are where the axes say.
 
+use tautline::Shape;
 use tautline_picture::{
     Extent, Scene,
     palette::{GREEN, INK, PURPLE, VERMILLION},
-    portrait::{Field, Portrait, Shape},
+    portrait::{Field, Portrait},
 };
 
 use crate::reading::{ROUNDING, Reading, assert_same_box, labels};
+use crate::shapes::{axis_box, ball, half_space, line, point, points, segment, sphere};
 
 const WINDOW: [[f64; 2]; 2] = [[-1.0, 3.0], [-1.0, 1.0]];
 
@@ -21,8 +23,8 @@ fn drawn(portrait: Portrait<'_>) -> Scene {
 
 #[test]
 fn each_bounded_set_has_its_box() {
-    let ball = [Shape::Ball { centre: vec![0.0, 0.25], radius: 0.5 }];
-    let rectangle = [Shape::AxisBox { low: vec![1.5, -0.5], high: vec![2.0, f64::INFINITY] }];
+    let ball = [ball(&[0.0, 0.25], 0.5)];
+    let rectangle = [axis_box(&[1.5, -0.5], &[2.0, f64::MAX])];
     let scene = drawn(Portrait { ends: [&ball, &rectangle], ..Portrait::new(2, &nothing) });
     let reading = Reading::new(&scene, WINDOW);
     assert_eq!(reading.areas(GREEN).len(), 1);
@@ -41,7 +43,7 @@ fn each_bounded_set_has_its_box() {
 #[test]
 fn a_half_space_begins_at_its_boundary() {
     // x₁ ≥ 2, whose normal is not of length 1.
-    let wall = [Shape::HalfSpace { normal: vec![-4.0, 0.0], offset: -8.0 }];
+    let wall = [half_space(&[-4.0, 0.0], -8.0)];
     let scene = drawn(Portrait { ends: [&[], &wall], ..Portrait::new(2, &nothing) });
     let reading = Reading::new(&scene, WINDOW);
     let area = reading.areas(PURPLE)[0];
@@ -53,8 +55,8 @@ fn a_half_space_begins_at_its_boundary() {
 fn a_very_large_ball_is_as_straight_as_it_looks() {
     // The sagitta of a sphere of radius 10⁹ over a window of size 4 is 10⁻⁸ of its length.
     let radius = 1e9;
-    let ball = [Shape::Ball { centre: vec![2.0 + radius, 0.0], radius }];
-    let sphere = [Shape::Sphere { centre: vec![0.5 - radius, 0.0], radius }];
+    let ball = [ball(&[2.0 + radius, 0.0], radius)];
+    let sphere = [sphere(&[0.5 - radius, 0.0], radius)];
     let scene = drawn(Portrait { ends: [&ball, &sphere], ..Portrait::new(2, &nothing) });
     let reading = Reading::new(&scene, WINDOW);
     // The radius has a rounding error of 10⁻⁷.
@@ -66,11 +68,9 @@ fn a_very_large_ball_is_as_straight_as_it_looks() {
 
 #[test]
 fn lines_and_points_are_seen_too() {
-    let from = [
-        Shape::Segment { from: vec![-0.5, -0.5], to: vec![0.5, 0.5] },
-        Shape::AffineSubspace { point: vec![9.0, 0.5], directions: vec![vec![-3.0, 0.0]] },
-    ];
-    let to = [Shape::Point(vec![1.0, 0.0]), Shape::Points(vec![vec![2.0, 0.5], vec![2.5, 0.0]])];
+    let from = [segment(&[-0.5, -0.5], &[0.5, 0.5]), line(&[9.0, 0.5], &[-3.0, 0.0])];
+    // A union of one's own has the same picture as its pieces.
+    let to = [Shape::Union(vec![point(&[1.0, 0.0]), points(&[[2.0, 0.5], [2.5, 0.0]])])];
     let scene = drawn(Portrait { ends: [&from, &to], ..Portrait::new(2, &nothing) });
     let reading = Reading::new(&scene, WINDOW);
     let lines = reading.lines(GREEN.for_text());
@@ -122,7 +122,7 @@ fn both_directions_have_the_same_scale() {
         let ratio = boxes[0].height() / boxes[0].width();
         assert!((0.4..=1.2).contains(&ratio), "{ratio}");
     }
-    let ball = [Shape::Ball { centre: vec![1.0, 0.0], radius: 0.7 }];
+    let ball = [ball(&[1.0, 0.0], 0.7)];
     let scene = drawn(Portrait { ends: [&ball, &[]], ..Portrait::new(2, &nothing) });
     let area = Reading::new(&scene, WINDOW).areas(GREEN)[0];
     assert!((area.width() - area.height()).abs() <= 2.0 * ROUNDING, "{area:?}");
@@ -142,11 +142,8 @@ fn the_coordinates_with_the_largest_extents_are_drawn() {
 
 #[test]
 fn sets_in_space_are_projected_or_named() {
-    let from = [Shape::Ball { centre: vec![0.0, 7.0, 0.5], radius: 0.25 }];
-    let to = [
-        Shape::HalfSpace { normal: vec![-1.0, 0.0, 0.0], offset: -2.0 },
-        Shape::HalfSpace { normal: vec![-1.0, -1.0, 0.0], offset: -2.0 },
-    ];
+    let from = [ball(&[0.0, 7.0, 0.5], 0.25)];
+    let to = [half_space(&[-1.0, 0.0, 0.0], -2.0), half_space(&[-1.0, -1.0, 0.0], -2.0)];
     let scene = drawn(Portrait {
         ends: [&from, &to],
         coordinates: Some([0, 2]),
@@ -162,8 +159,8 @@ fn sets_in_space_are_projected_or_named() {
 
 #[test]
 fn on_the_line_time_runs_to_the_right() {
-    let from = [Shape::Ball { centre: vec![0.0], radius: 0.25 }];
-    let to = [Shape::HalfSpace { normal: vec![-2.0], offset: -4.0 }];
+    let from = [ball(&[0.0], 0.25)];
+    let to = [half_space(&[-2.0], -4.0)];
     let curve = [vec![0.25], vec![1.0], vec![2.0]];
     let scene = drawn(Portrait { ends: [&from, &to], curve: &curve, ..Portrait::new(1, &nothing) });
     let reading = Reading::new(&scene, [[-0.06, 1.06], WINDOW[0]]);

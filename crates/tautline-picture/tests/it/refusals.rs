@@ -1,6 +1,8 @@
 //! What cannot be drawn is refused, with the number to change.
 
-use tautline_picture::portrait::{Corridor, Cubes, Portrait, PortraitError, Shape};
+use tautline_picture::portrait::{Corridor, Cubes, Portrait, PortraitError};
+
+use crate::shapes::{ball, point};
 
 fn identity(_: &[f64]) -> Option<Vec<f64>> {
     Some(vec![1.0, 0.0, 0.0, 1.0])
@@ -21,23 +23,18 @@ fn vectors_need_a_finite_coordinate_for_each_dimension() {
     assert_refused(Portrait { curve: &short, ..good }, "point 1 of the curve has 1 coordinates");
     let nan = [vec![vec![0.0, f64::NAN]]];
     assert_refused(Portrait { others: &nan, ..good }, "coordinate 1 of point 0");
-    let negative = [Shape::Ball { centre: vec![0.0, 0.0], radius: -2.0 }];
-    assert_refused(Portrait { ends: [&negative, &[]], ..good }, "radius of a ball is -2");
-    let flat = [Shape::HalfSpace { normal: vec![0.0, 0.0], offset: 1.0 }];
-    assert_refused(Portrait { ends: [&[], &flat], ..good }, "normal of a half-space is 0");
-    let turned = [Shape::AxisBox { low: vec![0.0, 1.0], high: vec![1.0, 0.5] }];
-    assert_refused(Portrait { ends: [&turned, &[]], ..good }, "from 1 is 0.5");
+    let space = [point(&[0.0, 1.0]), ball(&[0.0, 0.0, 0.0], 1.0)];
+    for ends in [[&space[..], &[]], [&space[..1], &space[1..]]] {
+        assert_refused(Portrait { ends, ..good }, "a ball has 3 coordinates");
+    }
 }
 
 #[test]
 fn a_corridor_needs_whole_places_a_positive_side_and_ordered_bounds() {
-    let good = Portrait::new(2, &identity);
     let refused = |side, places: &[i32], bounds, words| {
         let levels = [Cubes { side, places: places.to_vec() }];
-        assert_refused(
-            Portrait { corridor: Some(Corridor { levels: &levels, bounds }), ..good },
-            words,
-        );
+        let corridor = Some(Corridor { levels: &levels, bounds });
+        assert_refused(Portrait { corridor, ..Portrait::new(2, &identity) }, words);
     };
     refused(0.5, &[0, 1, 2], [1.0, 2.0], "the last cube has 1 coordinates");
     refused(-0.5, &[0, 1], [1.0, 2.0], "the side of a cube is -0.5");

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use tautline_picture::portrait::Shape;
+use tautline::{ANY, Shape};
 
 use crate::{
     Diagnostic,
@@ -12,7 +12,10 @@ use crate::{
         obstacles::{ObstaclesFile, RegionFile},
         set::SetFile,
     },
-    reading::{numbers::Numbers, pieces::pieces},
+    reading::{
+        numbers::Numbers,
+        pieces::{Draft, drafts},
+    },
 };
 
 /// The distance from a region.
@@ -51,9 +54,9 @@ pub(crate) fn obstacles<'f>(
                 continue;
             }
         };
-        for piece in pieces(&set, numbers, dimension)? {
-            let text = distance(&piece.shape).ok_or_else(|| {
-                let place = piece.places.last().cloned().unwrap_or(regions.span());
+        for Draft { shape, places } in drafts(&set, numbers, dimension)? {
+            let text = shape.ok().as_ref().and_then(distance).ok_or_else(|| {
+                let place = places.last().cloned().unwrap_or(regions.span());
                 Diagnostic::new("an obstacle without inside", place)
                     .label("expected a positive radius, or a normal that is not 0")
             })?;
@@ -73,16 +76,17 @@ pub(crate) fn factor(count: usize, margin: f64) -> String {
 }
 
 /// Returns the text of the distance of `x` from a ball or a half-space, negative inside. `None` if it has
-/// no inside.
-pub(crate) fn distance(shape: &Shape) -> Option<String> {
+/// no inside, and for other sets.
+pub(crate) fn distance(shape: &Shape<ANY>) -> Option<String> {
     let sum = |terms: Vec<String>| terms.join(" + ");
     match shape {
-        Shape::Ball { centre, radius } if *radius > 0.0 => {
+        Shape::Ball(ball) if ball.r() > 0.0 => {
             let square = |(i, c): (usize, &f64)| format!("sqr(x{} - ({c:?}))", i + 1);
-            let squares = sum(centre.iter().enumerate().map(square).collect());
-            Some(format!("sqrt({squares}) - {radius:?}"))
+            let squares = sum(ball.centre_slice().iter().enumerate().map(square).collect());
+            Some(format!("sqrt({squares}) - {:?}", ball.r()))
         }
-        Shape::HalfSpace { normal, offset } => {
+        Shape::HalfSpace(wall) => {
+            let (normal, offset) = wall.given_slice();
             let largest = normal.iter().fold(0.0_f64, |largest, n| largest.max(n.abs()));
             // So that no square overflows, nor is too small to count. A power of two rounds nothing, and
             // where a product underflows, it is a step of the formula.
@@ -94,9 +98,9 @@ pub(crate) fn distance(shape: &Shape) -> Option<String> {
             let product = |(i, n): (usize, &f64)| format!("{}*x{}", scaled(*n), i + 1);
             let products = sum(normal.iter().enumerate().map(product).collect());
             let squares = sum(normal.iter().map(|n| format!("sqr({})", scaled(*n))).collect());
-            let at = scaled(*offset);
+            let at = scaled(offset);
             // The half-space is normal·x ≤ offset.
-            (largest > 0.0).then(|| format!("({products} - {at})/sqrt({squares})"))
+            Some(format!("({products} - {at})/sqrt({squares})"))
         }
         _ => None,
     }
@@ -104,10 +108,14 @@ pub(crate) fn distance(shape: &Shape) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use tautline::{ANY, Ball, HalfSpace, Shape};
     use tautline_chance::{Random, seed};
-    use tautline_picture::portrait::Shape;
 
     use super::distance;
+
+    fn half_space(normal: &[f64], offset: f64) -> Shape<ANY> {
+        Shape::HalfSpace(HalfSpace::from_slice(normal, offset).expect("a normal"))
+    }
 
     /// The distance is Euclidean, whatever the length of the normal: `(n·x − b)/|n|`.
     #[test]
@@ -117,10 +125,7 @@ mod tests {
             let length = 10.0_f64.powi([case % 13 - 6, -300, -162, 160, 300][case as usize % 5]);
             let angle = random.between(0.0, 6.0);
             let (unit, height) = ([angle.cos(), angle.sin()], random.between(-3.0, 3.0));
-            let wall = Shape::HalfSpace {
-                normal: unit.iter().map(|n| n * length).collect(),
-                offset: height * length,
-            };
+            let wall = half_space(&unit.map(|n| n * length), height * length);
             let text = distance(&wall).expect("a normal");
             let at = [random.between(-5.0, 5.0), random.between(-5.0, 5.0)];
             let names = [("x1", at[0]), ("x2", at[1])];
@@ -137,22 +142,20 @@ mod tests {
     #[test]
     fn the_numbers_of_a_half_space_are_those_of_its_distance() {
         for scale in [1.0, 2.0_f64.powi(700), 0.5_f64.powi(700)] {
-            let wall = Shape::HalfSpace { normal: vec![3.0 * scale], offset: 1e16 * scale };
+            let wall = half_space(&[3.0 * scale], 1e16 * scale);
             let text = distance(&wall).expect("a normal");
             // 3 · 3333333333333334 = 10¹⁶ + 2.
             let text = text.replace("x1", "3333333333333334");
             let found = tautline::formula::number(&text, &[]).expect("a number");
             assert_eq!(found, 2.0 / 3.0, "{text}");
         }
-        let none = Shape::HalfSpace { normal: vec![0.0, 0.0], offset: 1.0 };
-        assert_eq!(distance(&none), None);
         // Whatever the size of the entries, δ is n·x/|n|.
         for (normal, x, expected) in [
             ([1e200, 5e-324], ["(3)", "(7)"], 3.0),
             ([1.7e308, 1.7e308], ["(1)", "(0)"], 0.5_f64.sqrt()),
             ([5e-324, 0.0], ["(3)", "(7)"], 3.0),
         ] {
-            let wall = Shape::HalfSpace { normal: normal.to_vec(), offset: 0.0 };
+            let wall = half_space(&normal, 0.0);
             let text = distance(&wall).expect("a normal");
             let text = text.replace("x1", x[0]).replace("x2", x[1]);
             let found = tautline::formula::number(&text, &[]).expect("a number");
@@ -164,7 +167,9 @@ mod tests {
     /// Positive outside, negative inside.
     #[test]
     fn the_distance_from_a_ball_is_that_of_its_surface() {
-        let ball = Shape::Ball { centre: vec![1.0, -2.0], radius: 0.5 };
+        let ball = |r| Shape::Ball(Ball::from_slice(&[1.0, -2.0], r).expect("a radius"));
+        assert_eq!(distance(&ball(0.0)), None);
+        let ball = ball(0.5);
         let text = distance(&ball).expect("a radius");
         for (x, expected) in [([1.0, -2.0], -0.5), ([4.0, 2.0], 4.5), ([1.0, -1.5], 0.0)] {
             let text =

@@ -2,7 +2,10 @@
 
 use std::ops::Range;
 
-use tautline_picture::portrait::Shape;
+use tautline::{
+    ANY, AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, SetError, Shape,
+    Sphere,
+};
 
 use crate::{
     Diagnostic,
@@ -11,7 +14,10 @@ use crate::{
         request::CertifyFile,
         set::{AffineFile, Corners, HalfSpaceFile, Round, SegmentFile, SetFile, Vector},
     },
-    reading::{numbers::Numbers, shape::Piece},
+    reading::{
+        numbers::Numbers,
+        shape::{Piece, refused},
+    },
 };
 
 /// Returns the pieces of a set. Unions of unions are flattened.
@@ -20,36 +26,60 @@ pub(crate) fn pieces(
     numbers: &Numbers<'_>,
     dimension: usize,
 ) -> Result<Vec<Piece>, Diagnostic> {
+    drafts(set, numbers, dimension)?.into_iter().map(Draft::checked).collect()
+}
+
+/// A piece whose numbers may be wrong.
+pub(crate) struct Draft {
+    pub(crate) shape: Result<Shape<ANY>, SetError>,
+    /// As in a [`Piece`].
+    pub(crate) places: Vec<Range<usize>>,
+}
+
+impl Draft {
+    fn checked(self) -> Result<Piece, Diagnostic> {
+        let Self { shape, places } = self;
+        let shape = shape.map_err(|error| refused(&error, &places))?;
+        Ok(Piece { shape, places })
+    }
+}
+
+/// Returns the pieces of a set as its numbers describe them.
+pub(crate) fn drafts(
+    set: &SetFile,
+    numbers: &Numbers<'_>,
+    dimension: usize,
+) -> Result<Vec<Draft>, Diagnostic> {
     let vector = |vector: &Vector| numbers.vector(vector, dimension);
     let list = |vectors: &[Vector]| vectors.iter().map(vector).collect::<Result<Vec<_>, _>>();
-    let (shape, places): (Shape, Vec<Range<usize>>) = match set {
-        SetFile::Point(x) => (Shape::Point(vector(x)?), vec![x.span()]),
-        SetFile::Points(points) => (Shape::Points(list(points.get_ref())?), vec![points.span()]),
+    let (shape, places): (Result<Shape<ANY>, SetError>, Vec<Range<usize>>) = match set {
+        SetFile::Point(x) => (Point::from_slice(&vector(x)?).map(Shape::Point), vec![x.span()]),
+        SetFile::Points(points) => {
+            let set = FiniteSet::from_slices(list(points.get_ref())?).map(Shape::FiniteSet);
+            (set, vec![points.span()])
+        }
         SetFile::Ball(Round { centre, radius }) | SetFile::Sphere(Round { centre, radius }) => {
             let places = vec![centre.span(), radius.span()];
             let (centre, radius) = (vector(centre)?, numbers.number(radius)?);
             if matches!(set, SetFile::Ball(_)) {
-                (Shape::Ball { centre, radius }, places)
+                (Ball::from_slice(&centre, radius).map(Shape::Ball), places)
             } else {
-                (Shape::Sphere { centre, radius }, places)
+                (Sphere::from_slice(&centre, radius).map(Shape::Sphere), places)
             }
         }
         SetFile::Box(corners @ Corners { lower, upper }) => {
             let places = vec![lower.span(), upper.span()];
             let [low, high] = self::corners(corners, numbers, dimension)?;
-            (Shape::AxisBox { low, high }, places)
+            (AxisBox::from_slices(&low, &high).map(Shape::AxisBox), places)
         }
         SetFile::HalfSpace(HalfSpaceFile { normal, at_least, at_most }) => {
             let places = vec![normal.span()];
             let (span, normal) = (normal.span(), vector(normal)?);
-            match (at_least, at_most) {
+            let (normal, offset): (Vec<f64>, f64) = match (at_least, at_most) {
                 (Some(at_least), None) => {
-                    let normal = normal.iter().map(|x| -x).collect();
-                    (Shape::HalfSpace { normal, offset: -numbers.number(at_least)? }, places)
+                    (normal.iter().map(|x| -x).collect(), -numbers.number(at_least)?)
                 }
-                (None, Some(at_most)) => {
-                    (Shape::HalfSpace { normal, offset: numbers.number(at_most)? }, places)
-                }
+                (None, Some(at_most)) => (normal, numbers.number(at_most)?),
                 (Some(_), Some(other)) => {
                     return Err(Diagnostic::new("a half-space has one side", other.span())
                         .label("expected at_least or at_most, not both"));
@@ -58,29 +88,30 @@ pub(crate) fn pieces(
                     return Err(Diagnostic::new("a half-space needs at_least or at_most", span)
                         .label("the side of this normal is not given"));
                 }
-            }
+            };
+            (HalfSpace::from_slice(&normal, offset).map(Shape::HalfSpace), places)
         }
         SetFile::Segment(SegmentFile { from, to }) => {
             let places = vec![from.span(), to.span()];
-            (Shape::Segment { from: vector(from)?, to: vector(to)? }, places)
+            (Segment::from_slices(&vector(from)?, &vector(to)?).map(Shape::Segment), places)
         }
         SetFile::Affine(AffineFile { through, directions }) => {
             let spans = directions.get_ref().iter().map(Placed::span);
             let places = std::iter::once(through.span()).chain(spans).collect();
-            let (point, directions) = (vector(through)?, list(directions.get_ref())?);
-            (Shape::AffineSubspace { point, directions }, places)
+            let (base, directions) = (vector(through)?, list(directions.get_ref())?);
+            (AffineSubspace::from_slices(&base, directions).map(Shape::AffineSubspace), places)
         }
         SetFile::Union(sets) => {
-            let sets_of = |set| pieces(set, numbers, dimension);
-            let all: Vec<Vec<Piece>> =
-                sets.get_ref().iter().map(sets_of).collect::<Result<_, _>>()?;
+            let drafts_of = |set| drafts(set, numbers, dimension);
+            let all: Vec<Vec<Draft>> =
+                sets.get_ref().iter().map(drafts_of).collect::<Result<_, _>>()?;
             if all.is_empty() {
                 return Err(Diagnostic::new("a union of no sets", sets.span()));
             }
             return Ok(all.into_iter().flatten().collect());
         }
     };
-    Ok(vec![Piece { shape, places }])
+    Ok(vec![Draft { shape, places }])
 }
 
 pub(crate) fn corners(

@@ -10,12 +10,11 @@ use core::ops::ControlFlow;
 use std::sync::Arc;
 
 use tautline::{
-    Ends, LatticeSearchError, Options, PointSequence, Problem, Rule, SolveError, Starts, TautLine,
+    Ends, LatticeSearchError, Options, PointSequence, Problem, Rule, Shape, SolveError, Starts,
+    TautLine,
     certify::{Progress, Watch},
     distance,
 };
-
-use tautline_picture::portrait::Shape;
 
 use crate::{
     Answer, Diagnostic, Failure, Grid, OtherMinimum, Question,
@@ -118,15 +117,16 @@ impl Question {
         };
         let first = |pieces: &[Piece]| match pieces {
             [piece] => match &piece.shape {
-                Shape::Point(x) => Some(vector::<D>(x)),
+                Shape::Point(point) => Some(vector::<D>(point.position_slice())),
                 _ => None,
             },
             _ => None,
         };
+        let shapes = |pieces: &[Piece]| union::<D>(pieces.iter().map(|piece| &piece.shape));
         // Two points are recognised, since more is proved of them.
         let ends = match (first(from), first(to)) {
             (Some(a), Some(b)) => Ends::points(a, b),
-            _ => Ends::new(union::<D>(from)?, union::<D>(to)?),
+            _ => shapes(from).and_then(|from| Ends::new(from, shapes(to)?)),
         };
         ends.map_err(|error| {
             let place = to.first().and_then(|piece| piece.places.first());

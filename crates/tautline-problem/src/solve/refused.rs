@@ -1,7 +1,6 @@
 //! Why there is no metric along any curve.
 
-use tautline::{Metric, MetricError, SVector, SolveError};
-use tautline_picture::portrait::Shape;
+use tautline::{Metric, MetricError, SVector, Shape, SolveError};
 
 use crate::{
     Diagnostic, Failure, Question, formula::formula_of, known::Known, reading::shape::vector,
@@ -35,7 +34,8 @@ impl Question {
             return None;
         }
         for piece in self.ends.iter().flatten().flatten() {
-            if let Shape::Point(x) = &piece.shape
+            if let Shape::Point(point) = &piece.shape
+                && let x = point.position_slice()
                 && !is_finite(metric, &vector(x))
             {
                 let place = piece.places.first().cloned().unwrap_or(regions);

@@ -4,9 +4,8 @@ use tautline::{
     Formula,
     formula::{Part, Written, WrittenError},
 };
-use tautline_picture::portrait::Shape;
 
-use super::{Given, GivenError, sets::check_coordinates};
+use super::{Given, GivenError, Shape, sets::check_coordinates};
 use crate::{
     known::Known,
     reading::obstacles::{distance, factor},

@@ -3,10 +3,9 @@
 use std::sync::Arc;
 
 use tautline::{BlackBox, Formula, Table, Values, certify::Watch};
-use tautline_picture::portrait::Shape;
 
 use super::{
-    Curve, GivenError, Proofs, Region, Request,
+    Curve, GivenError, Proofs, Region, Request, Shape,
     held::{AnyDimension, Held},
 };
 use crate::{

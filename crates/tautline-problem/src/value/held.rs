@@ -7,10 +7,9 @@ use tautline::{
     Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SolveError, Table, TautLine,
     certify::Watch, solve_all,
 };
-use tautline_picture::portrait::Shape;
 
 use super::{
-    Found, Given, GivenError, Least, Proofs, Region, Request,
+    Found, Given, GivenError, Least, Proofs, Region, Request, Shape,
     avoiding::avoiding,
     sets::{check_coordinates, point, set},
 };
@@ -49,7 +48,9 @@ impl<const D: usize> Held<D> {
     fn problem(&self, pieces: [&[Shape]; 2]) -> Result<Problem<Known<D>, D>, GivenError> {
         let ends = match pieces {
             // Of two points more is proved.
-            [[Shape::Point(a)], [Shape::Point(b)]] => Ends::points(point::<D>(a)?, point::<D>(b)?)?,
+            [[Shape::Point(a)], [Shape::Point(b)]] => {
+                Ends::points(point::<D>(a.position_slice())?, point::<D>(b.position_slice())?)?
+            }
             [from, to] => Ends::new(set("first", from)?, set("second", to)?)?,
         };
         Ok(Problem::with_prepared(Arc::clone(&self.0), ends))

@@ -1,5 +1,6 @@
 //! Lengths to a tolerance.
 
+use tautline::Point;
 use tautline_problem::{
     Answer, Grid, Question,
     value::{Given, Request, Shape},
@@ -172,7 +173,7 @@ fn the_only_starts_are_the_only_ones_on_finer_grids() {
     assert_eq!(also.other_minima.len(), 1);
     // The same, given as values.
     let given = Given::parse("cost(1 + 2*exp(-(x1^2 + x2^2)))", 2, &[], &[]).expect("a formula");
-    let ends = [-1.5, 1.5].map(|x| [Shape::Point(vec![x, -0.1])]);
+    let ends = [-1.5, 1.5].map(|x| [Shape::Point(Point::from_slice(&[x, -0.1]).expect("finite"))]);
     for (only_these_starts, answer) in [(true, &long), (false, &also)] {
         let starts = vec![vec![vec![-1.5, -0.1], vec![0.0, 1.0], vec![1.5, -0.1]]];
         let grid = Grid::Tolerance(1e-8);

@@ -2,7 +2,10 @@
 
 use std::{ops::ControlFlow, sync::Arc};
 
-use tautline::{CertificateError, Constants, RecordError, Rule, certify, distance::Wanted};
+use tautline::{
+    Ball, CertificateError, Constants, HalfSpace, Point, RecordError, Rule, Sphere, certify,
+    distance::Wanted,
+};
 use tautline_problem::{
     Question,
     value::{Given, GivenError, Grid, Nodes, Proofs, Region, Request, Shape, Values},
@@ -11,7 +14,11 @@ use tautline_problem::{
 const HILL: &str = "cost(1 + 4*exp(-2*(x1^2 + x2^2)))";
 
 fn point(x: &[f64]) -> [Shape; 1] {
-    [Shape::Point(x.to_vec())]
+    [Shape::Point(Point::from_slice(x).expect("finite"))]
+}
+
+fn ball(centre: &[f64], r: f64) -> Shape {
+    Shape::Ball(Ball::from_slice(centre, r).expect("a radius"))
 }
 
 fn hill() -> Given {
@@ -29,7 +36,7 @@ fn a_curve_of_values_is_that_of_a_file() {
              [certify]\nbound = false\n"
         );
         let answer = Question::read(&file).expect("a file").solve(&mut |_| ()).expect("solved");
-        let ball = [Shape::Ball { centre: vec![1.5, -0.1], radius: 0.25 }];
+        let ball = [ball(&[1.5, -0.1], 0.25)];
         let request = Request { rule, grid: Grid::Chords(64), ..Request::default() };
         let curve = hill().solve([&point(&[-1.5, 0.05]), &ball], &request).expect("solved");
         assert_eq!(curve.points(), answer.curve.concat());
@@ -70,12 +77,13 @@ fn a_tolerance_of_values_is_that_of_a_file() {
 /// An error in one problem does not move the curves of the others.
 #[test]
 fn many_problems_have_the_curves_of_single_ones() {
-    let ends = [[-1.5, 0.05], [f64::NAN, 0.0], [0.0, 1.5], [0.3, 0.2]].map(|x| point(&x));
+    let ends: [&[f64]; 4] = [&[-1.5, 0.05], &[0.0, 0.0, 0.0], &[0.0, 1.5], &[0.3, 0.2]];
+    let ends = ends.map(point);
     let goal = point(&[1.5, -0.1]);
     let pairs: Vec<[&[Shape]; 2]> = ends.iter().map(|end| [&end[..], &goal[..]]).collect();
     let request = Request { grid: Grid::Chords(32), threads: 1, ..Request::default() };
     let all = hill().solve_all(&pairs, &request);
-    assert!(matches!(all[1], Err(GivenError::Set(_))), "{:?}", all[1]);
+    assert!(matches!(all[1], Err(GivenError::Coordinates { .. })), "{:?}", all[1]);
     for (found, pair) in all.iter().zip(&pairs).filter(|(found, _)| found.is_ok()) {
         let alone = hill().solve(*pair, &request).expect("solved");
         assert_eq!(found.as_ref().expect("solved").points(), alone.points());
@@ -101,14 +109,13 @@ fn what_is_wrong_is_said_with_its_numbers() {
     };
     let request = Request::default();
     let space = point(&[1.0, 0.0, 0.0]);
-    let ball = [Shape::Ball { centre: vec![2.0, 0.0], radius: -1.0 }];
-    let flat = [Shape::Segment { from: vec![1.0, 0.0], to: vec![1.0] }];
+    let walls = [[1.0, 0.0], [0.0, 1.0]]
+        .map(|normal| [Shape::HalfSpace(HalfSpace::from_slice(&normal, -2.0).expect("a normal"))]);
     let starts = vec![vec![vec![0.0, 0.0], vec![1.0]]];
     let odd = Request { starts, ..Request::default() };
     let cases = [
         (solve([&ends[0], &space], &request), "a point has 3 coordinates in 2 dimensions"),
-        (solve([&ends[0], &ball], &request), "-1"),
-        (solve([&ends[0], &flat], &request), "a segment has 1 coordinates in 2 dimensions"),
+        (solve([&walls[0], &walls[1]], &request), "both end sets are unbounded"),
         (solve([&ends[0], &[]], &request), "the second set has no pieces"),
         (solve([&ends[0], &ends[1]], &odd), "a point of a start has 1 coordinates"),
         (
@@ -183,7 +190,7 @@ fn bounds_and_constants_are_those_of_a_file() {
     let (watch, proofs) = (|_: certify::Progress| true, Proofs::default());
     let go_on = &mut |_| ControlFlow::Continue(());
     assert_eq!(curve.bounds(&proofs, &watch, go_on).ok(), answer.bounds);
-    let ball = Shape::Ball { centre: vec![0.0, 0.0], radius: 3.0 };
+    let ball = ball(&[0.0, 0.0], 3.0);
     let found = valleys.constants(Some(&ball), &proofs, &watch).expect("sought");
     assert_eq!(found, question.constants().expect("sought"));
     assert_ne!(found, valleys.constants(None, &proofs, &watch).expect("sought"));
@@ -203,8 +210,8 @@ fn what_cannot_be_proved_is_said() {
     };
     let black_box = Given::black_box(Arc::new(Hill), 2, 1e-3).expect("a step");
     let growing = Given::parse("phi(1 + x1^2)", 1, &[], &[]).expect("a formula");
-    let sphere = Shape::Sphere { centre: vec![0.0; 2], radius: 1.0 };
-    let line = Shape::Ball { centre: vec![0.0], radius: 1.0 };
+    let sphere = Shape::Sphere(Sphere::from_slice(&[0.0; 2], 1.0).expect("a radius"));
+    let line = ball(&[0.0], 1.0);
     let large = Given::parse("1 I", 7, &[], &[]).expect("a formula");
     for (metric, within, message) in [
         (&black_box, None, "by its values only"),
@@ -263,8 +270,8 @@ fn the_least_entry_along_a_curve_is_that_of_all_points_and_middles() {
 fn a_metric_with_obstacles_is_multiplied_by_their_factor() {
     let metric = Given::parse("phi(1 + x1^2)", 2, &[], &[]).expect("a formula");
     let regions = [
-        Region::Set(Shape::Ball { centre: vec![1.0, -2.0], radius: 0.5 }),
-        Region::Set(Shape::HalfSpace { normal: vec![0.0, 2.0], offset: -6.0 }),
+        Region::Set(ball(&[1.0, -2.0], 0.5)),
+        Region::Set(Shape::HalfSpace(HalfSpace::from_slice(&[0.0, 2.0], -6.0).expect("a normal"))),
         Region::Negative("x1 + 4".to_owned()),
     ];
     let avoiding = metric.avoiding(&regions, 0.3).expect("obstacles");
@@ -293,23 +300,22 @@ fn a_metric_with_obstacles_is_multiplied_by_their_factor() {
 #[test]
 fn what_is_no_obstacle_is_refused() {
     let metric = Given::parse("1 I", 2, &[], &[]).expect("a formula");
-    let ball = |radius: f64| Region::Set(Shape::Ball { centre: vec![1.0, -2.0], radius });
+    let obstacle = |radius: f64| Region::Set(ball(&[1.0, -2.0], radius));
     for margin in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let refused = metric.avoiding(&[ball(1.0)], margin).map(|_| ());
+        let refused = metric.avoiding(&[obstacle(1.0)], margin).map(|_| ());
         assert!(matches!(refused, Err(GivenError::Margin { .. })), "{refused:?}");
     }
-    let sphere = Region::Set(Shape::Sphere { centre: vec![0.0, 0.0], radius: 1.0 });
-    let zero = Region::Set(Shape::HalfSpace { normal: vec![0.0, 0.0], offset: 1.0 });
+    let sphere = Sphere::from_slice(&[0.0, 0.0], 1.0).expect("a radius");
     // The second region counts too.
-    for region in [ball(0.0), sphere, zero] {
-        let refused = metric.avoiding(&[ball(1.0), region], 0.3).map(|_| ());
+    for region in [obstacle(0.0), Region::Set(Shape::Sphere(sphere))] {
+        let refused = metric.avoiding(&[obstacle(1.0), region], 0.3).map(|_| ());
         assert!(matches!(refused, Err(GivenError::NoInside { .. })), "{refused:?}");
     }
-    let space = Region::Set(Shape::Ball { centre: vec![0.0; 3], radius: 1.0 });
+    let space = Region::Set(ball(&[0.0; 3], 1.0));
     let refused = metric.avoiding(&[space], 0.3).map(|_| ());
     assert!(matches!(refused, Err(GivenError::Coordinates { found: 3, dimension: 2, .. })));
     let black_box = Given::black_box(Arc::new(Hill), 2, 1e-3).expect("a step");
-    let refused = black_box.avoiding(&[ball(1.0)], 0.3).map(|_| ());
+    let refused = black_box.avoiding(&[obstacle(1.0)], 0.3).map(|_| ());
     assert!(matches!(refused, Err(GivenError::NoFormula)), "{refused:?}");
 }
 
