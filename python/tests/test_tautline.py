@@ -132,6 +132,21 @@ class Solving(unittest.TestCase):
                 search()
             self.assertLess(time.monotonic() - start, 1.5)
 
+    def test_a_set_is_refused_where_it_is_made(self):
+        cases = [
+            ("coordinate NaN at index 1", lambda: tl.point([0, math.nan])),
+            ("the set is empty", lambda: tl.points(np.zeros((0, 2)))),
+            ("radius -1", lambda: tl.ball([3, 0], -1)),
+            ("coordinate inf at index 1", lambda: tl.box([0, 0], [1, math.inf])),
+            ("upper corner -1 at index 1", lambda: tl.box([0, 0], [1, -1])),
+            ("normal", lambda: tl.half_space([0, 0], at_most=1)),
+            ("1 coordinates in dimension 2", lambda: tl.segment([0, 0], [1])),
+            ("direction 1 depends", lambda: tl.affine_subspace([0, 0], [[1, 0], [2, 0]])),
+        ]
+        for message, attempt in cases:
+            with self.assertRaisesRegex(tl.ProblemError, message):
+                attempt()
+
     def test_errors_have_the_numbers(self):
         flat = tl.Metric("1 I", 2)
         cases = [

@@ -35,7 +35,7 @@ pub enum GivenError {
         /// Which set: `first` or `second`.
         end: &'static str,
     },
-    /// A set is no set, or both are unbounded.
+    /// Both sets are unbounded, or members of a union differ in dimension.
     #[error(transparent)]
     Set(#[from] SetError),
     /// A start is no sequence of points.
