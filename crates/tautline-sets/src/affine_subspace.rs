@@ -4,9 +4,9 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
-use crate::norm::{norm_above, polar};
-use crate::place::{Place, add, diagonal, dot, largest, minus, vector};
-use crate::proof;
+use crate::numerics::norm::{norm_above, polar};
+use crate::numerics::place::{Place, add, diagonal, dot, largest, minus, vector};
+use crate::numerics::proof;
 use crate::set_error::{SetError, finite_vector, known};
 use crate::{AnySet, ClosedSet, Shape};
 
@@ -231,8 +231,8 @@ impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
 #[cfg(test)]
 mod tests {
     use super::AffineSubspace;
-    use crate::exact::{Exact, meets_line, reaches_subspace};
     use crate::laws::{Case, check, scale, vector_in};
+    use crate::numerics::exact::{Exact, meets_line, reaches_subspace};
     use crate::{ClosedSet, SetError};
     use nalgebra::{DMatrix, Matrix2, Matrix3, SVector, vector};
     use proptest::prelude::*;

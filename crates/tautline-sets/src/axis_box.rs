@@ -4,9 +4,9 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
-use crate::norm::{between, norm_above};
-use crate::place::{Place, diagonal, vector};
-use crate::proof;
+use crate::numerics::norm::{between, norm_above};
+use crate::numerics::place::{Place, diagonal, vector};
+use crate::numerics::proof;
 use crate::set_error::{SetError, finite_vector, known};
 use crate::{AnySet, ClosedSet, Shape};
 

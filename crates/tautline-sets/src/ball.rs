@@ -6,9 +6,9 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
-use crate::norm::{norm_above, polar, sum_above};
-use crate::place::{diagonal, minus, tangential, vector};
-use crate::proof;
+use crate::numerics::norm::{norm_above, polar, sum_above};
+use crate::numerics::place::{diagonal, minus, tangential, vector};
+use crate::numerics::proof;
 use crate::set_error::{SetError, finite_vector, known, valid_radius};
 use crate::{AnySet, ClosedSet, Shape};
 
@@ -131,9 +131,9 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
 #[cfg(test)]
 mod tests {
     use super::Ball;
-    use crate::exact::{square, squared_distances};
     use crate::laws::{Case, check, check_inside, extent, scale, vector_in};
-    use crate::norm::on_axis;
+    use crate::numerics::exact::{square, squared_distances};
+    use crate::numerics::norm::on_axis;
     use crate::{ClosedSet, SetError};
     use nalgebra::{Matrix2, Matrix3, vector};
     use proptest::prelude::*;

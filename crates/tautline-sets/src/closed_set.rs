@@ -192,9 +192,9 @@ mod tests {
     use tautline_chance::{Random, cases, seed};
     use tautline_scalar::Interval;
 
-    use crate::exact::{Exact, point, squared_distances};
     use crate::laws::Bare;
-    use crate::proof::compare_distance;
+    use crate::numerics::exact::{Exact, point, squared_distances};
+    use crate::numerics::proof::compare_distance;
     use crate::{
         AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
         Sphere, Union,

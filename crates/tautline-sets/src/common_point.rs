@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 
-use crate::norm::norm;
-use crate::place::{Place, minus, plus};
+use crate::numerics::norm::norm;
+use crate::numerics::place::{Place, minus, plus};
 use crate::{AnySet, ClosedSet, InAny};
 
 /// The number of sweeps of alternating projections for each start. The step of each sweep is

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use crate::closed_set::append_pieces;
-use crate::norm::on_axis;
+use crate::numerics::norm::on_axis;
 use crate::set_error::non_finite;
 use crate::{ClosedSet, Point, SetError};
 
@@ -115,7 +115,7 @@ mod tests {
 
     use super::Ends;
     use crate::laws::Bare;
-    use crate::norm::on_axis;
+    use crate::numerics::norm::on_axis;
     use crate::{AffineSubspace, Ball, ClosedSet, FiniteSet, HalfSpace, Point, SetError, Union};
     use nalgebra::{SVector, vector};
 

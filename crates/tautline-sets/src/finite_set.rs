@@ -124,8 +124,8 @@ impl<const D: usize> ClosedSet<D> for FiniteSet<D> {
 #[cfg(test)]
 mod tests {
     use super::FiniteSet;
-    use crate::exact::contains;
     use crate::laws::{Case, check, scale, vector_in};
+    use crate::numerics::exact::contains;
     use crate::{ClosedSet, SetError};
     use nalgebra::{SVector, vector};
     use proptest::prelude::*;

@@ -6,9 +6,9 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
-use crate::norm::norm;
-use crate::place::{Place, add, diagonal, dot, largest, tangential, vector};
-use crate::proof;
+use crate::numerics::norm::norm;
+use crate::numerics::place::{Place, add, diagonal, dot, largest, tangential, vector};
+use crate::numerics::proof;
 use crate::set_error::{SetError, finite, finite_vector, known};
 use crate::{AnySet, ClosedSet, Shape};
 
@@ -208,9 +208,9 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
 #[cfg(test)]
 mod tests {
     use super::HalfSpace;
-    use crate::exact::{Exact, least_product};
     use crate::laws::{Case, check, check_inside, scale, vector_in};
-    use crate::norm::on_axis;
+    use crate::numerics::exact::{Exact, least_product};
+    use crate::numerics::norm::on_axis;
     use crate::{ClosedSet, SetError};
     use nalgebra::{Matrix2, Matrix3, vector};
     use proptest::prelude::*;

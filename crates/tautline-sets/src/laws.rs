@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{TestError, TestRunner};
 use tautline_scalar::Interval;
 
-use crate::norm::on_axis;
+use crate::numerics::norm::on_axis;
 use crate::{AnySet, ClosedSet, InAny, Shape};
 
 /// The seed of every property test in this crate, printed when a test fails.

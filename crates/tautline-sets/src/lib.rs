@@ -37,11 +37,12 @@
 //! | [`HalfSpace`] | `n·x ≤ b` | `x − (n·x − b) n` | `I − nnᵀ` | yes |
 //! | [`AffineSubspace`] | `p + span Q` | `p + QQᵀ(x − p)` | `QQᵀ` | yes |
 //! | [`Union`] | union of members | by the nearest member | by the nearest member | only for one convex member |
+//! | [`Shape`] | any of these sets, as data | as for that set | as for that set | as that set |
 //!
 //! # Sets in any dimension
 //!
-//! The sets of the table but the last are finitely many numbers, and so is a [`Shape`], which is any one
-//! of them or a union of shapes. The parameter `D` is the dimension, or [`ANY`](tautline_scalar::ANY) for
+//! The sets of the table but [`Union`] are finitely many numbers. A [`Shape`] is any one of them, or a
+//! union of shapes. The parameter `D` is the dimension, or [`ANY`](tautline_scalar::ANY) for
 //! sets whose dimension is a value. The latter are made from slices and seen through [`AnySet`], by code
 //! that is compiled once for all dimensions. Methods that speak of `SVector<f64, D>` are for a `D` that
 //! the compiler knows.
@@ -80,16 +81,12 @@ mod common_point;
 #[cfg(feature = "serde")]
 mod data;
 mod ends;
-#[cfg(test)]
-mod exact;
 mod finite_set;
 mod half_space;
 #[cfg(test)]
 mod laws;
-mod norm;
-mod place;
+mod numerics;
 mod point;
-mod proof;
 mod proved_common_point;
 mod segment;
 mod set_error;

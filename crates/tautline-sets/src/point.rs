@@ -4,9 +4,9 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
-use crate::norm::norm_above;
-use crate::place::vector;
-use crate::proof;
+use crate::numerics::norm::norm_above;
+use crate::numerics::place::vector;
+use crate::numerics::proof;
 use crate::set_error::{SetError, finite_vector, known};
 use crate::{AnySet, ClosedSet, Shape};
 
@@ -99,8 +99,8 @@ impl<const D: usize> ClosedSet<D> for Point<D> {
 mod tests {
     use super::Point;
     use crate::SetError;
-    use crate::exact::contains;
     use crate::laws::{Case, check, scale, vector_in};
+    use crate::numerics::exact::contains;
     use proptest::prelude::*;
 
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {

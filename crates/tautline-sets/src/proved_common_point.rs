@@ -3,9 +3,10 @@
 use nalgebra::SVector;
 use tautline_scalar::ANY;
 
-use crate::norm::norm;
-use crate::place::{Place, largest, minus};
-use crate::{AnySet, ClosedSet, InAny, Shape, proof};
+use crate::numerics::norm::norm;
+use crate::numerics::place::{Place, largest, minus};
+use crate::numerics::proof;
+use crate::{AnySet, ClosedSet, InAny, Shape};
 
 /// How deep in a set a point is sought: by up to `2^40` roundings of the numbers of the set, which is
 /// four digits.

@@ -4,9 +4,9 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
-use crate::norm::{between, norm_above, polar};
-use crate::place::{dot, minus, vector};
-use crate::proof;
+use crate::numerics::norm::{between, norm_above, polar};
+use crate::numerics::place::{dot, minus, vector};
+use crate::numerics::proof;
 use crate::set_error::{SetError, finite, finite_vector, known};
 use crate::{AnySet, ClosedSet, Shape};
 
@@ -170,8 +170,8 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
 #[cfg(test)]
 mod tests {
     use super::Segment;
-    use crate::exact::{difference, meets_line};
     use crate::laws::{Case, check, check_edges, scale, vector_in};
+    use crate::numerics::exact::{difference, meets_line};
     use crate::{ClosedSet, SetError};
     use nalgebra::{Matrix2, SVector, vector};
     use proptest::prelude::*;

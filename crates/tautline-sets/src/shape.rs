@@ -10,7 +10,7 @@ use crate::closed_set::append_pieces;
 use crate::union::Pieces;
 use crate::{
     AffineSubspace, AnySet, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment,
-    SetError, Sphere, proof,
+    SetError, Sphere, numerics::proof,
 };
 
 /// A set that is described by finitely many numbers: one piece, or the union of several.
@@ -324,8 +324,8 @@ mod tests {
     use crate::{
         AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
         Sphere, Union,
-        exact::{Exact, least_product, point, square, squared_distances},
         laws::Bare,
+        numerics::exact::{Exact, least_product, point, square, squared_distances},
     };
 
     /// The end of the ball `|x| ≤ 0.1` is its last point, and so is (3, 4) of the ball of radius 5.

@@ -6,8 +6,8 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
 use crate::closed_set::append_pieces;
-use crate::norm::{between, norm, norm_above, sum_above};
-use crate::place::{Place, add, minus};
+use crate::numerics::norm::{between, norm, norm_above, sum_above};
+use crate::numerics::place::{Place, add, minus};
 use crate::{AnySet, ClosedSet, InAny, SetError, Shape};
 
 /// The union of finitely many closed sets.
@@ -187,9 +187,9 @@ mod tests {
     use std::sync::Arc;
 
     use super::Union;
-    use crate::exact::{square, squared_distances};
     use crate::laws::{Case, check, extent, scale, vector_in};
-    use crate::norm::on_axis;
+    use crate::numerics::exact::{square, squared_distances};
+    use crate::numerics::norm::on_axis;
     use crate::{Ball, ClosedSet, FiniteSet, HalfSpace, Point, SetError, Sphere};
     use nalgebra::{SVector, vector};
     use proptest::prelude::*;

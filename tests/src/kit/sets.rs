@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use tautline::{
-    AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, Sphere, Union,
+    AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, SetError, Shape, Sphere,
+    Union,
 };
 use tautline_kit::prelude::*;
 
@@ -22,6 +23,15 @@ fn union() -> Union<2> {
     Union::new(members).expect("three members")
 }
 
+fn shape() -> Result<Shape<2>, SetError> {
+    let corners = AxisBox::from_corners([1.0, -1.0], [2.0, 2.0])?;
+    Shape::union(vec![
+        Shape::Sphere(Sphere::new([-1.5, 0.5], 1.0)?),
+        Shape::AxisBox(corners),
+        Shape::FiniteSet(FiniteSet::new([[0.0, -3.0], [-3.0, -2.0]])?),
+    ])
+}
+
 macro_rules! suites {
     ($($name:ident, $d:literal, $set:expr;)*) => {
         $(set_suite!($name: $set.expect("valid"), dimension $d, in cube());)*
@@ -37,6 +47,7 @@ suites! {
     an_interval, 1, AxisBox::new([0.5], [1.0]);
     a_segment, 2, Segment::new([-1.0, -2.0], [2.0, 1.0]);
     a_half_space, 2, HalfSpace::new([1.0, 2.0], 0.5);
+    a_shape, 2, shape();
     an_affine_subspace, 3, AffineSubspace::new([0.5, 0.0, 1.0], [[1.0, 2.0, 0.0]]);
 }
 

@@ -79,7 +79,7 @@ mod tests {
     use tautline_chance::{Random, seed};
 
     use super::sign;
-    use crate::exact::Exact;
+    use crate::numerics::exact::Exact;
 
     #[test]
     fn signs_by_hand() {

@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 use tautline_scalar::{Interval, Scalar};
 
-use crate::place::{Place, largest};
-use crate::proof::power_of_two;
+use crate::numerics::place::{Place, largest};
+use crate::numerics::proof::power_of_two;
 
 /// Returns an upper bound on `|v|`, in the unit of `v`, that is tight up to some roundings; NaN if a
 /// coordinate is undefined.
@@ -92,7 +92,7 @@ pub(crate) fn on_axis<const D: usize>(i: usize, length: f64) -> SVector<f64, D> 
 #[cfg(test)]
 mod tests {
     use super::{norm, norm_above, polar, sum_above};
-    use crate::place::{dot, largest, minus};
+    use crate::numerics::place::{dot, largest, minus};
     use nalgebra::{SVector, vector};
     use tautline_chance::{Random, cases, seed};
     use tautline_scalar::Interval;

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use tautline_scalar::{Interval, Scalar};
 
-use crate::place::{largest, minus};
+use crate::numerics::place::{largest, minus};
 
 /// Returns the box that consists of one point.
 pub(crate) fn point(x: &[f64]) -> Vec<Interval> {
