@@ -97,13 +97,17 @@ fn constructed(value: &Drawn) -> String {
             format!("AxisBox::from_corners({lower}, {upper}).expect(\"drawn\")")
         }
         "FiniteSet" => {
-            let union = value.field("points").and_then(|union| union.field("pieces"));
-            let pieces = union.map(Drawn::elements).unwrap_or_default();
-            let places = pieces.iter().filter_map(|piece| piece.field("position"));
+            let points = value.field("points").map(Drawn::elements).unwrap_or_default();
+            let places = points.iter().filter_map(|point| point.field("position"));
             made(&[format!("[{}]", joined(places.map(coordinates)))])
         }
         "Constants" => constants(value),
-        "PointSequence" => made(&[points("points")]),
+        "PointSequence" => {
+            let numbers = value.field("coordinates").map(Drawn::elements).unwrap_or_default();
+            let dimension = field("dimension").parse().unwrap_or(1);
+            let point = |x: &[Drawn]| format!("SVector::from([{}])", joined(x.iter().map(plain)));
+            made(&[format!("vec![{}]", joined(numbers.chunks(dimension).map(point)))])
+        }
         "SmoothCurve" => {
             let waves = value.field("waves").map(Drawn::elements).unwrap_or_default();
             let pair = |wave: &Drawn| {
@@ -195,10 +199,10 @@ fn matrix(value: &Drawn) -> String {
     }
 }
 
-/// Writes the coordinates of a vector as an array.
+/// Writes the coordinates of a vector as an array. A vector of `nalgebra` is a list with one column.
 fn coordinates(value: &Drawn) -> String {
     match value.elements() {
-        [column] => plain(column),
+        [column @ Drawn::List(_)] => plain(column),
         _ => plain(value),
     }
 }
