@@ -34,13 +34,13 @@ fn flow(stopped: &AtomicBool) -> ControlFlow<()> {
 #[pyclass(frozen, module = "tautline")]
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
-    pub(crate) curve: Arc<dyn value::Curve>,
+    pub(crate) curve: Arc<value::Curve>,
     /// The length of a shorter minimum, once it was looked for.
     shorter: Arc<OnceLock<Option<f64>>>,
 }
 
-impl From<Arc<dyn value::Curve>> for Curve {
-    fn from(curve: Arc<dyn value::Curve>) -> Self {
+impl From<Arc<value::Curve>> for Curve {
+    fn from(curve: Arc<value::Curve>) -> Self {
         Self { curve, shorter: Arc::default() }
     }
 }

@@ -197,7 +197,7 @@ impl Program {
         };
         self.unless_raised()?;
         let curve = found.map_err(|error| raised(&error))?;
-        match self.wrong_sign(&*curve) {
+        match self.wrong_sign(&curve) {
             None => Ok(curve.into()),
             Some(wrong) => Err(SignError::new_err(wrong)),
         }
@@ -295,14 +295,14 @@ impl Program {
     }
 
     /// Says that the cost or the speed is negative on a curve.
-    fn wrong_sign(&self, curve: &dyn value::Curve) -> Option<String> {
+    fn wrong_sign(&self, curve: &value::Curve) -> Option<String> {
         self.sign.as_ref().and_then(|sign| sign.wrong(curve).ok()?)
     }
 
     /// Returns a curve, or why there is none.
-    fn checked(&self, found: Found) -> Result<Arc<dyn value::Curve>, String> {
+    fn checked(&self, found: Found) -> Result<Arc<value::Curve>, String> {
         let curve = found.map_err(|error| error.to_string())?;
-        self.wrong_sign(&*curve).map_or(Ok(curve), Err)
+        self.wrong_sign(&curve).map_or(Ok(curve), Err)
     }
 
     fn request(&self, options: Options) -> PyResult<Request> {

@@ -19,7 +19,7 @@ impl Sign {
 
     /// Returns what is wrong if the function is negative at a point of a curve, or in the middle of a
     /// chord.
-    pub(crate) fn wrong(&self, curve: &dyn Curve) -> Result<Option<String>, GivenError> {
+    pub(crate) fn wrong(&self, curve: &Curve) -> Result<Option<String>, GivenError> {
         let least = self.phi.least_entry_along(curve)?.filter(|(value, _)| *value < 0.0);
         let message = |(value, x)| {
             format!("the {} is {value:?} at {x:?}; expected a positive function", self.name)

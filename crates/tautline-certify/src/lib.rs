@@ -63,7 +63,7 @@ pub use cell::Cell;
 pub use certified::Certified;
 pub use certify_error::CertifyError;
 pub use constants::{CertifiedConstant, CertifiedConstants, Quantity, certify, certify_watched};
-pub use curves::{AdmissibleCurve, CurveError, Polygon};
+pub use curves::{AdmissibleCurve, CurveError, Polygon, is_metric_at};
 pub use domain::Domain;
 pub use formula::is_isotropic;
 pub use locally_certified::LocallyCertified;

@@ -33,12 +33,18 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     /// Returns `γᵖˡ(t)`, in `ℓ`; `t` is clamped to `[0, 1]`.
     #[must_use]
     pub fn at(&self, t: f64) -> SVector<f64, D> {
-        let points = self.sequence.points();
-        let position = t.clamp(0.0, 1.0) * (points.len() - 1) as f64;
+        SVector::from_iterator(self.coordinates_at(t))
+    }
+
+    /// Returns the coordinates of `γᵖˡ(t)`, in `ℓ`; `t` is clamped to `[0, 1]`.
+    pub fn coordinates_at(&self, t: f64) -> impl Iterator<Item = f64> + use<'a, D> {
+        let n = self.chords();
+        let position = t.clamp(0.0, 1.0) * n as f64;
         // The last chord includes t = 1.
-        let k = (position as usize).min(points.len() - 2);
+        let k = (position as usize).min(n - 1);
         let s = position - k as f64;
-        points[k] * (1.0 - s) + points[k + 1] * s
+        let ends = self.sequence.row(k).iter().zip(self.sequence.row(k + 1));
+        ends.map(move |(x, y)| x * (1.0 - s) + y * s)
     }
 
     /// Returns the continuous energy `E(γᵖˡ) = ∫₀¹ γ̇ᵀ H(γ) γ̇ dt`, in `m²`.

@@ -43,6 +43,7 @@ mod chord_model;
 mod chord_models;
 mod compensated_sum;
 mod contractions;
+mod gram_square;
 mod interpolation;
 mod linear_model;
 mod momenta;

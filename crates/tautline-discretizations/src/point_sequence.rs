@@ -112,6 +112,14 @@ impl<const D: usize> PointSequence<D> {
         Ok(Self { dimension, coordinates, n, extent })
     }
 
+    /// Makes a sequence of points of this dimension from their coordinates, one point after the other.
+    pub(crate) fn of_coordinates(
+        dimension: usize,
+        coordinates: Vec<f64>,
+    ) -> Result<Self, SequenceError> {
+        Self::checked(dimension, coordinates.len() / dimension, || coordinates)
+    }
+
     /// Returns `N + 1` equidistant points on the segment from `a` to `b`.
     ///
     /// # Errors
@@ -293,11 +301,12 @@ impl PointSequence<ANY> {
         Self::checked(dimension, count / dimension, || coordinates)
     }
 
-    /// Returns the same sequence as one in `R^E`; `None` if it lies in another dimension.
+    /// Returns the same sequence as one in `R^E`, or unchanged if `E` is [`ANY`]; `None` if it lies in
+    /// another dimension.
     #[must_use]
     pub fn into_dimension<const E: usize>(self) -> Option<PointSequence<E>> {
         let Self { dimension, coordinates, n, extent } = self;
-        (dimension == E).then_some(PointSequence { dimension, coordinates, n, extent })
+        (E == ANY || dimension == E).then_some(PointSequence { dimension, coordinates, n, extent })
     }
 }
 

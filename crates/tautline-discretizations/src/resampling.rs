@@ -1,10 +1,12 @@
 //! Points on a curve with equally much of its length between neighbours.
 
-use nalgebra::SVector;
-use tautline_formula::Batches;
+use tautline_formula::AnyBatches;
 use tautline_metrics::quadrature::integrate;
 
-use crate::{Interpolation, LARGEST_N, PointSequence, SequenceError, interpolation::TOLERANCE};
+use crate::{
+    Interpolation, LARGEST_N, PointSequence, SequenceError, gram_square::gram_square,
+    interpolation::TOLERANCE,
+};
 
 /// The largest number of steps towards a point on a chord. Newton's method takes a few; where it
 /// leaves the bracket, a bisection halves it.
@@ -25,7 +27,7 @@ impl<const D: usize> Interpolation<'_, D> {
     /// finite: the metric is not finite, or not positive, along the curve.
     pub fn resampled(
         &self,
-        metric: &dyn Batches<D>,
+        metric: &dyn AnyBatches,
         n: usize,
     ) -> Result<PointSequence<D>, SequenceError> {
         if n == 0 {
@@ -45,43 +47,43 @@ impl<const D: usize> Interpolation<'_, D> {
         if !total.is_finite() {
             return Err(SequenceError::NotFinite { index: 0, coordinate: 0, value: total });
         }
+        let d = self.sequence.dimension();
+        let mut points = Vec::with_capacity((n + 1) * d);
         if total == 0.0 {
-            return PointSequence::new((0..=n).map(|k| self.at(k as f64 / n as f64)).collect());
+            (0..=n).for_each(|k| points.extend(self.coordinates_at(k as f64 / n as f64)));
+            return PointSequence::of_coordinates(d, points);
         }
+        points.extend_from_slice(self.sequence.row(0));
         let mut chord = 0;
-        let inner = (1..n).map(|k| {
+        for k in 1..n {
             let length = total * (k as f64 / n as f64);
             while chord + 1 < self.chords() && lengths[chord + 1] <= length {
                 chord += 1;
             }
             let [from, to] = [lengths[chord], lengths[chord + 1]];
-            self.at_length(metric, chord, length - from, to - from)
-        });
-        let first = std::iter::once(*self.sequence.first());
-        let points = first.chain(inner).chain([*self.sequence.last()]).collect();
-        PointSequence::new(points)
+            let s = self.fraction(metric, chord, length - from, to - from);
+            let ends = self.sequence.row(chord).iter().zip(self.sequence.row(chord + 1));
+            points.extend(ends.map(|(x, y)| x + (y - x) * s));
+        }
+        points.extend_from_slice(self.sequence.row(self.chords()));
+        PointSequence::of_coordinates(d, points)
     }
 
     /// Returns the speed `(dᵀH d)^{1/2}` at a fraction of a chord `d`.
-    fn speed(&self, metric: &dyn Batches<D>, chord: usize, s: f64) -> f64 {
-        let (x, d) = self.sequence.chord(chord);
-        d.dot(&(metric.gram(&(x + d * s)) * d)).sqrt()
+    fn speed(&self, metric: &dyn AnyBatches, chord: usize, s: f64) -> f64 {
+        let ends = self.sequence.row(chord).iter().zip(self.sequence.row(chord + 1));
+        let (x, d): (Vec<f64>, Vec<f64>) = ends.map(|(x, y)| (x + (y - x) * s, y - x)).unzip();
+        gram_square(metric, &x, &d).sqrt()
     }
 
     /// Returns the length of a chord up to a fraction of it.
-    fn length_within(&self, metric: &dyn Batches<D>, chord: usize, s: f64) -> f64 {
+    fn length_within(&self, metric: &dyn AnyBatches, chord: usize, s: f64) -> f64 {
         integrate(|s| self.speed(metric, chord, s), 0.0, s, TOLERANCE).value
     }
 
-    /// Returns the point of a chord, which has the length `whole`, up to which its length is
+    /// Returns the fraction of a chord, which has the length `whole`, up to which its length is
     /// `length`.
-    fn at_length(
-        &self,
-        metric: &dyn Batches<D>,
-        chord: usize,
-        length: f64,
-        whole: f64,
-    ) -> SVector<f64, D> {
+    fn fraction(&self, metric: &dyn AnyBatches, chord: usize, length: f64, whole: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         let mut s = (length / whole).clamp(0.0, 1.0);
         for _ in 0..STEPS {
@@ -101,8 +103,7 @@ impl<const D: usize> Interpolation<'_, D> {
             }
             s = next;
         }
-        let (x, d) = self.sequence.chord(chord);
-        x + d * s
+        s
     }
 }
 
@@ -121,7 +122,7 @@ mod tests {
         let sequence = PointSequence::new(points).expect("finite");
         let curve = Interpolation::new(&sequence);
         let whole = curve.length(&Valleys).value;
-        let metric = Prepared::new(Valleys);
+        let metric = Prepared::<_, 2>::new(Valleys);
         for n in [1, 2, 3, 10, 64] {
             let found = curve.resampled(&metric, n).expect("a metric");
             assert_eq!(found.n().get(), n);
@@ -148,7 +149,7 @@ mod tests {
     /// the same curve of one chord.
     #[test]
     fn a_new_chord_passes_many_old_ones() {
-        let metric = Prepared::new(Valleys);
+        let metric = Prepared::<_, 2>::new(Valleys);
         let at = |k: usize| vector![5.0 * (k as f64 / 100.0).powi(2), 0.0];
         let many = PointSequence::new((0..=100).map(at).collect()).expect("finite");
         let one = PointSequence::straight([0.0, 0.0], [5.0, 0.0], 1).expect("finite");
@@ -165,7 +166,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_resampled_is_an_error() {
-        let metric = Prepared::new(Valleys);
+        let metric = Prepared::<_, 2>::new(Valleys);
         let line = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 3).expect("finite");
         let curve = Interpolation::new(&line);
         assert_eq!(curve.resampled(&metric, 0), Err(SequenceError::NoSubinterval { points: 1 }));
@@ -185,7 +186,7 @@ mod tests {
     #[test]
     fn a_curve_without_length_is_resampled_in_time() {
         let still = PointSequence::straight([2.0, 1.0], [2.0, 1.0], 2).expect("finite");
-        let found = Interpolation::new(&still).resampled(&Prepared::new(Valleys), 5);
+        let found = Interpolation::new(&still).resampled(&Prepared::<_, 2>::new(Valleys), 5);
         assert_eq!(found, PointSequence::straight([2.0, 1.0], [2.0, 1.0], 5));
     }
 }

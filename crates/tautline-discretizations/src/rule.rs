@@ -4,10 +4,10 @@ use std::fmt;
 
 use nalgebra::SVector;
 use tautline_bounds::{BoundError, PaperRule};
-use tautline_formula::AnyMetric;
+use tautline_formula::{AnyBatches, AnyMetric, Plain};
 use tautline_metrics::{Metric, norm_squared};
 
-use crate::{PointSequence, compensated_sum::CompensatedSum};
+use crate::{PointSequence, compensated_sum::CompensatedSum, gram_square::gram_square};
 
 /// A place on a chord and its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,7 +147,27 @@ impl Rule {
         metric: &impl Metric<D>,
         sequence: &PointSequence<D>,
     ) -> Vec<f64> {
-        speeds(self.nodes, &AnyMetric::new(metric), sequence)
+        self.speeds_by_batches(&Plain::new(metric), sequence)
+    }
+
+    /// Returns the speeds like [`speeds`](Rule::speeds), for a metric that is evaluated in batches.
+    #[must_use]
+    pub fn speeds_by_batches<const D: usize>(
+        self,
+        metric: &dyn AnyBatches,
+        sequence: &PointSequence<D>,
+    ) -> Vec<f64> {
+        let n = sequence.n().get();
+        let speed = |k: usize| {
+            let ends = || sequence.row(k).iter().zip(sequence.row(k + 1));
+            let d: Vec<f64> = ends().map(|(x, y)| y - x).collect();
+            let squares = self.nodes.iter().map(|node| {
+                let x: Vec<f64> = ends().map(|(x, y)| x + (y - x) * node.fraction).collect();
+                node.weight * gram_square(metric, &x, &d)
+            });
+            n as f64 * squares.sum::<f64>().sqrt()
+        };
+        (0..n).map(speed).collect()
     }
 }
 
@@ -199,16 +219,6 @@ fn sum<const D: usize>(
 ) -> f64 {
     let terms = sequence.chords().map(|(x, d)| chord_sum(nodes, metric, x, &d, f));
     terms.collect::<CompensatedSum>().value()
-}
-
-fn speeds<const D: usize>(
-    nodes: &[Node],
-    metric: &AnyMetric<'_, D>,
-    sequence: &PointSequence<D>,
-) -> Vec<f64> {
-    let n = sequence.n().get() as f64;
-    let square = |(x, d)| chord_sum(nodes, metric, x, &d, |square| square);
-    sequence.chords().map(|chord| n * square(chord).sqrt()).collect()
 }
 
 #[cfg(test)]

@@ -187,12 +187,12 @@ impl<M: Metric<D>, const D: usize> Compiled<D> for M {
 
     fn first_jets(&self) -> Option<&dyn Gram<Jet1<f64, D>, D>> {
         // The condition is a constant: larger matrices of jets would overflow the stack, and are
-        // not compiled.
-        if const { D < CHUNKED } { Some(self) } else { None }
+        // not compiled; nor are those of recorded steps, which give the same bits.
+        if const { D < CHUNKED && !M::IS_RECORDED } { Some(self) } else { None }
     }
 
     fn second_jets(&self) -> Option<&dyn Gram<Jet2<f64, D>, D>> {
-        if const { D < CHUNKED } { Some(self) } else { None }
+        if const { D < CHUNKED && !M::IS_RECORDED } { Some(self) } else { None }
     }
 
     fn record(&self) -> Result<Formula<D>, RecordError> {

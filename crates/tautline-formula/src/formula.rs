@@ -130,6 +130,17 @@ impl<const D: usize> Formula<D> {
         Formula { dimension, operations, entries, tables }
     }
 
+    /// Returns `H(x)`, as `D²` numbers column by column.
+    ///
+    /// # Panics
+    ///
+    /// If `x` has fewer coordinates than the space.
+    #[must_use]
+    pub fn gram_at<S: Scalar>(&self, x: &[S]) -> Vec<S> {
+        let values = self.tape().values(x);
+        self.entries.iter().map(|&entry| values[entry as usize]).collect()
+    }
+
     /// Returns the steps.
     #[must_use]
     pub fn operations(&self) -> &[Operation] {
@@ -220,6 +231,8 @@ impl Tape<'_> {
 }
 
 impl<const D: usize> Metric<D> for Formula<D> {
+    const IS_RECORDED: bool = true;
+
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let values = self.tape().values(x.as_slice());
         SMatrix::from_fn(|i, j| values[self.entries[j * D + i] as usize])

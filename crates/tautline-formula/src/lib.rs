@@ -62,7 +62,8 @@ mod text;
 
 pub use any_metric::AnyMetric;
 pub use batch::{
-    AnyBatches, Batch, Batches, Inputs, Kind, Layout, Plain, Prepared, PreparedFormula,
+    AnyBatches, Batch, Batches, InDimension, Inputs, Kind, Known, Layout, Plain, Prepare, Prepared,
+    PreparedFormula,
 };
 pub use black_box::{BlackBox, BlackBoxBatches, Values};
 pub use formula::Formula;

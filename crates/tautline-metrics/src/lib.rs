@@ -58,7 +58,7 @@ mod rayleigh_quotient;
 pub use christoffel::christoffel;
 pub use constants::{Constants, HypothesisError};
 pub use locally_bounded::{LocalError, LocallyBounded};
-pub use metric::{Bounded, KnownDistance, Metric, norm_squared};
+pub use metric::{Bounded, KnownDistance, Metric, norm_squared, square_of};
 pub use positive_definite::{
     MetricError, are_gram, check_gram, check_matrix, check_numbers, cholesky, is_gram,
 };

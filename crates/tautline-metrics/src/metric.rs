@@ -39,9 +39,16 @@ pub trait Metric<const D: usize>: Sync {
     /// assert!(check_gram(&Sheet { height: 0.9 }, &vector![0.3, 1.0]).is_ok());
     /// ```
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D>;
+
+    /// Whether `gram` evaluates recorded steps one by one. Then nothing is gained by compiling it for
+    /// derivatives.
+    #[doc(hidden)]
+    const IS_RECORDED: bool = false;
 }
 
 impl<const D: usize, M: Metric<D>> Metric<D> for &M {
+    const IS_RECORDED: bool = M::IS_RECORDED;
+
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         (**self).gram(x)
@@ -55,12 +62,18 @@ pub fn norm_squared<S: Scalar, const D: usize>(
     x: &SVector<S, D>,
     u: &SVector<f64, D>,
 ) -> S {
-    let h = metric.gram(x);
+    square_of(metric.gram(x).as_slice(), u.as_slice())
+}
+
+/// Returns `uᵀ H u`, in `m²`, given the `D²` numbers of `H` column by column. It reads the upper half.
+#[inline]
+pub fn square_of<S: Scalar>(h: &[S], u: &[f64]) -> S {
+    let d = u.len();
     let mut sum = S::zero();
-    for i in 0..D {
-        sum += h[(i, i)] * (u[i] * u[i]);
-        for j in i + 1..D {
-            sum += h[(i, j)] * (2.0 * u[i] * u[j]);
+    for i in 0..d {
+        sum += h[i * d + i] * (u[i] * u[i]);
+        for j in i + 1..d {
+            sum += h[j * d + i] * (2.0 * u[i] * u[j]);
         }
     }
     sum

@@ -98,7 +98,8 @@ pub fn are_gram(h: &[f64], d: usize) -> bool {
     let is_mirrored = |i: usize, j: usize| {
         at(i, j) == at(j, i) || are_mirrored([at(i, j), at(j, i)], [at(i, i), at(j, j)])
     };
-    factorize(d, h, &mut Factor::from_elem(0.0, d * d)) && (0..d).all(|i| (i + 1..d).all(|j| is_mirrored(i, j)))
+    factorize(d, h, &mut Factor::from_elem(0.0, d * d))
+        && (0..d).all(|i| (i + 1..d).all(|j| is_mirrored(i, j)))
 }
 
 /// A triangular factor, column by column, which needs no allocation up to three dimensions.

@@ -11,7 +11,7 @@ const LEAST_STEP: f64 = 0.05;
 
 /// A local minimum that was followed to the last metric of a family.
 #[derive(Clone, Debug)]
-pub struct Branch<M, const D: usize> {
+pub struct Branch<M: Metric<D>, const D: usize> {
     /// The line under the last metric.
     pub line: TautLine<M, D>,
     /// The parameter from which on it was known: where it split off another one, or the first.

@@ -9,7 +9,7 @@ use tautline::{
 
 /// The local minima that a search found, each along another curve.
 #[derive(Clone, Debug)]
-pub struct Minima<M, const D: usize> {
+pub struct Minima<M: Metric<D>, const D: usize> {
     pub(crate) minima: Vec<LocalMinimum<M, D>>,
     pub(crate) punctures: Punctures,
     pub(crate) starts: usize,
@@ -18,7 +18,7 @@ pub struct Minima<M, const D: usize> {
 
 /// A local minimum.
 #[derive(Clone, Debug)]
-pub struct LocalMinimum<M, const D: usize> {
+pub struct LocalMinimum<M: Metric<D>, const D: usize> {
     /// The line. Its [minimum](TautLine::minimum) has the energy and the curvature: positive definite, or
     /// degenerate.
     pub line: TautLine<M, D>,

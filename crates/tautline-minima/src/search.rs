@@ -182,7 +182,7 @@ impl<const D: usize> GlobalSearch<D> {
 }
 
 /// The minima so far.
-struct Collected<'p, M, const D: usize> {
+struct Collected<'p, M: Metric<D>, const D: usize> {
     problem: &'p Problem<M, D>,
     rule: Rule,
     n: usize,

@@ -3,13 +3,13 @@
 use tautline_discretizations::{ANY, PointSequence, Rule};
 use tautline_formula::{AnyBatches, Batches, Prepared};
 use tautline_metrics::Metric;
-use tautline_sets::{AnySet, Ends, InAny};
+use tautline_sets::{AnyEnds, AnySet, Ends};
 
 use crate::{
     Iterate, Minimum, SolveError, Starts, Watcher, Workspace,
     newton::discrete_energy::DiscreteEnergy,
     solver::solve,
-    watch::{Unwatched, Watch, Watched},
+    watch::{Unwatched, Watched},
 };
 
 /// Options of a search.
@@ -136,7 +136,7 @@ pub fn minimise_by_batches<const D: usize>(
     n: usize,
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
-    solve_between(workspace, rule, metric, ends, n, options, &Unwatched)
+    minimise_any(workspace, metric, &ends.in_any(), rule, n, options, None)
 }
 
 /// Minimises like [`minimise_by_batches`], and tells `watcher` of each iterate of each local search,
@@ -158,65 +158,49 @@ pub fn minimise_watched<'w, const D: usize>(
     options: &Options<D>,
     watcher: &'w mut Watcher<'w, D>,
 ) -> Result<Minimum<D>, SolveError> {
-    let mut seen = |iterate: &Iterate<'_, ANY>| {
-        let sequence = iterate.sequence.clone().into_dimension();
-        let sequence = &sequence.expect("the dimension of the metric");
-        let Iterate { iteration, energy, residual, residual_floor, .. } = *iterate;
-        watcher(&Iterate { iteration, energy, residual, residual_floor, sequence })
-    };
-    let watch = Watched::by(&mut seen);
-    solve_between(workspace, rule, metric, ends, n, options, &watch)
+    minimise_any(workspace, metric, &ends.in_any(), rule, n, options, Some(watcher))
 }
 
-/// Solves between the pieces of two sets of `R^D`.
-fn solve_between<const D: usize>(
-    workspace: &mut Workspace,
-    rule: Rule,
-    metric: &dyn Batches<D>,
-    ends: &Ends<D>,
-    n: usize,
-    options: &Options<D>,
-    watch: &dyn Watch,
-) -> Result<Minimum<D>, SolveError> {
-    let pieces: Vec<_> = ends.pairs().collect();
-    let pieces: Vec<_> = pieces.iter().map(|(a, b)| [InAny(&**a), InAny(&**b)]).collect();
-    let pieces: Vec<[&dyn AnySet; 2]> =
-        pieces.iter().map(|[a, b]| [a as &dyn AnySet, b as &dyn AnySet]).collect();
-    let energy = DiscreteEnergy::new(rule, metric);
-    let minimum = solve(workspace, &energy, &pieces, n, &options.in_any(), watch)?;
-    Ok(minimum.into_dimension().expect("the dimension of the metric"))
-}
-
-/// Minimises like [`minimise_watched`] in a dimension that is a value, between some pairs of sets: those
-/// of a piece of the first set and a piece of the second. `watcher`, if there is one, sees each iterate.
+/// Minimises like [`minimise_watched`] in a dimension that may be a value. `watcher`, if there is one,
+/// sees each iterate.
 ///
 /// # Errors
 ///
-/// As for [`minimise_watched`]; also [`SolveError::Dimension`] if a set or a start lies in another
-/// dimension than the metric.
-pub fn minimise_any<'w>(
+/// As for [`minimise_watched`]; also [`SolveError::Dimension`] if the sets, a start or the result lie in
+/// another dimension than the metric.
+pub fn minimise_any<'w, const D: usize>(
     workspace: &mut Workspace,
     metric: &dyn AnyBatches,
-    pieces: &[[&dyn AnySet; 2]],
+    ends: &AnyEnds,
     rule: Rule,
     n: usize,
-    options: &Options<ANY>,
-    watcher: Option<&'w mut Watcher<'w, ANY>>,
-) -> Result<Minimum<ANY>, SolveError> {
+    options: &Options<D>,
+    watcher: Option<&'w mut Watcher<'w, D>>,
+) -> Result<Minimum<D>, SolveError> {
     let dimension = metric.dimension();
-    let sets = pieces.iter().flatten().map(|set| set.dimension());
     let starts = options.starts.given().iter().map(PointSequence::dimension);
-    if let Some(found) = sets.chain(starts).find(|&found| found != dimension) {
+    let result = if D == ANY { dimension } else { D };
+    let mut all = [ends.dimension(), result].into_iter().chain(starts);
+    if let Some(found) = all.find(|&found| found != dimension) {
         return Err(SolveError::Dimension { metric: dimension, found });
     }
+    let pairs = ends.pairs();
+    let pieces: Vec<[&dyn AnySet; 2]> = pairs.iter().map(|[a, b]| [&**a, &**b]).collect();
     let energy = DiscreteEnergy::new(rule, metric);
-    match watcher {
+    let options = options.in_any();
+    let minimum = match watcher {
         Some(watcher) => {
-            let watch = Watched::by(watcher);
-            solve(workspace, &energy, pieces, n, options, &watch)
+            let mut seen = |iterate: &Iterate<'_, ANY>| {
+                let sequence = iterate.sequence.clone().into_dimension();
+                let sequence = &sequence.expect("the dimension of the metric");
+                let Iterate { iteration, energy, residual, residual_floor, .. } = *iterate;
+                watcher(&Iterate { iteration, energy, residual, residual_floor, sequence })
+            };
+            solve(workspace, &energy, &pieces, n, &options, &Watched::by(&mut seen))
         }
-        None => solve(workspace, &energy, pieces, n, options, &Unwatched),
-    }
+        None => solve(workspace, &energy, &pieces, n, &options, &Unwatched),
+    }?;
+    Ok(minimum.into_dimension().expect("the dimension of the metric"))
 }
 
 #[cfg(test)]

@@ -3,8 +3,8 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    CertifyError, Constants, LocalError, Metric, PointSequence, ProofError, RayleighQuotient,
-    SMatrix, SVector, Short, Stop, TautLine,
+    ANY, CertifyError, Constants, Formula, Known, LocalError, Metric, PointSequence, ProofError,
+    RayleighQuotient, RecordError, SMatrix, SVector, Short, Stop, TautLine,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
     distance::{Ended, Progress},
@@ -13,23 +13,50 @@ use tautline::{
 
 use crate::{
     BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, Question, UsedConstants,
-    certify::ended, constants::too_many_coordinates, dimension::LARGEST_PROVED_DIMENSION,
-    known::Known,
+    certify::ended,
+    constants::too_many_coordinates,
+    dimension::{InDimension, LARGEST_FIXED_DIMENSION, in_dimension, in_proved_dimension},
 };
 
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
-pub(crate) fn bounds<const D: usize>(
+pub(crate) fn bounds(
     proving: Proving,
-    line: &TautLine<Known<D>, D>,
-    others: &[TautLine<Known<D>, D>],
+    line: &TautLine<Known, ANY>,
+    others: &[TautLine<Known, ANY>],
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
     line.rule().paper_rule().map_err(|error| error.to_string())?;
-    if let Some(claimed) = proving.claimed {
-        if proving.is_in_a_region {
-            return Err(IN_A_REGION.to_owned());
-        }
+    let dimension = line.sequence().dimension();
+    let Some(claimed) = proving.claimed else {
+        let proof = Proof { accuracy: proving.accuracy, line, others, watch, observe };
+        let found = in_proved_dimension(dimension, proof);
+        return found.unwrap_or_else(|| Err(too_many_coordinates().to_string()));
+    };
+    if proving.is_in_a_region {
+        return Err(IN_A_REGION.to_owned());
+    }
+    let found = in_dimension(dimension, ByClaims { claimed, line, others });
+    found.unwrap_or_else(|| {
+        Err(format!(
+            "bounds rest on claimed constants in up to {LARGEST_FIXED_DIMENSION} dimensions"
+        ))
+    })
+}
+
+/// Bounds by constants that are claimed.
+struct ByClaims<'l> {
+    claimed: Constants,
+    line: &'l TautLine<Known, ANY>,
+    others: &'l [TautLine<Known, ANY>],
+}
+
+impl InDimension for ByClaims<'_> {
+    type Output = Result<Bounds, String>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let Self { claimed, others, .. } = self;
+        let line = typed::<D>(self.line)?;
         check_claims(claimed, line.metric(), line.sequence())?;
         let curve = line.admissible_curve().ok();
         let enclosure = line.enclosure_given(claimed, curve.as_ref());
@@ -44,33 +71,60 @@ pub(crate) fn bounds<const D: usize>(
             }
         }
         found = found.after(line.minimum().stop);
-        let lengths = others.iter().map(|other| match other.admissible_curve() {
-            Ok(curve) => curve.length().hi(),
-            Err(_) => other.length().value + other.length().error,
+        let lengths = others.iter().map(|other| {
+            length_above::<D>(other).unwrap_or_else(|| {
+                let length = other.length();
+                length.value + length.error
+            })
         });
-        return found.and_no_longer_than(lengths).without_contradiction();
+        found.and_no_longer_than(lengths).without_contradiction()
     }
-    // The compiler decides.
-    if const { D > LARGEST_PROVED_DIMENSION } {
-        return Err(too_many_coordinates().to_string());
+}
+
+/// Bounds by constants that are proved from the formula.
+struct Proof<'l> {
+    accuracy: Accuracy,
+    line: &'l TautLine<Known, ANY>,
+    others: &'l [TautLine<Known, ANY>],
+    watch: &'l dyn Watch,
+    observe: &'l mut dyn FnMut(Progress) -> ControlFlow<()>,
+}
+
+impl InDimension for Proof<'_> {
+    type Output = Result<Bounds, String>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let Self { accuracy, others, watch, observe, .. } = self;
+        let line = typed::<D>(self.line)?;
+        let proof =
+            line.prove_watched(accuracy, watch, observe).map_err(|error| no_proof(&error))?;
+        let within = proof
+            .within
+            .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
+        let constants = UsedConstants::new(proof.constants, true, within);
+        let mut found = in_words(proof.enclosure, constants, line.minimum().is_local_minimum());
+        if proof.enclosure.from_below == FromBelow::Certificate {
+            found.certificate = proof.found.map(|found| CertificateAnswer {
+                cubes: found.proved.levels.iter().map(|(cubes, _)| cubes).sum(),
+                reached: found.ended == Ended::Reached,
+                ended: ended(found.ended),
+            });
+        }
+        found = found.after(line.minimum().stop);
+        Ok(found.and_no_longer_than(others.iter().filter_map(length_above::<D>)))
     }
-    let proof =
-        line.prove_watched(proving.accuracy, watch, observe).map_err(|error| no_proof(&error))?;
-    let within = proof
-        .within
-        .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
-    let constants = UsedConstants::new(proof.constants, true, within);
-    let mut found = in_words(proof.enclosure, constants, line.minimum().is_local_minimum());
-    if proof.enclosure.from_below == FromBelow::Certificate {
-        found.certificate = proof.found.map(|found| CertificateAnswer {
-            cubes: found.proved.levels.iter().map(|(cubes, _)| cubes).sum(),
-            reached: found.ended == Ended::Reached,
-            ended: ended(found.ended),
-        });
-    }
-    found = found.after(line.minimum().stop);
-    let curves = others.iter().filter_map(|other| other.admissible_curve().ok());
-    Ok(found.and_no_longer_than(curves.map(|curve| curve.length().hi())))
+}
+
+/// Returns a line in its dimension.
+fn typed<const D: usize>(line: &TautLine<Known, ANY>) -> Result<TautLine<Formula<D>, D>, String> {
+    line.in_dimension().ok_or_else(|| RecordError::BlackBox.to_string())
+}
+
+/// Returns a proved upper bound on the length of a line, if there is one.
+fn length_above<const D: usize>(line: &TautLine<Known, ANY>) -> Option<f64> {
+    let line = line.in_dimension::<D>()?;
+    let curve = line.admissible_curve().ok()?;
+    Some(curve.length().hi())
 }
 
 /// What bounds rest on: constants that are claimed, or how they are proved.

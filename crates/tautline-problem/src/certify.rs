@@ -1,17 +1,22 @@
 //! A certificate of the distance of a file.
 
 use core::ops::ControlFlow;
+use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    CertificateError, Problem, Rule, TautLine,
-    check::{self, LARGEST_DIMENSION},
-    distance::{Ended, Progress, Wanted},
+    ANY, CertificateError, Known, RecordError, Rule, TautLine,
+    check::{self, CheckError, LARGEST_DIMENSION},
+    distance::{DistanceError, Ended, Progress, Wanted},
 };
 use tautline_picture::portrait::Cubes;
 
-use crate::{Answer, Diagnostic, Failure, Float, Question, known::Known, solve::points};
+use crate::{
+    Answer, Diagnostic, Failure, Float, Question,
+    dimension::{InDimension, in_small_dimension},
+    solve::points,
+};
 
 /// Bounds on the distance, with a certificate that anybody can check.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -71,31 +76,21 @@ impl Question {
         wanted: Wanted,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<CertifiedAnswer, Failure> {
-        match self.dimension {
-            1 => self.certify_in::<1>(wanted, observe),
-            2 => self.certify_in::<2>(wanted, observe),
-            3 => self.certify_in::<3>(wanted, observe),
-            4 => self.certify_in::<4>(wanted, observe),
-            dimension => Err(Failure::NotComputed(format!(
-                "certificates are made in up to {LARGEST_DIMENSION} dimensions, not {dimension}"
-            ))),
+        if self.dimension > LARGEST_DIMENSION {
+            return Err(Failure::NotComputed(format!(
+                "certificates are made in up to {LARGEST_DIMENSION} dimensions, not {}",
+                self.dimension
+            )));
         }
-    }
-
-    fn certify_in<const D: usize>(
-        &self,
-        wanted: Wanted,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<CertifiedAnswer, Failure> {
-        let problem = Problem::new(Known::Formula(self.formula::<D>()?), self.pair::<D>()?);
-        let options = self.options::<D>()?;
+        let problem = self.posed(Arc::new(Known::from(self.any_formula()?)))?;
+        let options = self.options()?;
         let line = self.line(&problem, Rule::TRAPEZOIDAL, &options, &mut |_: &Answer| ())?;
         self.check_sign(line.sequence())?;
         let found = CertifiedAnswer::of(&line, wanted, observe);
         let mut found = found.map_err(|error| self.refused(error))?;
         // The cubes of the first level hold those of all others.
         if let Some(first) = found.corridor.first() {
-            found.note = self.negative_in::<D>(first)?;
+            found.note = self.negative_in(first)?;
         }
         Ok(found)
     }
@@ -114,22 +109,42 @@ impl Question {
 
 impl CertifiedAnswer {
     /// Searches for a certificate of the distance, given a line.
-    pub(crate) fn of<const D: usize>(
-        line: &TautLine<Known<D>, D>,
+    pub(crate) fn of(
+        line: &TautLine<Known, ANY>,
         wanted: Wanted,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, CertificateError> {
-        let found = match line.certificate_with(wanted, observe) {
+        let dimension = line.sequence().dimension();
+        let search = Search { line, wanted, observe };
+        let refused = || Err(DistanceError::Refused(CheckError::Dimension { dimension }).into());
+        match in_small_dimension(dimension, search).unwrap_or_else(refused) {
             Err(CertificateError::Touching) => {
                 let ended = "the sets have a common point";
-                return Ok(without_certificate(line, 0.0, ended));
+                Ok(without_certificate(line, 0.0, ended))
             }
             Err(CertificateError::NearlyTouching { upper }) => {
                 let ended = "the sets touch up to rounding, and no common point is proved";
-                return Ok(without_certificate(line, upper, ended));
+                Ok(without_certificate(line, upper, ended))
             }
-            found => found?,
-        };
+            found => found,
+        }
+    }
+}
+
+/// A search for a certificate.
+struct Search<'l> {
+    line: &'l TautLine<Known, ANY>,
+    wanted: Wanted,
+    observe: &'l mut dyn FnMut(Progress) -> ControlFlow<()>,
+}
+
+impl InDimension for Search<'_> {
+    type Output = Result<CertifiedAnswer, CertificateError>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let Self { line, wanted, observe } = self;
+        let typed = line.in_dimension::<D>().ok_or(RecordError::BlackBox)?;
+        let found = typed.certificate_with(wanted, observe)?;
         let proved = &found.proved;
         let levels = proved
             .levels
@@ -138,7 +153,7 @@ impl CertifiedAnswer {
         let corridor = found.certificate.levels.iter().map(|level| level.cubes());
         let corridor = corridor.chain([&proved.corridor]).map(plain).collect();
         let others = line.other_minima();
-        Ok(Self {
+        Ok(CertifiedAnswer {
             lower: Float::from(proved.lower),
             upper: Float::from(proved.upper.unwrap_or(f64::INFINITY)),
             gap: Float::from(proved.gap().unwrap_or(f64::INFINITY)),
@@ -158,8 +173,8 @@ impl CertifiedAnswer {
 
 /// Returns the answer without a certificate, for sets that touch, up to rounding: the distance is at most
 /// `upper`.
-fn without_certificate<const D: usize>(
-    line: &TautLine<Known<D>, D>,
+fn without_certificate(
+    line: &TautLine<Known, ANY>,
     upper: f64,
     ended: &'static str,
 ) -> CertifiedAnswer {

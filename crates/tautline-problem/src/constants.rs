@@ -9,7 +9,7 @@ use tautline::{
 
 use crate::{
     Diagnostic, Failure, Float, LARGEST_PROVED_DIMENSION, Question,
-    dimension::{InDimension, in_dimension},
+    dimension::{InDimension, in_proved_dimension},
 };
 
 /// The constants of a metric, and where they hold.
@@ -79,33 +79,10 @@ impl Question {
     ///
     /// Those of [`constants`](Question::constants).
     pub fn constants_watched(&self, watch: &dyn Watch) -> Result<ConstantsAnswer, Failure> {
-        let prove = Prove { question: self, watch };
-        in_dimension(self.dimension, prove).unwrap_or(Err(too_many_coordinates()))
-    }
-}
-
-/// Says why nothing is proved in many dimensions.
-pub(crate) fn too_many_coordinates() -> Failure {
-    Failure::NotComputed(format!(
-        "constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions; claim \
-         c1, c2 and l_h in [certify], constants"
-    ))
-}
-
-struct Prove<'q> {
-    question: &'q Question,
-    watch: &'q dyn Watch,
-}
-
-impl InDimension for Prove<'_> {
-    type Output = Result<ConstantsAnswer, Failure>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let Self { question, watch } = self;
-        let formula = question.formula::<D>()?;
-        let within = question.within.as_ref().map(|within| &within.shape);
-        let proved = constants(&formula, within, question.accuracy(), watch);
-        proved.map_err(|error| match (error, &question.within) {
+        let formula = self.any_formula()?;
+        let within = self.within.as_ref().map(|within| &within.shape);
+        let proved = constants(&formula, within, self.accuracy(), watch);
+        proved.map_err(|error| match (error, &self.within) {
             (ConstantsError::Region(message), Some(within)) => {
                 let place = within.places.first().cloned().unwrap_or_default();
                 Failure::BadInput(Diagnostic::new(message, place))
@@ -118,6 +95,14 @@ impl InDimension for Prove<'_> {
             (error, _) => Failure::NotComputed(error.to_string()),
         })
     }
+}
+
+/// Says why nothing is proved in many dimensions.
+pub(crate) fn too_many_coordinates() -> Failure {
+    Failure::NotComputed(format!(
+        "constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions; claim \
+         c1, c2 and l_h in [certify], constants"
+    ))
 }
 
 /// Why no constants were sought.
@@ -138,23 +123,40 @@ pub enum ConstantsError {
 }
 
 /// Proves the constants of a formula, in a ball or a box or on all of space.
-pub(crate) fn constants<const D: usize>(
-    formula: &Formula<D>,
+pub(crate) fn constants(
+    formula: &Formula<ANY>,
     within: Option<&Shape<ANY>>,
     accuracy: Accuracy,
     watch: &dyn Watch,
 ) -> Result<ConstantsAnswer, ConstantsError> {
-    // The compiler decides.
-    if const { D > LARGEST_PROVED_DIMENSION } {
-        return Err(ConstantsError::TooManyCoordinates);
+    let prove = Prove { formula, within, accuracy, watch };
+    let found = in_proved_dimension(formula.dimension(), prove);
+    found.unwrap_or(Err(ConstantsError::TooManyCoordinates))
+}
+
+struct Prove<'f> {
+    formula: &'f Formula<ANY>,
+    within: Option<&'f Shape<ANY>>,
+    accuracy: Accuracy,
+    watch: &'f dyn Watch,
+}
+
+impl InDimension for Prove<'_> {
+    type Output = Result<ConstantsAnswer, ConstantsError>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let Self { formula, within, accuracy, watch } = self;
+        let Some(formula) = formula.clone().into_dimension::<D>() else {
+            return Err(ConstantsError::TooManyCoordinates);
+        };
+        let (domain, region) = domain(&formula, within)?;
+        let if_it_settles = domain.is_declared_to_settle();
+        let of = |quantity| {
+            let found = certify_watched(&formula, quantity, &domain, accuracy, watch);
+            answer(quantity, found)
+        };
+        Ok(ConstantsAnswer { region, if_it_settles, constants: Quantity::ALL.map(of).into() })
     }
-    let (domain, region) = domain(formula, within)?;
-    let if_it_settles = domain.is_declared_to_settle();
-    let of = |quantity| {
-        let found = certify_watched(formula, quantity, &domain, accuracy, watch);
-        answer(quantity, found)
-    };
-    Ok(ConstantsAnswer { region, if_it_settles, constants: Quantity::ALL.map(of).into() })
 }
 
 /// What constants on all of space assume of a metric that is declared to settle.

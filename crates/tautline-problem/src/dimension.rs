@@ -1,7 +1,11 @@
 //! Dimensions that are known when the program runs.
 
-/// The largest dimension. Everything that depends on the dimension is compiled for each of 1 to 12.
-pub const LARGEST_DIMENSION: usize = 12;
+/// The largest dimension of a problem.
+pub const LARGEST_DIMENSION: usize = 256;
+
+/// The largest dimension of what is compiled for each dimension: metrics of the gallery, audits, and bounds
+/// by claimed constants.
+pub const LARGEST_FIXED_DIMENSION: usize = 12;
 
 /// The largest dimension in which constants are proved from the formula. Beyond it the boxes of
 /// branch and bound are too many for most formulas, and the code is not compiled.
@@ -16,25 +20,38 @@ pub trait InDimension {
     fn run<const D: usize>(self) -> Self::Output;
 }
 
-/// Does something in the dimension `d`; returns `None` if it is 0 or above [`LARGEST_DIMENSION`].
+/// Does something in the dimension `d`; returns `None` if it is 0 or above
+/// [`LARGEST_FIXED_DIMENSION`].
 pub fn in_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
-    // The unit tests of this crate solve on the line only, and are not compiled for all dimensions.
-    if cfg!(test) {
-        return (d == 1).then(|| task.run::<1>());
-    }
     Some(match d {
-        1 => task.run::<1>(),
-        2 => task.run::<2>(),
-        3 => task.run::<3>(),
-        4 => task.run::<4>(),
-        5 => task.run::<5>(),
-        6 => task.run::<6>(),
         7 => task.run::<7>(),
         8 => task.run::<8>(),
         9 => task.run::<9>(),
         10 => task.run::<10>(),
         11 => task.run::<11>(),
         12 => task.run::<12>(),
+        _ => return in_proved_dimension(d, task),
+    })
+}
+
+/// Does something in the dimension `d`; returns `None` if it is 0 or above
+/// [`LARGEST_PROVED_DIMENSION`].
+pub(crate) fn in_proved_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
+    Some(match d {
+        5 => task.run::<5>(),
+        6 => task.run::<6>(),
+        _ => return in_small_dimension(d, task),
+    })
+}
+
+/// Does something in the dimension `d`; returns `None` if it is 0 or above 4, the largest dimension of
+/// lattices and certificates.
+pub(crate) fn in_small_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
+    Some(match d {
+        1 => task.run::<1>(),
+        2 => task.run::<2>(),
+        3 => task.run::<3>(),
+        4 => task.run::<4>(),
         _ => return None,
     })
 }

@@ -3,7 +3,7 @@
 use std::{ops::Range, sync::Arc};
 
 use tautline::{
-    Formula, Table,
+    ANY, Formula, Table,
     formula::{Form, Part, Written, WrittenError},
 };
 
@@ -31,26 +31,29 @@ struct Texts<'f> {
 }
 
 /// Returns the formula of the metric.
-pub(crate) fn formula<const D: usize>(
+pub(crate) fn formula(
     problem: &ProblemFile,
     numbers: &Numbers<'_>,
     tables: &Tables,
-) -> Result<Formula<D>, Diagnostic> {
-    let obstacles = obstacles(problem, numbers, D)?;
-    formula_of(problem.metric.get_ref(), problem, numbers, tables, obstacles.as_ref())
+    dimension: usize,
+) -> Result<Formula<ANY>, Diagnostic> {
+    let obstacles = obstacles(problem, numbers, dimension)?;
+    let metric = problem.metric.get_ref();
+    formula_of(metric, problem, numbers, tables, dimension, obstacles.as_ref())
 }
 
 /// Returns the formula of a metric with the definitions of a file, and with these obstacles.
-pub(crate) fn formula_of<const D: usize>(
+pub(crate) fn formula_of(
     metric: &MetricFile,
     problem: &ProblemFile,
     numbers: &Numbers<'_>,
     tables: &Tables,
+    dimension: usize,
     obstacles: Option<&Obstacles<'_>>,
-) -> Result<Formula<D>, Diagnostic> {
+) -> Result<Formula<ANY>, Diagnostic> {
     let mut texts = Texts { numbers, places: Vec::new() };
     let definitions = texts.definitions(problem);
-    let coordinates: Vec<usize> = (1..=D).collect();
+    let coordinates: Vec<usize> = (1..=dimension).collect();
     let mut metric = texts.written(metric, &coordinates)?;
     if let Some(Obstacles { distances, factor, place }) = obstacles {
         let parts = distances.iter().map(|distance| match distance {
@@ -61,22 +64,26 @@ pub(crate) fn formula_of<const D: usize>(
         let factor = texts.numbered(factor, place.clone());
         metric = Written::Weighted(distances, factor, Box::new(metric));
     }
-    let formula = Formula::compose(&numbers.by_name(), &by_name(tables), &definitions, &metric);
+    let (parameters, tables_by_name) = (numbers.by_name(), by_name(tables));
+    let formula =
+        Formula::compose_in(dimension, &parameters, &tables_by_name, &definitions, &metric);
     formula.map_err(|error| texts.explain(&error, problem, tables))
 }
 
 /// Returns the function `f` of a text that is `cost(f)` or `speed(f)`, as the metric `f I`, and which of
 /// the two it is; `None` for another metric.
-pub(crate) fn squared_in<const D: usize>(
+pub(crate) fn squared_in(
     text: &Text,
     problem: &ProblemFile,
     numbers: &Numbers<'_>,
     tables: &Tables,
-) -> Result<Option<(Form, Formula<D>)>, Diagnostic> {
+    dimension: usize,
+) -> Result<Option<(Form, Formula<ANY>)>, Diagnostic> {
     let mut texts = Texts { numbers, places: Vec::new() };
     let definitions = texts.definitions(problem);
     let text = texts.part(text);
-    let found = Formula::squared_in(&numbers.by_name(), &by_name(tables), &definitions, text);
+    let (parameters, tables_by_name) = (numbers.by_name(), by_name(tables));
+    let found = Formula::squared_of(dimension, &parameters, &tables_by_name, &definitions, text);
     found.map_err(|error| texts.explain(&error, problem, tables))
 }
 

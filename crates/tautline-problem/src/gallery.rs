@@ -9,7 +9,7 @@ use tautline::{
 
 use crate::{
     Diagnostic,
-    dimension::{InDimension, in_dimension},
+    dimension::{InDimension, LARGEST_FIXED_DIMENSION, in_dimension},
     file::gallery::{self as files, GalleryFile},
     reading::{
         numbers::{Numbers, counted},
@@ -57,7 +57,11 @@ pub(crate) fn formula(
     }
     let formula = in_dimension(dimension, InAny { metric, numbers });
     formula
-        .unwrap_or(Err(Refused::Count(format!("no metric in dimension {dimension}"))))
+        .unwrap_or_else(|| {
+            Err(Refused::Count(format!(
+                "the gallery has metrics in up to {LARGEST_FIXED_DIMENSION} dimensions, not {dimension}"
+            )))
+        })
         .map_err(refuse)
 }
 

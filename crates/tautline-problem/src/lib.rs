@@ -36,7 +36,6 @@ mod file;
 mod float;
 mod formula;
 mod gallery;
-mod known;
 mod picture;
 mod question;
 mod reading;
@@ -52,7 +51,9 @@ pub use answer::{
 pub use certify::{CertifiedAnswer, LevelAnswer};
 pub use constants::{ConstantAnswer, ConstantsAnswer, ConstantsError, IF_IT_SETTLES};
 pub use diagnostic::Diagnostic;
-pub use dimension::{InDimension, LARGEST_DIMENSION, LARGEST_PROVED_DIMENSION, in_dimension};
+pub use dimension::{
+    InDimension, LARGEST_DIMENSION, LARGEST_FIXED_DIMENSION, LARGEST_PROVED_DIMENSION, in_dimension,
+};
 pub use examples::{EXAMPLES, Example};
 pub use failure::Failure;
 pub use float::Float;

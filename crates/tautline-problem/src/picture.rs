@@ -1,15 +1,12 @@
 //! The picture of a problem and its answer.
 
-use tautline::{ANY, Formula, Metric, SVector, Shape};
+use tautline::{ANY, Shape};
 use tautline_picture::{
     Scene,
     portrait::{Corridor, Portrait, PortraitError},
 };
 
-use crate::{
-    Answer, CertifiedAnswer, Diagnostic, Failure, Question,
-    dimension::{InDimension, in_dimension},
-};
+use crate::{Answer, CertifiedAnswer, Diagnostic, Failure, Question};
 
 impl Question {
     /// Returns the picture of the metric, the sets and the curves, if there are any.
@@ -65,19 +62,8 @@ impl Question {
 
     /// Returns the function `x ↦ H(x)`, column by column.
     fn gram(&self) -> Result<Gram, Diagnostic> {
-        struct Make<'q>(&'q Question);
-        impl InDimension for Make<'_> {
-            type Output = Result<Gram, Diagnostic>;
-
-            fn run<const D: usize>(self) -> Self::Output {
-                let formula: Formula<D> = self.0.formula()?;
-                Ok(Box::new(move |x| {
-                    let x: [f64; D] = x.try_into().ok()?;
-                    Some(formula.gram(&SVector::from(x)).as_slice().to_vec())
-                }))
-            }
-        }
-        in_dimension(self.dimension, Make(self)).unwrap_or_else(|| Ok(Box::new(|_| None)))
+        let formula = self.any_formula()?;
+        Ok(Box::new(move |x| (x.len() == formula.dimension()).then(|| formula.gram_at(x))))
     }
 }
 

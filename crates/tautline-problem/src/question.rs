@@ -4,7 +4,7 @@
 use core::time::Duration;
 use std::sync::Arc;
 
-use tautline::{Constants, Formula, Rule};
+use tautline::{ANY, Constants, Formula, Rule};
 
 use crate::{
     Diagnostic, LARGEST_DIMENSION,
@@ -192,12 +192,24 @@ impl Question {
     /// [`Diagnostic`] with the place in the file, if an expression is wrong or if `D` is not the
     /// number of coordinates.
     pub fn formula<const D: usize>(&self) -> Result<Formula<D>, Diagnostic> {
+        let known = || counted(self.dimension, "coordinate");
+        let other = || {
+            let message = format!("the metric has {}, not {D}", known());
+            Diagnostic::new(message, self.problem.metric.span())
+        };
         if D != self.dimension {
-            let message =
-                format!("the metric has {}, not {D}", counted(self.dimension, "coordinate"));
-            return Err(Diagnostic::new(message, self.problem.metric.span()));
+            return Err(other());
         }
-        formula(&self.problem, &self.numbers(), &self.tables)
+        self.any_formula()?.into_dimension().ok_or_else(other)
+    }
+
+    /// Returns the formula of the metric, in a dimension that is a value.
+    ///
+    /// # Errors
+    ///
+    /// [`Diagnostic`] with the place in the file, if an expression is wrong.
+    pub fn any_formula(&self) -> Result<Formula<ANY>, Diagnostic> {
+        formula(&self.problem, &self.numbers(), &self.tables, self.dimension)
     }
 
     /// Returns the corners of the box in which an audit draws samples, if the file has one.

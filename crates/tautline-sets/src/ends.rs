@@ -5,9 +5,7 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use crate::closed_set::append_pieces;
-use crate::numerics::norm::on_axis;
-use crate::set_error::non_finite;
-use crate::{ClosedSet, Point, SetError};
+use crate::{AnyEnds, ClosedSet, Point, SetError};
 
 /// The two closed sets between which a curve runs.
 ///
@@ -36,15 +34,25 @@ impl<const D: usize> Ends<D> {
         first: impl ClosedSet<D> + 'static,
         second: impl ClosedSet<D> + 'static,
     ) -> Result<Ends<D>, SetError> {
-        let ends = Ends { first: Arc::new(first), second: Arc::new(second), points: false };
-        probe("first", &ends.first)?;
-        probe("second", &ends.second)?;
-        // A radius of NaN or ∞ bounds nothing.
-        let bounded = |set: &dyn ClosedSet<D>| set.radius().is_some_and(f64::is_finite);
-        if !(bounded(&*ends.first) || bounded(&*ends.second)) {
-            return Err(SetError::BothUnbounded);
-        }
+        let ends = Ends::of_sets(Arc::new(first), Arc::new(second), false);
+        let AnyEnds { first, second, .. } = ends.in_any();
+        AnyEnds::new(first, second)?;
         Ok(ends)
+    }
+
+    pub(crate) fn of_sets(
+        first: Arc<dyn ClosedSet<D>>,
+        second: Arc<dyn ClosedSet<D>>,
+        points: bool,
+    ) -> Self {
+        Ends { first, second, points }
+    }
+
+    /// Returns the same pair in a dimension that is a value.
+    #[must_use]
+    pub fn in_any(&self) -> AnyEnds {
+        let [first, second] = [&self.first, &self.second].map(|set| Arc::new(Arc::clone(set)));
+        AnyEnds::of_sets(first, second, self.points)
     }
 
     /// Makes the pair of ends from two points with coordinates in `ℓ`.
@@ -92,21 +100,6 @@ impl<const D: usize> Ends<D> {
             seconds.clone().into_iter().map(move |second| (Arc::clone(&first), second))
         })
     }
-}
-
-/// Projects a few points to `set` and to its pieces, and refuses results that are not finite.
-fn probe<const D: usize>(end: &'static str, set: &Arc<dyn ClosedSet<D>>) -> Result<(), SetError> {
-    let mut pieces = vec![Arc::clone(set)];
-    append_pieces(set, &mut pieces);
-    let units = (0..D).flat_map(|i| [1.0, -1.0].map(|sign| on_axis(i, sign)));
-    for x in std::iter::once(SVector::zeros()).chain(units) {
-        for piece in &pieces {
-            if let Some((index, value)) = non_finite(piece.project(&x).as_slice()) {
-                return Err(SetError::NoNearestPoint { end, index, value });
-            }
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

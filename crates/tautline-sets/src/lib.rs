@@ -73,6 +73,7 @@
 //! are not written.
 
 mod affine_subspace;
+mod any_ends;
 mod any_set;
 mod axis_box;
 mod ball;
@@ -95,6 +96,7 @@ mod sphere;
 mod union;
 
 pub use affine_subspace::AffineSubspace;
+pub use any_ends::AnyEnds;
 pub use any_set::{AnySet, InAny};
 pub use axis_box::AxisBox;
 pub use ball::Ball;

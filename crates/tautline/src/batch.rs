@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use rayon::prelude::*;
 use tautline_discretizations::Rule;
-use tautline_metrics::Metric;
+use tautline_formula::Prepare;
 use tautline_optimizers::{Options, SolveError, Workspace};
 
 use crate::{Problem, TautLine};
@@ -58,7 +58,8 @@ pub fn solve_all<M, const D: usize>(
     options: &Options<D>,
 ) -> Vec<Result<TautLine<M, D>, SolveError>>
 where
-    M: Metric<D> + Send,
+    M: Prepare<D>,
+    M::Prepared: Send,
 {
     let options = &Options { threads: 1, ..options.clone() };
     let solved: Vec<OnceLock<_>> = problems.iter().map(|_| OnceLock::new()).collect();

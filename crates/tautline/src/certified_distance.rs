@@ -4,14 +4,13 @@ use std::{ops::ControlFlow, sync::Arc};
 
 use nalgebra::SVector;
 use tautline_bounds::{Enclosure, FromBelow};
-use tautline_certify::AdmissibleCurve;
 use tautline_check::{CheckError, length_above};
-use tautline_discretizations::{PointSequence, Rule};
+use tautline_discretizations::Rule;
 use tautline_distance::{DistanceError, Found, Progress, Wanted, search};
 use tautline_formula::{Formula, RecordError};
 use tautline_metrics::Metric;
-use tautline_optimizers::{Options, SolveError, Starts, Stop, Workspace, minimise_by_batches};
-use tautline_sets::{Ends, Shape, proved_common_point};
+use tautline_optimizers::{Options, SolveError, Starts, Stop, Workspace, minimise_any};
+use tautline_sets::Shape;
 
 use crate::TautLine;
 
@@ -161,33 +160,6 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         Ok(search(&formula, &sets, &curves, wanted, observe)?)
     }
 
-    /// Returns a point that is proved to be a member of both sets, where the metric is proved to be positive
-    /// definite, in `ℓ`.
-    /// Then the distance is 0.
-    ///
-    /// The result is `None` if the search did not end where the sets
-    /// [touch](Stop::EndsTouch); and also if they touch up to rounding, but no double near by is a member
-    /// of both. Then the distance may be positive: under a metric with a large scale a rounding is a long
-    /// way.
-    #[must_use]
-    pub fn common_point(&self) -> Option<SVector<f64, D>> {
-        if self.minimum().stop != Stop::EndsTouch {
-            return None;
-        }
-        let (first, last) = (self.sequence().first(), self.sequence().last());
-        let shared = self.ends().pairs().find_map(|(a, b)| {
-            [first, last].into_iter().find_map(|x| proved_common_point(&*a, &*b, x))
-        });
-        shared.filter(|x| self.is_proved_metric_at(x))
-    }
-
-    /// Returns whether the metric is proved to be positive definite at a point.
-    fn is_proved_metric_at(&self, x: &SVector<f64, D>) -> bool {
-        let (ends, curve) = (Ends::points(*x, *x), PointSequence::new(vec![*x, *x]));
-        let (Ok(ends), Ok(curve)) = (ends, curve) else { return false };
-        AdmissibleCurve::new(self.metric(), &curve, &ends).is_ok()
-    }
-
     /// Returns a chord from a member of the first set to one of the second next to the ends of this line,
     /// and its proved length.
     fn between_members(
@@ -254,9 +226,9 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         let starts = Starts::Only(vec![self.sequence().clone()]);
         let options = Options { starts, ..Options::default() };
         let mut workspace = Workspace::default();
-        let (metric, ends) = (&**self.prepared(), self.ends());
+        let (metric, ends) = (&**self.prepared(), self.any_ends());
         let found =
-            minimise_by_batches(&mut workspace, metric, ends, Rule::TRAPEZOIDAL, finer, &options)?;
+            minimise_any(&mut workspace, metric, ends, Rule::TRAPEZOIDAL, finer, &options, None)?;
         Ok(found.sequence.points().to_vec())
     }
 }

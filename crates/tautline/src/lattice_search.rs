@@ -3,11 +3,13 @@
 use std::sync::Arc;
 
 use tautline_discretizations::{PointSequence, Rule};
+use tautline_formula::{Batches, Prepare};
 use tautline_grid::{GraphPathError, Lattice, LatticeGraph, Punctures, class_paths, graph_path};
 use tautline_metrics::Metric;
 use tautline_optimizers::{
     Level, Minimum, Options, Other, SolveError, Starts, Workspace, are_apart, lowest_different,
 };
+use tautline_sets::Ends;
 
 use crate::{Problem, TautLine};
 
@@ -50,7 +52,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         options: &Options<D>,
     ) -> Result<TautLine<M, D>, LatticeSearchError> {
         self.solve_from(rule, n, options, || {
-            Ok(vec![graph_path(&**self.prepared(), self.ends(), lattice, n)?])
+            lattice_starts(&**self.prepared(), self.ends(), lattice, n, None)
         })
     }
 
@@ -90,18 +92,44 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         classes: usize,
         options: &Options<D>,
     ) -> Result<TautLine<M, D>, LatticeSearchError> {
-        let metric = &**self.prepared();
         self.solve_from(rule, n, options, || {
-            let peaks = Punctures::prominent(metric, lattice)?;
-            let graph = LatticeGraph::usual(metric, lattice.clone());
-            let paths = class_paths(&graph, self.ends(), &peaks, classes.max(1), SLACK)?;
-            Workspace::check_points(D, n, paths.len())?;
-            Ok(paths.iter().map(|path| path.path().sequence(n)).collect::<Result<_, _>>()?)
+            lattice_starts(&**self.prepared(), self.ends(), lattice, n, Some(classes))
         })
     }
+}
 
+/// Returns the starts of a search along a lattice: the shortest path as `n` chords, or the shortest paths of
+/// so many homotopy classes.
+///
+/// # Errors
+///
+/// As for [`solve_by_classes`](Problem::solve_by_classes).
+pub fn lattice_starts<const D: usize>(
+    metric: &dyn Batches<D>,
+    ends: &Ends<D>,
+    lattice: &Lattice<D>,
+    n: usize,
+    classes: Option<usize>,
+) -> Result<Vec<PointSequence<D>>, LatticeSearchError> {
+    let Some(classes) = classes else { return Ok(vec![graph_path(metric, ends, lattice, n)?]) };
+    let peaks = Punctures::prominent(metric, lattice)?;
+    let graph = LatticeGraph::usual(metric, lattice.clone());
+    let paths = class_paths(&graph, ends, &peaks, classes.max(1), SLACK)?;
+    Workspace::check_points(D, n, paths.len())?;
+    Ok(paths.iter().map(|path| path.path().sequence(n)).collect::<Result<_, _>>()?)
+}
+
+impl<M: Prepare<D>, const D: usize> Problem<M, D> {
     /// Solves, and once more on the grid of `n` chords from other starts.
-    fn solve_from(
+    ///
+    /// The starts are bent lines along a coarse path, such as one along a lattice. Returns the shorter of the
+    /// two lines; the other one is among its [other minima](TautLine::other_minima), if it is a local minimum
+    /// elsewhere.
+    ///
+    /// # Errors
+    ///
+    /// As for [`solve_on_lattice`](Problem::solve_on_lattice).
+    pub fn solve_from(
         &self,
         rule: Rule,
         n: usize,
@@ -164,7 +192,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     }
 }
 
-impl<M: Metric<D>, const D: usize> TautLine<M, D> {
+impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// Adds another line to the other minima, and the lowest of what was met on the way to it.
     fn beside(self, line: &Self, local_minima: Vec<f64>) -> Self {
         let (mut minimum, found) = (self.minimum().clone(), line.minimum());
@@ -186,6 +214,6 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     }
 
     fn with_minimum(self, minimum: Minimum<D>) -> Self {
-        Self::new(Arc::clone(self.prepared()), self.rule(), self.ends().clone(), minimum)
+        Self::new(Arc::clone(self.prepared()), self.rule(), self.both_ends().clone(), minimum)
     }
 }

@@ -83,6 +83,7 @@
 //!   Otherwise a bound that was read may be off by one unit in the last place, on either side.
 
 mod batch;
+mod both_ends;
 mod certificate;
 mod certified_distance;
 mod competitors;
@@ -98,7 +99,7 @@ pub use certificate::SuggestedN;
 pub use certified_distance::CertificateError;
 pub use competitors::Competitors;
 pub use conventions::Convention;
-pub use lattice_search::LatticeSearchError;
+pub use lattice_search::{LatticeSearchError, lattice_starts};
 pub use problem::Problem;
 pub use proof::{Proof, ProofError};
 pub use taut_line::TautLine;
@@ -116,8 +117,8 @@ pub use tautline_discretizations::{
 };
 pub use tautline_distance as distance;
 pub use tautline_formula::{
-    self as formula, AnyBatches, AnyMetric, Batch, Batches, BlackBox, Formula, Kind, Plain,
-    Prepared, RecordError, TextError, Values,
+    self as formula, AnyBatches, AnyMetric, Batch, Batches, BlackBox, Formula, InDimension, Kind,
+    Known, Plain, Prepare, Prepared, PreparedFormula, RecordError, TextError, Values,
     spline::{Spline, SplineError},
 };
 pub use tautline_grid::{
@@ -132,13 +133,13 @@ pub use tautline_metrics::{
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Entry, Estimate, Iterate, LeadingConstants, Level, Minimum,
     NewtonStep, Options, Other, SolveError, Starts, Stop, Trace, Watcher, Workspace, are_apart,
-    extrapolate, leading_constants, minimise, minimise_by_batches, minimise_in, minimise_watched,
-    newton_step,
+    extrapolate, leading_constants, minimise, minimise_any, minimise_by_batches, minimise_in,
+    minimise_watched, newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table, decimal};
 pub use tautline_sets::{
-    AffineSubspace, AnySet, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment,
-    SetError, Shape, Sphere, Union,
+    AffineSubspace, AnyEnds, AnySet, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point,
+    Segment, SetError, Shape, Sphere, Union,
 };
 
 pub use nalgebra::{SMatrix, SVector};

@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
-use tautline_metrics::Metric;
-use tautline_optimizers::{Minimum, Options, Starts, Workspace, are_apart, minimise_by_batches};
-use tautline_sets::{ClosedSet, Ends};
+use tautline_formula::Prepare;
+use tautline_optimizers::{Minimum, Options, Starts, Workspace, are_apart, minimise_any};
+use tautline_sets::{AnyEnds, AnySet};
 
 use crate::TautLine;
 
@@ -14,7 +13,7 @@ use crate::TautLine;
 /// to.
 const FINEST: usize = 512;
 
-impl<M: Metric<D>, const D: usize> TautLine<M, D> {
+impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// Returns the [other local minima](tautline_optimizers::Minimum::others) of the search as
     /// lines of their own, shortest first. Each is solved again from where the search left it, with
     /// `N` chords or 512, whichever is less, and with the default number of steps and threads.
@@ -39,10 +38,10 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         let mut others: Vec<Self> = Vec::new();
         for other in &self.minimum().others {
             let (metric, rule) = (Arc::clone(self.prepared()), self.rule());
-            let Some(ends) = nearest_pair(self.ends(), &other.sequence) else { continue };
+            let Some(ends) = nearest_pair(self.any_ends(), &other.sequence) else { continue };
             let mut from = |starts| {
                 let options = Options { starts, ..Options::default() };
-                let found = minimise_by_batches(&mut workspace, &*metric, &ends, rule, n, &options);
+                let found = minimise_any(&mut workspace, &*metric, &ends, rule, n, &options, None);
                 let found = found.ok().filter(Minimum::is_local_minimum)?;
                 let is_new = |line: &Self| are_apart(&found.sequence, line.sequence());
                 (is_new(self) && others.iter().all(is_new)).then_some(found)
@@ -66,14 +65,16 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
 
 /// Returns the pieces of the two sets that a sequence joins. A search between all pieces would end
 /// at the nearest ones.
-fn nearest_pair<const D: usize>(ends: &Ends<D>, sequence: &PointSequence<D>) -> Option<Ends<D>> {
-    let away = |set: &dyn ClosedSet<D>, x: &SVector<f64, D>| (set.project(x) - x).norm();
-    let pairs = ends.pairs().map(|(a, b)| {
-        let off = away(&*a, sequence.first()) + away(&*b, sequence.last());
-        (off, a, b)
-    });
+fn nearest_pair<const D: usize>(ends: &AnyEnds, sequence: &PointSequence<D>) -> Option<AnyEnds> {
+    let away = |set: &dyn AnySet, x: &[f64]| {
+        let mut nearest = x.to_vec();
+        set.project(&mut nearest);
+        nearest.iter().zip(x).map(|(y, x)| (y - x) * (y - x)).sum::<f64>().sqrt()
+    };
+    let (first, last) = (sequence.row(0), sequence.row(sequence.n().get()));
+    let pairs = ends.pairs().into_iter().map(|[a, b]| (away(&*a, first) + away(&*b, last), a, b));
     let (_, a, b) = pairs.min_by(|(x, ..), (y, ..)| x.total_cmp(y))?;
-    Ends::new(a, b).ok()
+    AnyEnds::new(a, b).ok()
 }
 
 #[cfg(test)]
@@ -143,7 +144,7 @@ mod tests {
         let own = Other { sequence: coarser, energy: line.discrete_energy() };
         let mut minimum = line.minimum().clone();
         minimum.others = vec![own, other.clone(), other.clone()];
-        let again = TautLine::new(
+        let again = TautLine::<Bump, 2>::new(
             Arc::clone(line.prepared()),
             Rule::TRAPEZOIDAL,
             line.ends().clone(),

@@ -3,23 +3,45 @@
 use std::sync::{Arc, Mutex};
 
 use tautline_discretizations::Rule;
-use tautline_formula::Prepared;
+use tautline_formula::{AnyBatches, Known, Prepare, Prepared};
 use tautline_metrics::Metric;
-use tautline_optimizers::{Options, SolveError, Workspace, minimise_by_batches};
-use tautline_sets::Ends;
+use tautline_optimizers::{Options, SolveError, Workspace, minimise_any};
+use tautline_scalar::ANY;
+use tautline_sets::{AnyEnds, Ends};
 
-use crate::TautLine;
+use crate::{TautLine, both_ends::BothEnds};
 
 /// The problem of joining two closed sets by a shortest curve.
 ///
 /// A problem keeps the memory of its largest solve for the next one, and shares it with its clones.
 /// Separate problems keep separate memory, unless they are solved by
 /// [`solve_all`](crate::solve_all) or [`minimise_in`](crate::minimise_in), which share it.
-#[derive(Clone, Debug)]
-pub struct Problem<M, const D: usize> {
-    metric: Arc<Prepared<M, D>>,
-    ends: Ends<D>,
+///
+/// The dimension is known at compile time, or is a value if `D` is [`ANY`]:
+///
+/// ```
+/// use tautline::{ANY, AnyEnds, Formula, Problem, Rule};
+///
+/// let valleys = Formula::parse_in(20, "cost(2 - cos(x1))", &[], &[])?;
+/// let mut far = [0.0; 20];
+/// far[0] = 3.0;
+/// let problem = Problem::in_any(valleys, AnyEnds::points(&[0.0; 20], &far)?)?;
+/// let length = problem.solve(Rule::TRAPEZOIDAL, 64)?.length().value;
+/// assert!((length - (6.0 - 3.0_f64.sin())).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Problem<M: Prepare<D>, const D: usize> {
+    metric: Arc<M::Prepared>,
+    ends: BothEnds<D>,
     workspace: Arc<Mutex<Workspace>>,
+}
+
+impl<M: Prepare<D>, const D: usize> Clone for Problem<M, D> {
+    fn clone(&self) -> Self {
+        let Self { metric, ends, workspace } = self;
+        Self { metric: Arc::clone(metric), ends: ends.clone(), workspace: Arc::clone(workspace) }
+    }
 }
 
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
@@ -29,28 +51,59 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// compares numbers, or is very long, is evaluated as compiled, which is slower and gives the
     /// same results up to rounding.
     pub fn new(metric: M, ends: Ends<D>) -> Self {
-        Self::with_prepared(Arc::new(Prepared::new(metric)), ends)
+        Self::with_prepared(Arc::new(metric.prepare()), ends)
     }
 
     /// Poses the problem with a metric whose programs other problems share. They are derived once, on
     /// first use.
     pub fn with_prepared(metric: Arc<Prepared<M, D>>, ends: Ends<D>) -> Self {
-        Self { metric, ends, workspace: Arc::default() }
-    }
-
-    /// Returns the metric.
-    pub fn metric(&self) -> &M {
-        self.metric.metric()
-    }
-
-    /// Returns the metric with its programs.
-    pub(crate) fn prepared(&self) -> &Arc<Prepared<M, D>> {
-        &self.metric
+        Self { metric, ends: ends.into(), workspace: Arc::default() }
     }
 
     /// Returns the sets.
     pub fn ends(&self) -> &Ends<D> {
-        &self.ends
+        self.ends.typed()
+    }
+}
+
+impl Problem<Known, ANY> {
+    /// Poses the problem in a dimension that is a value.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Dimension`] if the sets lie in another dimension than the metric.
+    pub fn in_any(metric: impl Into<Known>, ends: AnyEnds) -> Result<Self, SolveError> {
+        Self::with_known(Arc::new(metric.into()), ends)
+    }
+
+    /// Poses the problem with a metric whose programs other problems share.
+    ///
+    /// # Errors
+    ///
+    /// As for [`in_any`](Problem::in_any).
+    pub fn with_known(metric: Arc<Known>, ends: AnyEnds) -> Result<Self, SolveError> {
+        let (dimension, found) = (metric.dimension(), ends.dimension());
+        if found != dimension {
+            return Err(SolveError::Dimension { metric: dimension, found });
+        }
+        Ok(Self { metric, ends: ends.into(), workspace: Arc::default() })
+    }
+}
+
+impl<M: Prepare<D>, const D: usize> Problem<M, D> {
+    /// Returns the metric.
+    pub fn metric(&self) -> &M {
+        M::metric(&self.metric)
+    }
+
+    /// Returns the metric with its programs.
+    pub fn prepared(&self) -> &Arc<M::Prepared> {
+        &self.metric
+    }
+
+    /// Returns the sets, in a dimension that is a value.
+    pub fn any_ends(&self) -> &AnyEnds {
+        self.ends.any()
     }
 
     /// Minimises the discrete energy of `rule` over sequences of `n + 1` points.
@@ -93,7 +146,8 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         n: usize,
         options: &Options<D>,
     ) -> Result<TautLine<M, D>, SolveError> {
-        let minimum = minimise_by_batches(workspace, &*self.metric, &self.ends, rule, n, options)?;
+        let (metric, ends) = (&*self.metric, self.ends.any());
+        let minimum = minimise_any(workspace, metric, ends, rule, n, options, None)?;
         Ok(TautLine::new(Arc::clone(&self.metric), rule, self.ends.clone(), minimum))
     }
 }

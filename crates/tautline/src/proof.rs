@@ -142,7 +142,7 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
             let proved = LocallyCertified::new(self.metric(), accuracy);
             let metric = Arc::new(Prepared::new(Watched { proved, watch }));
             let (ends, minimum) = (self.ends().clone(), self.minimum().clone());
-            let line = TautLine::new(metric, self.rule(), ends, minimum);
+            let line = TautLine::<Watched<'_, _>, D>::new(metric, self.rule(), ends, minimum);
             let competitors = line.competitors_by(extent)?;
             competitors.hold_those_of(&line, extent)?;
             (competitors.constants, Some(competitors.within))

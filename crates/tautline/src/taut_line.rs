@@ -3,18 +3,25 @@
 use std::sync::{Arc, OnceLock};
 
 use nalgebra::SVector;
+use tautline_certify::is_metric_at;
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule, SequenceError};
-use tautline_formula::{Formula, Prepared};
+use tautline_formula::{AnyBatches, Formula, Known, Prepare};
 use tautline_metrics::Metric;
 use tautline_optimizers::{Estimate, Minimum, Stop, extrapolate};
-use tautline_sets::Ends;
+use tautline_scalar::ANY;
+use tautline_sets::{AnyEnds, Ends, proved_common_point_of};
+
+use crate::both_ends::BothEnds;
 
 /// A computed discrete minimiser and the curve `γᵖˡ` that joins its points.
-#[derive(Clone, Debug)]
-pub struct TautLine<M, const D: usize> {
-    metric: Arc<Prepared<M, D>>,
+///
+/// The dimension is known at compile time, or is a value if `D` is [`ANY`] and the metric is
+/// [`Known`].
+#[derive(Debug)]
+pub struct TautLine<M: Prepare<D>, const D: usize> {
+    metric: Arc<M::Prepared>,
     rule: Rule,
-    ends: Ends<D>,
+    ends: BothEnds<D>,
     minimum: Minimum<D>,
     energy: OnceLock<Integral>,
     length: OnceLock<Integral>,
@@ -31,31 +38,46 @@ const RESOLVED: f64 = 0.1;
 const DOUBTFUL: f64 = 0.01;
 const SPREAD: f64 = 10.0;
 
-impl<M: Metric<D>, const D: usize> TautLine<M, D> {
+impl<M: Prepare<D>, const D: usize> Clone for TautLine<M, D> {
+    fn clone(&self) -> Self {
+        let Self { metric, rule, ends, minimum, energy, length } = self;
+        Self {
+            metric: Arc::clone(metric),
+            rule: *rule,
+            ends: ends.clone(),
+            minimum: minimum.clone(),
+            energy: energy.clone(),
+            length: length.clone(),
+        }
+    }
+}
+
+impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     pub(crate) fn new(
-        metric: Arc<Prepared<M, D>>,
+        metric: Arc<M::Prepared>,
         rule: Rule,
-        ends: Ends<D>,
+        ends: impl Into<BothEnds<D>>,
         minimum: Minimum<D>,
     ) -> Self {
         let (energy, length) = Default::default();
-        Self { metric, rule, ends, minimum, energy, length }
+        Self { metric, rule, ends: ends.into(), minimum, energy, length }
     }
 
     /// Returns the metric.
     #[must_use]
     pub fn metric(&self) -> &M {
-        self.metric.metric()
+        M::metric(&self.metric)
     }
 
     /// Returns the metric, ready for batches.
-    pub(crate) fn prepared(&self) -> &Arc<Prepared<M, D>> {
+    pub(crate) fn prepared(&self) -> &Arc<M::Prepared> {
         &self.metric
     }
 
     /// Returns the formula of the metric, or `None` if it could not be recorded.
-    pub(crate) fn formula(&self) -> Option<&Formula<D>> {
-        self.metric.formula()
+    #[must_use]
+    pub fn formula(&self) -> Option<&Formula<D>> {
+        M::formula(&self.metric)
     }
 
     /// Returns the rule.
@@ -64,9 +86,13 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         self.rule
     }
 
-    /// Returns the two sets that the line joins.
+    /// Returns the two sets that the line joins, in a dimension that is a value.
     #[must_use]
-    pub fn ends(&self) -> &Ends<D> {
+    pub fn any_ends(&self) -> &AnyEnds {
+        self.ends.any()
+    }
+
+    pub(crate) fn both_ends(&self) -> &BothEnds<D> {
         &self.ends
     }
 
@@ -117,21 +143,50 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     }
 
     /// Returns how long a curve from set to set may be, in `m`, if the ends are members of both sets up
-    /// to rounding only; 0 for other ends, and for a [proved common point](TautLine::common_point).
+    /// to rounding only; 0 for other ends, and for a [proved common point](TautLine::proved_contact).
     ///
     /// The nearest points of both sets agree with the ends to within `(D + 4) ε max |xᵢ|` in every
     /// coordinate ([`common_point`](tautline_sets::common_point())), so that they are at most
     /// `√D (D + 4) ε max |xᵢ|` away from each end, and the metric is at most its trace.
     fn contact(&self) -> f64 {
-        if self.minimum.stop != Stop::EndsTouch || self.common_point().is_some() {
+        if self.minimum.stop != Stop::EndsTouch || self.proved_contact().is_some() {
             return 0.0;
         }
-        let ends = [self.sequence().first(), self.sequence().last()];
-        let away = |x: &SVector<f64, D>| {
-            let rounding = (D + 4) as f64 * f64::EPSILON * x.amax();
-            rounding * (D as f64 * self.metric().gram(x).trace()).sqrt()
+        let dimension = self.sequence().dimension();
+        let mut gram = vec![0.0; dimension * dimension];
+        let mut away = |x: &[f64]| {
+            let largest = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let rounding = (dimension + 4) as f64 * f64::EPSILON * largest;
+            self.metric.gram_into(x, &mut gram);
+            let trace: f64 = gram.iter().step_by(dimension + 1).sum();
+            rounding * (dimension as f64 * trace).sqrt()
         };
-        ends.into_iter().map(away).sum()
+        self.end_points().into_iter().map(&mut away).sum()
+    }
+
+    /// Returns both ends of the curve, in `ℓ`.
+    fn end_points(&self) -> [&[f64]; 2] {
+        [0, self.sequence().n().get()].map(|k| self.sequence().row(k))
+    }
+
+    /// Returns a point that is proved to be a member of both sets, where the metric is proved to be positive
+    /// definite, in `ℓ`.
+    /// Then the distance is 0.
+    ///
+    /// The result is `None` if the search did not end where the sets
+    /// [touch](Stop::EndsTouch); and also if they touch up to rounding, but no double near by is a member
+    /// of both. Then the distance may be positive: under a metric with a large scale a rounding is a long
+    /// way.
+    #[must_use]
+    pub fn proved_contact(&self) -> Option<Vec<f64>> {
+        if self.minimum.stop != Stop::EndsTouch {
+            return None;
+        }
+        let shared = self.any_ends().pairs().iter().find_map(|[a, b]| {
+            let near = self.end_points().into_iter();
+            near.filter_map(|x| proved_common_point_of(&**a, &**b, x)).next()
+        });
+        shared.filter(|x| self.formula().is_some_and(|formula| is_metric_at(formula, x)))
     }
 
     /// Returns `n + 1` points on the curve at constant speed, in `ℓ`: the length under the metric is
@@ -147,7 +202,7 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Returns the speeds of the chords, in `m`. They are nearly equal for a minimiser.
     #[must_use]
     pub fn speeds(&self) -> Vec<f64> {
-        self.rule.speeds(self.metric(), self.sequence())
+        self.rule.speeds_by_batches(&*self.metric, self.sequence())
     }
 
     /// Returns the relative residual of the discrete geodesic equation (see [`Minimum`]).
@@ -184,6 +239,33 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         // The estimate is wrong at least by what it exceeds an upper bound on `d²`.
         let above = estimate.value - (self.length().value + self.length().error).powi(2);
         Some(Estimate { error: estimate.error.max(above), ..estimate })
+    }
+}
+
+impl<M: Metric<D>, const D: usize> TautLine<M, D> {
+    /// Returns the two sets that the line joins.
+    #[must_use]
+    pub fn ends(&self) -> &Ends<D> {
+        self.ends.typed()
+    }
+
+    /// Returns a [proved common point](TautLine::proved_contact) of both sets, in `ℓ`.
+    #[must_use]
+    pub fn common_point(&self) -> Option<SVector<f64, D>> {
+        self.proved_contact().map(|x| SVector::from_column_slice(&x))
+    }
+}
+
+impl TautLine<Known, ANY> {
+    /// Returns the same line in `R^D`, with the programs of this one; `None` if it lies in another dimension
+    /// or has no formula.
+    #[must_use]
+    pub fn in_dimension<const D: usize>(&self) -> Option<TautLine<Formula<D>, D>> {
+        let Known::Formula(formula) = &*self.metric else { return None };
+        let metric = Arc::new(formula.in_dimension::<D>()?);
+        let minimum = self.minimum.clone().into_dimension()?;
+        let line = TautLine::new(metric, self.rule, self.any_ends().clone(), minimum);
+        Some(TautLine { energy: self.energy.clone(), length: self.length.clone(), ..line })
     }
 }
 

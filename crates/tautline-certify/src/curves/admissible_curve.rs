@@ -1,13 +1,13 @@
 //! `AdmissibleCurve`: a curve between two sets, and the bound on their distance that it proves.
 
 use tautline_discretizations::PointSequence;
-use tautline_formula::RecordError;
+use tautline_formula::{Formula, RecordError};
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Scalar};
 use tautline_sets::{ClosedSet, Ends};
 use thiserror::Error;
 
-use super::{Polygon, polygon::NotEnclosed};
+use super::{Polygon, chord::is_positive_definite, polygon::NotEnclosed};
 
 /// A polygon that provably runs from the first end set to the second, with its energy and length.
 ///
@@ -138,6 +138,14 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
     pub fn distance_squared_at_most(&self) -> f64 {
         self.energy.hi().min(self.length.sqr().hi())
     }
+}
+
+/// Returns whether a formula is proved to give a metric at a point: a matrix that is symmetric, defined and
+/// positive definite.
+#[must_use]
+pub fn is_metric_at<const D: usize>(formula: &Formula<D>, x: &[f64]) -> bool {
+    let place: Vec<Interval> = x.iter().map(|&x| Interval::point(x)).collect();
+    formula.symmetric().is_ok() && is_positive_definite(&mut formula.gram_at(&place), x.len())
 }
 
 #[cfg(test)]

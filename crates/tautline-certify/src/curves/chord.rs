@@ -1,6 +1,6 @@
 //! `Chord`: rigorous bounds on the energy and the length of a line segment.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 use tautline_metrics::Metric;
 use tautline_scalar::{Enclosure, Kernel, Scalar};
 
@@ -134,7 +134,7 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         let least = 0.5_f64.powi(DEPTH as i32);
         for _ in 0..PANELS {
             let Some(panel) = left.pop() else { return true };
-            if is_positive_definite(metric.gram(&self.at(panel.range()))) {
+            if is_positive_definite(metric.gram(&self.at(panel.range())).as_mut_slice(), D) {
                 continue;
             }
             if panel.width <= least {
@@ -192,17 +192,19 @@ impl Panel {
 }
 
 /// Returns whether every symmetric matrix within these entries is positive definite, and all entries
-/// are defined: whether the pivots of the elimination are positive.
-fn is_positive_definite<K: Kernel, const D: usize>(mut h: SMatrix<Enclosure<K>, D, D>) -> bool {
+/// are defined: whether the pivots of the elimination are positive. The `d²` entries are given column by
+/// column, and are overwritten.
+pub(super) fn is_positive_definite<K: Kernel>(h: &mut [Enclosure<K>], d: usize) -> bool {
     let is_defined = h.iter().all(|entry| entry.is_finite());
     is_defined
-        && (0..D).all(|k| {
-            let pivot = h[(k, k)];
-            for i in k + 1..D {
-                for j in i..D {
+        && (0..d).all(|k| {
+            let pivot = h[k * d + k];
+            for i in k + 1..d {
+                for j in i..d {
                     // The entries above the diagonal stand for both.
-                    let product = if i == j { h[(k, i)].sqr() } else { h[(k, i)] * h[(k, j)] };
-                    h[(i, j)] -= product / pivot;
+                    let [row, column] = [h[i * d + k], h[j * d + k]];
+                    let product = if i == j { row.sqr() } else { row * column };
+                    h[j * d + i] -= product / pivot;
                 }
             }
             pivot.lo() > 0.0

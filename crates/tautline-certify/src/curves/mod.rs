@@ -7,5 +7,5 @@ mod polygon;
 mod stationarity;
 mod taylor;
 
-pub use admissible_curve::{AdmissibleCurve, CurveError};
+pub use admissible_curve::{AdmissibleCurve, CurveError, is_metric_at};
 pub use polygon::Polygon;

@@ -1,18 +1,24 @@
 //! `Batch`: a metric at many points at once.
 
 mod contraction;
+mod in_dimension;
 mod interpreted;
 mod kernel;
+mod known;
 mod layout;
 mod plain;
+mod prepare;
 mod prepared;
 
 use nalgebra::{SMatrix, SVector};
 
 pub(crate) use contraction::CHUNKED;
+pub use in_dimension::InDimension;
+pub use known::Known;
 pub use layout::{Kind, Layout};
 pub use plain::Plain;
 pub(crate) use plain::{contiguous, rows};
+pub use prepare::Prepare;
 pub use prepared::{Prepared, PreparedFormula};
 
 use crate::program::{InstructionSet, Register, Registers};

@@ -1,6 +1,6 @@
 //! `Prepared`: batches evaluated in the fastest way for a metric.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use tautline_metrics::Metric;
 use tautline_scalar::ANY;
@@ -23,9 +23,9 @@ use crate::{
 pub struct Prepared<M, const D: usize> {
     plain: Plain<M, D>,
     formula: Option<Formula<D>>,
-    programs: Programs,
+    programs: Arc<Programs>,
     /// The metric, if it is known by its values only.
-    black_box: Option<BlackBoxBatches<D>>,
+    black_box: Option<BlackBoxBatches>,
 }
 
 /// The greatest number of lanes.
@@ -43,7 +43,7 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     #[must_use]
     pub fn with(metric: M, instruction_set: InstructionSet, lanes: usize) -> Self {
         let formula = Formula::record(&metric).ok();
-        let programs = Programs::new(instruction_set, lanes);
+        let programs = Arc::new(Programs::new(instruction_set, lanes));
         Self { plain: Plain::new(metric), formula, programs, black_box: None }
     }
 
@@ -54,8 +54,8 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
         Self {
             plain: Plain::new(metric),
             formula: None,
-            programs: Programs::new(InstructionSet::Widest, LANES),
-            black_box: Some(BlackBoxBatches::new(black_box)),
+            programs: Arc::new(Programs::new(InstructionSet::Widest, LANES)),
+            black_box: Some(BlackBoxBatches::new(black_box.into_any())),
         }
     }
 
@@ -75,11 +75,6 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     #[must_use]
     pub fn size(&self, kind: Kind) -> Option<[usize; 2]> {
         self.kernel(kind).map(Kernel::size)
-    }
-
-    /// Returns what evaluates the batches that no program evaluates.
-    fn otherwise(&self) -> &dyn AnyBatches {
-        self.black_box.as_ref().map_or(&self.plain, |black_box| black_box)
     }
 
     fn kernel(&self, kind: Kind) -> Option<&Kernel> {
@@ -130,7 +125,7 @@ impl Programs {
 #[derive(Debug)]
 pub struct PreparedFormula {
     formula: Formula<ANY>,
-    programs: Programs,
+    programs: Arc<Programs>,
     /// The layouts of the kinds that no program evaluates.
     layouts: [OnceLock<Layout>; 4],
 }
@@ -142,7 +137,7 @@ impl PreparedFormula {
     /// Takes a formula.
     #[must_use]
     pub fn new(formula: Formula<ANY>) -> Self {
-        let programs = Programs::new(InstructionSet::Widest, LANES);
+        let programs = Arc::new(Programs::new(InstructionSet::Widest, LANES));
         Self { formula, programs, layouts: Default::default() }
     }
 
@@ -150,6 +145,15 @@ impl PreparedFormula {
     #[must_use]
     pub fn formula(&self) -> &Formula<ANY> {
         &self.formula
+    }
+
+    /// Returns the same formula in `R^D`, which shares the programs; `None` if it is one in another
+    /// dimension.
+    #[must_use]
+    pub fn in_dimension<const D: usize>(&self) -> Option<Prepared<Formula<D>, D>> {
+        let formula: Formula<D> = self.formula.clone().into_dimension()?;
+        let (plain, programs) = (Plain::new(formula.clone()), Arc::clone(&self.programs));
+        Some(Prepared { plain, formula: Some(formula), programs, black_box: None })
     }
 
     fn kernel(&self, kind: Kind) -> Option<&Kernel> {
@@ -209,13 +213,18 @@ impl<M: Metric<D>, const D: usize> AnyBatches for Prepared<M, D> {
     }
 
     fn layout(&self, kind: Kind) -> &Layout {
-        self.kernel(kind).map_or_else(|| self.otherwise().layout(kind), Kernel::layout)
+        match (self.kernel(kind), &self.black_box) {
+            (Some(kernel), _) => kernel.layout(),
+            (None, Some(black_box)) => black_box.layout(kind),
+            (None, None) => self.plain.layout(kind),
+        }
     }
 
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
-        match self.kernel(kind) {
-            Some(kernel) => self.programs.registers(kernel, unit, units),
-            None => self.otherwise().registers(kind, unit, units),
+        match (self.kernel(kind), &self.black_box) {
+            (Some(kernel), _) => self.programs.registers(kernel, unit, units),
+            (None, Some(black_box)) => black_box.registers(kind, unit, units),
+            (None, None) => self.plain.registers(kind, unit, units),
         }
     }
 
@@ -224,9 +233,15 @@ impl<M: Metric<D>, const D: usize> AnyBatches for Prepared<M, D> {
     }
 
     fn evaluate(&self, kind: Kind, registers: &mut Registers) {
-        match self.kernel(kind) {
-            Some(kernel) => registers.run(kernel.program()),
-            None => self.otherwise().evaluate(kind, registers),
+        match (self.kernel(kind), &self.black_box) {
+            (Some(kernel), _) => registers.run(kernel.program()),
+            (None, Some(black_box)) => black_box.evaluate(kind, registers),
+            // The compiler decides: the derivatives of recorded steps are not compiled.
+            (None, None) if const { M::IS_RECORDED } => {
+                let tape = self.formula.as_ref().map(Formula::tape).expect("steps are a formula");
+                interpreted::evaluate(tape, self.layout(kind), kind, registers);
+            }
+            (None, None) => self.plain.evaluate(kind, registers),
         }
     }
 }

@@ -2,58 +2,61 @@
 
 use std::sync::OnceLock;
 
-use nalgebra::{SMatrix, SVector};
-use tautline_metrics::{Metric, is_gram};
+use tautline_metrics::are_gram;
+use tautline_scalar::ANY;
 
 use super::{BlackBox, differences::Derivatives};
 use crate::{
-    batch::{AnyBatches, Batches, Kind, Layout, contiguous, rows},
+    batch::{AnyBatches, Kind, Layout, contiguous, rows},
     program::Registers,
 };
 
 /// A black box, ready to be evaluated at many points in one call.
 #[derive(Debug)]
-pub struct BlackBoxBatches<const D: usize> {
-    metric: BlackBox<D>,
+pub struct BlackBoxBatches {
+    metric: BlackBox<ANY>,
     layouts: [OnceLock<Layout>; 4],
 }
 
 /// The greatest number of lanes. A call from another language costs as much as some dozen points.
 const LANES: usize = 512;
 
-impl<const D: usize> BlackBoxBatches<D> {
+impl BlackBoxBatches {
     /// Wraps a metric.
     #[must_use]
-    pub fn new(metric: BlackBox<D>) -> Self {
+    pub fn new(metric: BlackBox<ANY>) -> Self {
         Self { metric, layouts: Default::default() }
     }
 }
 
-impl<const D: usize> Batches<D> for BlackBoxBatches<D> {}
-
-impl<const D: usize> AnyBatches for BlackBoxBatches<D> {
+impl AnyBatches for BlackBoxBatches {
     fn dimension(&self) -> usize {
-        D
+        self.metric.dimension()
     }
 
     fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
-        let h = self.metric.gram(&SVector::from_column_slice(x));
-        gram.copy_from_slice(h.as_slice());
+        let (d, rows) = (self.dimension(), self.metric.gram_at(x));
+        for (place, entry) in gram.iter_mut().enumerate() {
+            *entry = rows[place % d * d + place / d];
+        }
     }
 
     fn layout(&self, kind: Kind) -> &Layout {
-        self.layouts[kind as usize].get_or_init(|| contiguous(kind, D))
+        self.layouts[kind as usize].get_or_init(|| contiguous(kind, self.dimension()))
     }
 
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
         let lanes = unit.saturating_mul(units).clamp(unit, unit.max(LANES));
-        Registers::empty(rows(self.layout(kind), D), lanes)
+        Registers::empty(rows(self.layout(kind), self.dimension()), lanes)
     }
 
     fn evaluate(&self, kind: Kind, registers: &mut Registers) {
-        let lanes = registers.count();
-        let inputs: Vec<_> = (0..lanes).map(|lane| registers.input::<D>(lane)).collect();
-        let points: Vec<f64> = inputs.iter().flat_map(|(x, _)| x.iter().copied()).collect();
+        let (n, lanes) = (self.dimension(), registers.count());
+        let input = |lane: usize, k: usize| registers.row(k as u32)[lane];
+        let points: Vec<f64> = (0..lanes)
+            .flat_map(|lane| (0..n).map(move |k| (lane, k)))
+            .map(|(lane, k)| input(lane, k))
+            .collect();
         let order = match kind {
             Kind::Square | Kind::Checked => 0,
             Kind::Momentum => 1,
@@ -61,42 +64,50 @@ impl<const D: usize> AnyBatches for BlackBoxBatches<D> {
         };
         let Derivatives { gram, first, second } = self.metric.derivatives(&points, order);
         let layout = self.layout(kind);
-        for (lane, (_, d)) in inputs.iter().enumerate() {
-            let gram = &gram[lane * D * D..][..D * D];
-            let full = SMatrix::<f64, D, D>::from_row_slice(gram);
-            let h = SMatrix::<f64, D, D>::from_fn(|i, j| full[(i.min(j), i.max(j))]);
-            let hd = h * d;
-            registers.set_all(&layout.square, lane, &[d.dot(&hd)]);
-            registers.set_all(&layout.momentum, lane, hd.as_slice());
-            registers.set_all(&layout.gram, lane, h.as_slice());
-            let is_metric = if is_gram(&full) { 1.0 } else { -1.0 };
+        for lane in 0..lanes {
+            let d: Vec<f64> = (n..2 * n).map(|k| registers.row(k as u32)[lane]).collect();
+            let full = &gram[lane * n * n..][..n * n];
+            // The half i ≤ j is used, as everywhere.
+            let half = |i: usize, j: usize| i.min(j) * n + i.max(j);
+            let sum = |of: &dyn Fn(usize) -> f64| (0..n).map(of).fold(0.0, |sum, term| sum + term);
+            let hd: Vec<f64> = (0..n).map(|i| sum(&|j| full[half(i, j)] * d[j])).collect();
+            registers.set_all(&layout.square, lane, &[sum(&|i| d[i] * hd[i])]);
+            registers.set_all(&layout.momentum, lane, &hd);
+            let h: Vec<f64> = (0..n * n).map(|place| full[half(place / n, place % n)]).collect();
+            registers.set_all(&layout.gram, lane, &h);
+            let is_metric = if are_gram(&transposed(full, n), n) { 1.0 } else { -1.0 };
             registers.set_all(&layout.positive, lane, &[is_metric]);
             if order == 0 {
                 continue;
             }
-            let first = &first[lane * D * D * D..][..D * D * D];
-            // The half i ≤ j is used, as everywhere.
-            let turn = |i: usize, k: usize| -> f64 {
-                let entry = |j: usize| i.min(j) * D + i.max(j);
-                (0..D).map(|j| first[entry(j) * D + k] * d[j]).sum()
-            };
-            let p = SMatrix::<f64, D, D>::from_fn(turn);
-            let g = p.transpose() * d;
-            registers.set_all(&layout.slope, lane, g.as_slice());
-            registers.set_all(&layout.turn, lane, p.transpose().as_slice());
+            let first = &first[lane * n * n * n..][..n * n * n];
+            // Pᵢₖ, row by row.
+            let turn: Vec<f64> = (0..n * n)
+                .map(|place| sum(&|j| first[half(place / n, j) * n + place % n] * d[j]))
+                .collect();
+            let slope: Vec<f64> = (0..n).map(|k| sum(&|i| turn[i * n + k] * d[i])).collect();
+            registers.set_all(&layout.slope, lane, &slope);
+            registers.set_all(&layout.turn, lane, &turn);
             if order == 2 {
-                let second = &second[lane * D * D * D * D..][..D * D * D * D];
+                let second = &second[lane * n * n * n * n..][..n * n * n * n];
                 let bend = |k: usize, l: usize| -> f64 {
-                    let of = |i: usize, j: usize| second[((i * D + j) * D + k) * D + l];
+                    let of = |i: usize, j: usize| second[((i * n + j) * n + k) * n + l];
                     let weight = |i: usize, j: usize| if i == j { 1.0 } else { 2.0 } * d[i] * d[j];
-                    (0..D)
-                        .flat_map(|i| (i..D).map(move |j| (i, j)))
+                    (0..n)
+                        .flat_map(|i| (i..n).map(move |j| (i, j)))
                         .map(|(i, j)| weight(i, j) * of(i, j))
                         .sum()
                 };
-                let q = SMatrix::<f64, D, D>::from_fn(|k, l| bend(k.min(l), k.max(l)));
-                registers.set_all(&layout.bend, lane, q.as_slice());
+                let q: Vec<f64> = (0..n * n)
+                    .map(|place| bend((place % n).min(place / n), (place % n).max(place / n)))
+                    .collect();
+                registers.set_all(&layout.bend, lane, &q);
             }
         }
     }
+}
+
+/// Returns the transpose of a matrix.
+fn transposed(a: &[f64], n: usize) -> Vec<f64> {
+    (0..n * n).map(|place| a[place % n * n + place / n]).collect()
 }

@@ -48,7 +48,7 @@ impl<const D: usize> BlackBox<D> {
         for moved in moves {
             let from = all.len();
             all.extend_from_slice(x);
-            for point in all[from..].chunks_mut(D) {
+            for point in all[from..].chunks_mut(self.dimension) {
                 for &(k, steps) in moved {
                     point[k] += steps * self.step;
                 }
@@ -59,12 +59,13 @@ impl<const D: usize> BlackBox<D> {
 
     /// Sets first and second derivatives from values of `H` alone.
     fn by_differences(&self, x: &[f64], order: usize, at: &mut Derivatives) {
+        let d = self.dimension;
         let mut moves: Vec<[(usize, f64); 2]> = Vec::new();
-        for k in 0..D {
+        for k in 0..d {
             moves.extend(OFFSETS.map(|offset| [(k, offset), (k, 0.0)]));
         }
         let pairs: Vec<(usize, usize)> =
-            (0..D).flat_map(|k| (k + 1..D).map(move |l| (k, l))).collect();
+            (0..d).flat_map(|k| (k + 1..d).map(move |l| (k, l))).collect();
         const SIGNS: [[f64; 2]; 4] = [[1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0]];
         if order == 2 {
             for &(k, l) in &pairs {
@@ -77,20 +78,20 @@ impl<const D: usize> BlackBox<D> {
         let sum = |weights: [f64; 4], from: usize, entry: usize| -> f64 {
             weights.iter().zip(from..).map(|(w, moved)| w * value(moved, entry)).sum()
         };
-        at.first = (0..entries * D).map(|n| sum(SLOPE, n % D * 4, n / D) / h).collect();
+        at.first = (0..entries * d).map(|n| sum(SLOPE, n % d * 4, n / d) / h).collect();
         if order < 2 {
             return;
         }
-        at.second = vec![0.0; entries * D * D];
+        at.second = vec![0.0; entries * d * d];
         for entry in 0..entries {
-            for k in 0..D {
+            for k in 0..d {
                 let here = BEND_HERE * at.gram[entry];
-                at.second[(entry * D + k) * D + k] = (sum(BEND, 4 * k, entry) + here) / (h * h);
+                at.second[(entry * d + k) * d + k] = (sum(BEND, 4 * k, entry) + here) / (h * h);
             }
             for (n, &(k, l)) in pairs.iter().enumerate() {
-                let turned = sum([0.25, 0.25, -0.25, -0.25], 4 * (D + n), entry) / (h * h);
-                at.second[(entry * D + k) * D + l] = turned;
-                at.second[(entry * D + l) * D + k] = turned;
+                let turned = sum([0.25, 0.25, -0.25, -0.25], 4 * (d + n), entry) / (h * h);
+                at.second[(entry * d + k) * d + l] = turned;
+                at.second[(entry * d + l) * d + k] = turned;
             }
         }
     }
@@ -98,20 +99,21 @@ impl<const D: usize> BlackBox<D> {
     /// Returns second derivatives from differences of the first ones, of which there are `all`. They are
     /// undefined where the first ones are known no more.
     fn bends_of_slopes(&self, x: &[f64], all: usize) -> Vec<f64> {
+        let d = self.dimension;
         let moves: Vec<_> =
-            (0..D).flat_map(|k| OFFSETS.map(|offset| [(k, offset), (k, 0.0)])).collect();
+            (0..d).flat_map(|k| OFFSETS.map(|offset| [(k, offset), (k, 0.0)])).collect();
         let slopes = self.values.first(&self.moved(x, &moves));
         let slopes = slopes.unwrap_or_else(|| vec![f64::NAN; all * moves.len()]);
         let bend = |n: usize, k: usize| -> f64 {
             let slopes = (0..4).map(|i| SLOPE[i] * slopes[(4 * k + i) * all + n]);
             slopes.sum::<f64>() / self.step
         };
-        let mut second = vec![0.0; all * D];
-        for entry in 0..all / D {
-            for (k, l) in (0..D).flat_map(|k| (0..D).map(move |l| (k, l))) {
+        let mut second = vec![0.0; all * d];
+        for entry in 0..all / d {
+            for (k, l) in (0..d).flat_map(|k| (0..d).map(move |l| (k, l))) {
                 // The two orders of differentiation differ by the error of the differences.
-                let both = bend(entry * D + k, l) + bend(entry * D + l, k);
-                second[(entry * D + k) * D + l] = 0.5 * both;
+                let both = bend(entry * d + k, l) + bend(entry * d + l, k);
+                second[(entry * d + k) * d + l] = 0.5 * both;
             }
         }
         second

@@ -7,7 +7,7 @@ use std::{any::Any, fmt::Debug, sync::Arc};
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
-use tautline_scalar::Scalar;
+use tautline_scalar::{ANY, Scalar};
 
 use crate::{
     RecordError,
@@ -41,6 +41,8 @@ pub trait Values: Send + Sync {
 /// A metric that is known by its values only. It can be solved, evaluated and compared; what needs a
 /// formula, such as a certificate, is refused with [`RecordError::BlackBox`].
 ///
+/// The dimension is known at compile time, or is a value if `D` is [`ANY`].
+///
 /// ```
 /// use std::sync::Arc;
 /// use nalgebra::vector;
@@ -59,6 +61,7 @@ pub trait Values: Send + Sync {
 /// ```
 #[derive(Clone)]
 pub struct BlackBox<const D: usize> {
+    dimension: usize,
     values: Arc<dyn Values>,
     step: f64,
 }
@@ -79,7 +82,45 @@ impl<const D: usize> BlackBox<D> {
     /// Returns `None` if the step is not positive and finite.
     #[must_use]
     pub fn new(values: Arc<dyn Values>, step: f64) -> Option<Self> {
-        (step > 0.0 && step.is_finite()).then_some(Self { values, step })
+        Self::checked(D, values, step)
+    }
+
+    fn checked(dimension: usize, values: Arc<dyn Values>, step: f64) -> Option<Self> {
+        (step > 0.0 && step.is_finite()).then_some(Self { dimension, values, step })
+    }
+
+    /// Returns the dimension of the space.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// Returns the same metric as one whose dimension is a value.
+    #[must_use]
+    pub fn into_any(self) -> BlackBox<ANY> {
+        let Self { dimension, values, step } = self;
+        BlackBox { dimension, values, step }
+    }
+
+    /// Returns `H(x)`, as `D²` numbers row by row.
+    #[must_use]
+    pub fn gram_at(&self, x: &[f64]) -> Vec<f64> {
+        self.values.gram(x)
+    }
+}
+
+impl BlackBox<ANY> {
+    /// Makes the metric on `R^dimension` like [`new`](BlackBox::new).
+    #[must_use]
+    pub fn new_in(dimension: usize, values: Arc<dyn Values>, step: f64) -> Option<Self> {
+        Self::checked(dimension, values, step)
+    }
+
+    /// Returns the same metric as one on `R^E`; `None` if it is one in another dimension.
+    #[must_use]
+    pub fn into_dimension<const E: usize>(self) -> Option<BlackBox<E>> {
+        let Self { dimension, values, step } = self;
+        (dimension == E).then_some(BlackBox { dimension, values, step })
     }
 }
 

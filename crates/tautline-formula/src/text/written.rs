@@ -171,6 +171,21 @@ impl Formula<ANY> {
     ) -> Result<Self, WrittenError> {
         Self::composed(dimension, parameters, tables, definitions, metric)
     }
+
+    /// Returns the function of a text like [`squared_in`](Formula::squared_in), on `R^dimension`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`squared_in`](Formula::squared_in).
+    pub fn squared_of(
+        dimension: usize,
+        parameters: &[(&str, f64)],
+        tables: &[(&str, Arc<dyn Table>)],
+        definitions: &[[Part<'_>; 2]],
+        text: Part<'_>,
+    ) -> Result<Option<(Form, Self)>, WrittenError> {
+        Self::squared(dimension, parameters, tables, definitions, text)
+    }
 }
 
 impl<'a> Written<'a> {

@@ -8,7 +8,7 @@ use tautline_metrics::Pair;
 use tautline_sets::AnySet;
 
 use crate::newton::{
-    blocks::{Blocks, PivotMut},
+    arithmetic::blocks::{Blocks, PivotMut},
     discrete_energy::DiscreteEnergy,
     end_frame::EndFrame,
     factorization::Regulariser,

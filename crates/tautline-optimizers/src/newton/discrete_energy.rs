@@ -7,7 +7,7 @@ use tautline_discretizations::{
 use tautline_formula::{AnyBatches, InstructionSet, Kind};
 use tautline_metrics::{MetricError, check_numbers};
 
-use crate::newton::small::Matrix;
+use crate::newton::arithmetic::small::Matrix;
 
 /// A function of point sequences, `E_N(x) = N Σₖ Σⱼ wⱼ g(xₖ + tⱼ dₖ)(dₖ, dₖ)` with
 /// `dₖ = xₖ₊₁ − xₖ`, and its derivatives.

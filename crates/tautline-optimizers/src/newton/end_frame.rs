@@ -5,8 +5,8 @@ use smallvec::SmallVec;
 use tautline_sets::AnySet;
 
 use crate::newton::{
-    blocks::{Blocks, with_small_blocks},
-    small::{Matrix, Vector, apply, apply_transposed, multiple_of_identity, multiply},
+    arithmetic::blocks::{Blocks, with_small_blocks},
+    arithmetic::small::{Matrix, Vector, apply, apply_transposed, multiple_of_identity, multiply},
 };
 
 /// Coordinates at an end point `x` of a closed set with the nearest-point map `P`.
@@ -209,7 +209,7 @@ mod tests {
     use tautline_sets::{AxisBox, Ball, InAny, Point};
 
     use super::{Coordinate, EndFrame};
-    use crate::newton::small::dot;
+    use crate::newton::arithmetic::small::dot;
 
     fn free(frame: &EndFrame) -> usize {
         frame.coordinates.iter().filter(|c| matches!(c, Coordinate::Free { .. })).count()

@@ -5,9 +5,9 @@ use tautline_discretizations::QuadraticModel;
 use tautline_metrics::Lanes;
 
 use crate::newton::{
-    blocks::{Any, Blocks, PivotMut, with_blocks, with_small_blocks},
-    ldl::Ldl,
-    small::Matrix,
+    arithmetic::blocks::{Any, Blocks, PivotMut, with_blocks, with_small_blocks},
+    arithmetic::ldl::Ldl,
+    arithmetic::small::Matrix,
 };
 
 /// A symmetric block-tridiagonal matrix `A + μ R`. The regulariser `R` is `s (N Λ + I/N)` with the

@@ -5,9 +5,9 @@ use tautline_discretizations::{ChordModel, CompensatedSum};
 use tautline_metrics::{Lanes, Pair};
 
 use crate::newton::{
+    arithmetic::ldl::Ldl,
     end_frame::EndFrame,
     factorization::{Pivot, Regulariser},
-    ldl::Ldl,
     residual::Scale,
 };
 

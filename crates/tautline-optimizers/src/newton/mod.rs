@@ -1,13 +1,11 @@
 //! Newton steps: the energy and its derivatives, the factorisation of the Hessian, and the step.
 
-pub(crate) mod blocks;
+pub(crate) mod arithmetic;
 pub(crate) mod chain;
-pub(crate) mod dense;
 pub(crate) mod discrete_energy;
 pub(crate) mod end_frame;
 pub(crate) mod factorization;
 pub(crate) mod front;
-pub(crate) mod ldl;
 pub(crate) mod magnitude;
 pub(crate) mod memory;
 pub(crate) mod newton_pass;
@@ -17,7 +15,6 @@ pub(crate) mod reduced_system;
 pub(crate) mod residual;
 pub(crate) mod rounding;
 pub(crate) mod side;
-pub(crate) mod small;
 pub(crate) mod stationarity;
 pub(crate) mod sweep;
 pub(crate) mod twisted_factorization;

@@ -4,11 +4,11 @@ use tautline_discretizations::QuadraticModel;
 use tautline_sets::AnySet;
 
 use crate::newton::{
-    blocks::{Blocks, with_blocks},
+    arithmetic::blocks::{Blocks, with_blocks},
+    arithmetic::small::{amax, transpose},
     end_frame::{Coordinate, EndFrame},
     factorization::{Factorization, Regulariser, Shifted},
     rounding::margin,
-    small::{amax, transpose},
 };
 
 /// The quadratic model of an energy in the coordinates of both [`EndFrame`]s.

@@ -6,10 +6,10 @@ use tautline_metrics::Lanes;
 use tautline_sets::AnySet;
 
 use crate::newton::{
+    arithmetic::small::{Vector, dot},
     end_frame::EndFrame,
     magnitude::Magnitude,
     rounding::rounding,
-    small::{Vector, dot},
 };
 
 /// The [residual](crate::Minimum::residual), computed from the gradients with respect to all

@@ -3,11 +3,11 @@
 use tautline_discretizations::{ChordModels, CompensatedSum};
 
 use crate::newton::{
-    blocks::{Blocks, PivotMut},
+    arithmetic::blocks::{Blocks, PivotMut},
+    arithmetic::small::transpose,
     end_frame::EndFrame,
     factorization::Regulariser,
     residual::Scale,
-    small::transpose,
 };
 
 /// The block row of a point, as far as it is assembled.

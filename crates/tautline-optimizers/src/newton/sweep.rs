@@ -5,7 +5,8 @@ use tautline_discretizations::{ANY, ChordModels, PointSequence};
 use tautline_sets::AnySet;
 
 use crate::newton::{
-    blocks::{Blocks, PivotMut, with_blocks},
+    arithmetic::blocks::{Blocks, PivotMut, with_blocks},
+    arithmetic::small::Vector,
     chain::Chain,
     discrete_energy::DiscreteEnergy,
     end_frame::EndFrame,
@@ -14,7 +15,6 @@ use crate::newton::{
     residual::Residual,
     rounding::margin,
     side::Sums,
-    small::Vector,
     stationarity::Stationarity,
     twisted_factorization::{InLanes, Pairs, Pivots, TwistedFactorization},
 };

@@ -4,9 +4,9 @@ use nalgebra::SVector;
 use tautline_metrics::{Lanes, Pair, Scalar};
 
 use crate::newton::{
-    blocks::{Blocks, PivotMut, with_blocks},
+    arithmetic::blocks::{Blocks, PivotMut, with_blocks},
+    arithmetic::small::Vector,
     factorization::Pivot,
-    small::Vector,
 };
 
 /// The block factorisation of a positive definite block-tridiagonal matrix, from both ends towards

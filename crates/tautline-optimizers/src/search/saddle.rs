@@ -3,7 +3,7 @@
 use tautline_discretizations::{ANY, PointSequence, QuadraticModel};
 
 use crate::{
-    newton::{reduced_system::ReducedSystem, small::amax},
+    newton::{arithmetic::small::amax, reduced_system::ReducedSystem},
     search::{damping::SHIFT_FACTOR, local_search::LocalSearch},
 };
 

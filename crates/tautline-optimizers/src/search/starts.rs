@@ -5,8 +5,8 @@ use tautline_sets::AnySet;
 
 use crate::{
     newton::{
+        arithmetic::small::{Vector, dot},
         discrete_energy::DiscreteEnergy,
-        small::{Vector, dot},
     },
     search::{line_minimum::line_minimum, prolongation::prolong},
 };

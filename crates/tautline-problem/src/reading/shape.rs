@@ -2,7 +2,7 @@
 
 use std::{ops::Range, sync::Arc};
 
-use tautline::{ANY, ClosedSet, SVector, SetError, Shape, Union};
+use tautline::{ANY, AnyEnds, SVector, SetError, Shape};
 
 use crate::Diagnostic;
 
@@ -32,13 +32,24 @@ pub(crate) fn vector<const D: usize>(x: &[f64]) -> SVector<f64, D> {
     SVector::from_fn(|i, _| x.get(i).copied().unwrap_or(0.0))
 }
 
-/// Returns the union of shapes in `D` dimensions, or the only one.
-pub(crate) fn union<'s, const D: usize>(
-    shapes: impl Iterator<Item = &'s Shape<ANY>>,
-) -> Result<Arc<dyn ClosedSet<D>>, SetError> {
-    let set = |shape: &Shape<ANY>| -> Result<Arc<dyn ClosedSet<D>>, SetError> {
-        Ok(Arc::new(shape.clone().into_dimension()?))
+/// Returns the ends between two unions of shapes. Two points are recognised, since more is proved of them.
+pub(crate) fn ends(from: Vec<Shape<ANY>>, to: Vec<Shape<ANY>>) -> Result<AnyEnds, SetError> {
+    if let ([Shape::Point(from)], [Shape::Point(to)]) = (&from[..], &to[..]) {
+        return AnyEnds::points(from.position_slice(), to.position_slice());
+    }
+    AnyEnds::new(Arc::new(joined(from)?), Arc::new(joined(to)?))
+}
+
+/// Returns the union of shapes, or the only one. The pieces of a union are single points, where they are
+/// points, as in a [`Union`](tautline::Union): each has a ball of its own.
+fn joined(shapes: Vec<Shape<ANY>>) -> Result<Shape<ANY>, SetError> {
+    if shapes.len() == 1 {
+        return Shape::union(shapes);
+    }
+    let single = |piece: &Shape<ANY>| match piece {
+        Shape::FiniteSet(set) => set.points().iter().cloned().map(Shape::Point).collect(),
+        piece => vec![piece.clone()],
     };
-    let mut sets = shapes.map(set).collect::<Result<Vec<_>, _>>()?;
-    if sets.len() == 1 { Ok(sets.remove(0)) } else { Ok(Arc::new(Union::new(sets)?)) }
+    let pieces = shapes.iter().flat_map(Shape::pieces).flat_map(single);
+    Shape::union(pieces.collect())
 }

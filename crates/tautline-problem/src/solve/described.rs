@@ -1,6 +1,6 @@
 //! What the library found, as the numbers and the words of an answer.
 
-use tautline::{Curvature, Integral, Metric, PointSequence, Stop, TautLine};
+use tautline::{ANY, Curvature, Integral, Known, PointSequence, Stop, TautLine};
 
 use crate::{Estimated, Search};
 
@@ -9,9 +9,7 @@ pub(crate) fn estimated(Integral { value, error, .. }: Integral) -> Estimated {
 }
 
 /// Returns an estimate of the distance.
-pub(crate) fn extrapolated<M: Metric<D>, const D: usize>(
-    line: &TautLine<M, D>,
-) -> Option<Estimated> {
+pub(crate) fn extrapolated(line: &TautLine<Known, ANY>) -> Option<Estimated> {
     let square = line.distance_squared_estimate()?;
     let value = square.value.max(0.0).sqrt();
     // An estimate that may be 0 is none.
@@ -20,9 +18,9 @@ pub(crate) fn extrapolated<M: Metric<D>, const D: usize>(
 }
 
 /// Returns how the search for a minimum ended.
-pub(crate) fn search<M: Metric<D>, const D: usize>(line: &TautLine<M, D>) -> Search {
+pub(crate) fn search(line: &TautLine<Known, ANY>) -> Search {
     let minimum = line.minimum();
-    let is_contact = minimum.stop == Stop::EndsTouch && line.common_point().is_none();
+    let is_contact = minimum.stop == Stop::EndsTouch && line.proved_contact().is_none();
     Search {
         converged: minimum.is_local_minimum(),
         stop: if is_contact { "the sets touch, up to rounding" } else { stop(minimum.stop) },
@@ -33,8 +31,8 @@ pub(crate) fn search<M: Metric<D>, const D: usize>(line: &TautLine<M, D>) -> Sea
     }
 }
 
-pub(crate) fn points<const D: usize>(sequence: &PointSequence<D>) -> Vec<Vec<f64>> {
-    sequence.points().iter().map(|x| x.as_slice().to_vec()).collect()
+pub(crate) fn points(sequence: &PointSequence<ANY>) -> Vec<Vec<f64>> {
+    sequence.coordinates().chunks_exact(sequence.dimension()).map(<[f64]>::to_vec).collect()
 }
 
 fn stop(stop: Stop) -> &'static str {

@@ -10,8 +10,7 @@ use core::ops::ControlFlow;
 use std::sync::Arc;
 
 use tautline::{
-    Ends, LatticeSearchError, Options, PointSequence, Problem, Rule, Shape, SolveError, Starts,
-    TautLine,
+    ANY, AnyEnds, Known, Options, PointSequence, Problem, Rule, SolveError, Starts, TautLine,
     certify::{Progress, Watch},
     distance,
 };
@@ -19,9 +18,8 @@ use tautline::{
 use crate::{
     Answer, Diagnostic, Failure, Grid, OtherMinimum, Question,
     bounds::bounds,
-    dimension::{InDimension, in_dimension},
-    known::Known,
-    reading::shape::{Piece, union, vector},
+    reading::shape::{Piece, ends},
+    value::GivenError,
 };
 
 pub use self::programs::Programs;
@@ -58,8 +56,8 @@ impl Question {
         watch: &dyn Watch,
         observe: &mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
     ) -> Result<Answer, Failure> {
-        let solve = Solve { question: self, programs: None, solved, watch, observe };
-        in_dimension(self.dimension, solve).unwrap_or(Err(Failure::NotComputed(String::new())))
+        let metric = Arc::new(Known::from(self.any_formula()?));
+        self.solve_by(metric, &self.options()?, solved, watch, observe)
     }
 
     /// Solves the problem like [`solve`](Question::solve), on one thread, with programs of its metric
@@ -69,74 +67,49 @@ impl Question {
     ///
     /// Those of [`solve`](Question::solve).
     pub fn solve_with(&self, programs: &Programs) -> Result<Answer, Failure> {
-        let solve = Solve {
-            question: self,
-            programs: Some(programs),
-            solved: &mut |_| (),
-            watch: &|_: Progress| true,
-            observe: &mut |_| ControlFlow::Continue(()),
-        };
-        in_dimension(self.dimension, solve).unwrap_or(Err(Failure::NotComputed(String::new())))
+        let options = Options { threads: 1, ..self.options()? };
+        let metric = Arc::clone(programs.metric());
+        let go_on = &mut |_| ControlFlow::Continue(());
+        self.solve_by(metric, &options, &mut |_| (), &|_: Progress| true, go_on)
     }
-}
 
-struct Solve<'q> {
-    question: &'q Question,
-    programs: Option<&'q Programs>,
-    solved: &'q mut dyn FnMut(&Answer),
-    watch: &'q dyn Watch,
-    observe: &'q mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
-}
-
-impl InDimension for Solve<'_> {
-    type Output = Result<Answer, Failure>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let Self { question, programs, solved, watch, observe } = self;
-        let mut options = question.options::<D>()?;
-        let prepared = match programs.and_then(Programs::prepared::<D>) {
-            Some(prepared) => {
-                options.threads = 1;
-                prepared
-            }
-            None => Arc::new(Known::Formula(question.formula::<D>()?).prepared()),
-        };
-        let problem = Problem::with_prepared(prepared, question.pair::<D>()?);
-        let line = question.line(&problem, question.rule, &options, solved)?;
-        question.answer(&line, watch, observe, solved)
+    fn solve_by(
+        &self,
+        metric: Arc<Known>,
+        options: &Options<ANY>,
+        solved: &mut dyn FnMut(&Answer),
+        watch: &dyn Watch,
+        observe: &mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
+    ) -> Result<Answer, Failure> {
+        let line = self.line(&self.posed(metric)?, self.rule, options, solved)?;
+        self.answer(&line, watch, observe, solved)
     }
 }
 
 impl Question {
+    /// Poses the problem with a metric.
+    pub(crate) fn posed(&self, metric: Arc<Known>) -> Result<Problem<Known, ANY>, Failure> {
+        let posed = Problem::with_known(metric, self.pair()?);
+        posed.map_err(|error| Failure::NotComputed(error.to_string()))
+    }
+
     /// Returns the two sets.
-    pub(crate) fn pair<const D: usize>(&self) -> Result<Ends<D>, Diagnostic> {
+    fn pair(&self) -> Result<AnyEnds, Diagnostic> {
         let metric = self.problem.metric.span();
         let Some([from, to]) = &self.ends else {
             return Err(Diagnostic::new("[from] and [to] are missing", metric)
                 .help("a problem has a metric and two sets between which a curve runs"));
         };
-        let first = |pieces: &[Piece]| match pieces {
-            [piece] => match &piece.shape {
-                Shape::Point(point) => Some(vector::<D>(point.position_slice())),
-                _ => None,
-            },
-            _ => None,
-        };
-        let shapes = |pieces: &[Piece]| union::<D>(pieces.iter().map(|piece| &piece.shape));
-        // Two points are recognised, since more is proved of them.
-        let ends = match (first(from), first(to)) {
-            (Some(a), Some(b)) => Ends::points(a, b),
-            _ => shapes(from).and_then(|from| Ends::new(from, shapes(to)?)),
-        };
-        ends.map_err(|error| {
+        let shapes = |pieces: &[Piece]| pieces.iter().map(|piece| piece.shape.clone()).collect();
+        ends(shapes(from), shapes(to)).map_err(|error| {
             let place = to.first().and_then(|piece| piece.places.first());
             Diagnostic::new(error.to_string(), place.cloned().unwrap_or(metric))
         })
     }
 
-    pub(crate) fn options<const D: usize>(&self) -> Result<Options<D>, Failure> {
+    pub(crate) fn options(&self) -> Result<Options<ANY>, Failure> {
         let start = |start: &Vec<Vec<f64>>| {
-            PointSequence::new(start.iter().map(|x| vector::<D>(x)).collect())
+            PointSequence::from_coordinates(self.dimension, start.concat())
                 .map_err(|error| Failure::NotComputed(error.to_string()))
         };
         let starts = self.starts.iter().map(start).collect::<Result<Vec<_>, _>>()?;
@@ -149,23 +122,21 @@ impl Question {
         Ok(Options { starts, iterations: self.steps.unwrap_or(default.iterations), ..default })
     }
 
-    pub(crate) fn line<const D: usize>(
+    pub(crate) fn line(
         &self,
-        problem: &Problem<Known<D>, D>,
+        problem: &Problem<Known, ANY>,
         rule: Rule,
-        options: &Options<D>,
+        options: &Options<ANY>,
         solved: &mut dyn FnMut(&Answer),
-    ) -> Result<TautLine<Known<D>, D>, Failure> {
+    ) -> Result<TautLine<Known, ANY>, Failure> {
         let failure = |error: SolveError| self.failure(problem.metric(), &error);
         let first = if let Grid::Chords(n) = self.grid { n } else { FIRST_GRID };
         if let Some(nodes) = &self.lattice {
             let wrong = |error: String| Failure::BadInput(Diagnostic::new(error, nodes.span()));
-            let lattice =
-                nodes.get_ref().lattice::<D>().map_err(|error| wrong(error.to_string()))?;
-            let line = nodes.get_ref().solve(problem, rule, first, &lattice, options);
+            let line = nodes.get_ref().solve(problem, rule, first, options);
             return line.map_err(|error| match error {
-                LatticeSearchError::Path(error) => wrong(error.to_string()),
-                LatticeSearchError::Solve(error) => failure(error),
+                GivenError::Solve(error) => failure(error),
+                error => wrong(error.to_string()),
             });
         }
         let line = problem.solve_with(rule, first, options).map_err(failure)?;
@@ -182,14 +153,11 @@ impl Question {
     }
 
     /// Returns the answer without other minima and without bounds.
-    fn on_its_own<const D: usize>(
-        &self,
-        line: &TautLine<Known<D>, D>,
-    ) -> Result<Answer, Diagnostic> {
+    fn on_its_own(&self, line: &TautLine<Known, ANY>) -> Result<Answer, Diagnostic> {
         self.check_sign(line.sequence())?;
         let minimum = line.minimum();
         Ok(Answer {
-            dimension: D,
+            dimension: self.dimension,
             rule: self.rule.name(),
             n: minimum.sequence.n().get(),
             length: estimated(line.length()),
@@ -209,9 +177,9 @@ impl Question {
         })
     }
 
-    fn answer<const D: usize>(
+    fn answer(
         &self,
-        line: &TautLine<Known<D>, D>,
+        line: &TautLine<Known, ANY>,
         watch: &dyn Watch,
         observe: &mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
         solved: &mut dyn FnMut(&Answer),

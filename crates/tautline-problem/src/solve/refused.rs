@@ -1,19 +1,17 @@
 //! Why there is no metric along any curve.
 
-use tautline::{Metric, MetricError, SVector, Shape, SolveError};
+use tautline::{Known, MetricError, Shape, SolveError};
 
-use crate::{
-    Diagnostic, Failure, Question, formula::formula_of, known::Known, reading::shape::vector,
-};
+use crate::{Diagnostic, Failure, Question, formula::formula_of};
 
 impl Question {
     /// Returns the failure of a search.
-    pub(super) fn failure<const D: usize>(&self, metric: &Known<D>, error: &SolveError) -> Failure {
+    pub(super) fn failure(&self, metric: &Known, error: &SolveError) -> Failure {
         let SolveError::Metric(defect) = error else {
             return Failure::NotComputed(error.to_string());
         };
         let in_obstacle = match defect {
-            MetricError::NotFinite { point, .. } => self.in_obstacle(metric, &vector(point)),
+            MetricError::NotFinite { point, .. } => self.in_obstacle(metric, point),
             _ => None,
         };
         let place = self.problem.metric.get_ref().span();
@@ -22,21 +20,18 @@ impl Question {
     }
 
     /// Explains why there is no metric at a point, if that is due to the obstacles alone.
-    fn in_obstacle<const D: usize>(
-        &self,
-        metric: &Known<D>,
-        point: &SVector<f64, D>,
-    ) -> Option<Diagnostic> {
+    fn in_obstacle(&self, metric: &Known, point: &[f64]) -> Option<Diagnostic> {
         let regions = self.problem.obstacles.as_ref()?.get_ref().regions.span();
         let (file, numbers) = (self.problem.metric.get_ref(), self.numbers());
-        let without = formula_of::<D>(file, &self.problem, &numbers, &self.tables, None).ok()?;
-        if !is_finite(&without, point) {
+        let (problem, tables) = (&self.problem, &self.tables);
+        let without = formula_of(file, problem, &numbers, tables, self.dimension, None).ok()?;
+        if !are_finite(&without.gram_at(point)) {
             return None;
         }
         for piece in self.ends.iter().flatten().flatten() {
             if let Shape::Point(point) = &piece.shape
                 && let x = point.position_slice()
-                && !is_finite(metric, &vector(x))
+                && !are_finite(&metric.gram(x))
             {
                 let place = piece.places.first().cloned().unwrap_or(regions);
                 return Some(
@@ -45,10 +40,9 @@ impl Question {
                 );
             }
         }
-        let x = point.as_slice();
         Some(
             Diagnostic::new(
-                format!("every search runs into an obstacle, such as at {x:?}"),
+                format!("every search runs into an obstacle, such as at {point:?}"),
                 regions,
             )
             .help("name a way round it: a polygon as starts in [solve], or a lattice"),
@@ -56,6 +50,6 @@ impl Question {
     }
 }
 
-fn is_finite<const D: usize>(metric: &impl Metric<D>, x: &SVector<f64, D>) -> bool {
-    metric.gram(x).iter().all(|h| h.is_finite())
+fn are_finite(gram: &[f64]) -> bool {
+    gram.iter().all(|h| h.is_finite())
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use tautline::{
-    Batch, Batches, Formula, Kind, PointSequence, Prepared, SVector, Short, formula::Form,
+    ANY, AnyBatches, Batch, Formula, Kind, PointSequence, PreparedFormula, Short, formula::Form,
 };
 use tautline_picture::portrait::Cubes;
 
@@ -11,19 +11,17 @@ use crate::{
     Diagnostic, Question,
     file::metric::MetricFile,
     formula::{formula_of, squared_in},
+    value::Least,
 };
 
 impl Question {
     /// Refuses a cost or a speed that is negative at a point of a curve or in the middle of a
     /// chord.
-    pub(crate) fn check_sign<const D: usize>(
-        &self,
-        sequence: &PointSequence<D>,
-    ) -> Result<(), Diagnostic> {
+    pub(crate) fn check_sign(&self, sequence: &PointSequence<ANY>) -> Result<(), Diagnostic> {
         for Squared { name, place, phi, .. } in self.squared()? {
-            let least = least_entry(&Prepared::new(&phi), sequence);
-            if let Some((x, value)) = least.filter(|(_, value)| *value < 0.0) {
-                let message = format!("the {name} is {value} at {:?}", x.as_slice());
+            let least = least_entry(&PreparedFormula::new(phi), sequence);
+            if let Some((value, x)) = least.filter(|(value, _)| *value < 0.0) {
+                let message = format!("the {name} is {value} at {x:?}");
                 return Err(Diagnostic::new(message, place).label("expected a positive function"));
             }
         }
@@ -34,24 +32,23 @@ impl Question {
     /// one, and what this means. There is no metric where a cost or a speed is 0, unless the cost is in a
     /// term of a sum. So a curve on which it is positive does not get there, and bounds are true of these
     /// curves.
-    pub(crate) fn negative_in<const D: usize>(
-        &self,
-        cubes: &Cubes,
-    ) -> Result<Option<String>, Diagnostic> {
-        let corner = |place: &[i32]| SVector::<f64, D>::from_fn(|i, _| f64::from(place[i]));
-        let offsets: Vec<SVector<f64, D>> = (0..1_usize << D)
-            .map(|corner| SVector::from_fn(|i, _| f64::from(u8::from(corner >> i & 1 == 1))))
-            .chain([SVector::from_element(0.5)])
-            .collect();
-        let points: Vec<SVector<f64, D>> = cubes
+    pub(crate) fn negative_in(&self, cubes: &Cubes) -> Result<Option<String>, Diagnostic> {
+        let d = self.dimension;
+        let corner = |corner: usize| move |i: usize| f64::from(u8::from(corner >> i & 1 == 1));
+        let offsets = (0..1_usize << d).map(|number| (0..d).map(corner(number)).collect());
+        let offsets: Vec<Vec<f64>> = offsets.chain([vec![0.5; d]]).collect();
+        let beside = |place: &[i32], by: &[f64]| -> Vec<f64> {
+            place.iter().zip(by).map(|(&i, by)| (f64::from(i) + by) * cubes.side).collect()
+        };
+        let points: Vec<f64> = cubes
             .places
-            .chunks_exact(D)
-            .flat_map(|place| offsets.iter().map(move |by| (corner(place) + by) * cubes.side))
+            .chunks_exact(d)
+            .flat_map(|place| offsets.iter().flat_map(move |by| beside(place, by)))
             .collect();
         for Squared { name, is_term, phi, .. } in self.squared()? {
-            let least = least_at(&Prepared::new(&phi), &points);
-            if let Some((x, value)) = least.filter(|(_, value)| *value < 0.0) {
-                let (value, x) = (Short(value), x.as_slice());
+            let least = least_at(&PreparedFormula::new(phi), &points);
+            if let Some((value, x)) = least.filter(|(value, _)| *value < 0.0) {
+                let value = Short(value);
                 let meaning = if is_term {
                     "the sum has its square there"
                 } else {
@@ -64,15 +61,16 @@ impl Question {
     }
 
     /// Returns the costs and the speeds in the metric.
-    fn squared<const D: usize>(&self) -> Result<Vec<Squared<D>>, Diagnostic> {
+    fn squared(&self) -> Result<Vec<Squared>, Diagnostic> {
         let (problem, numbers, tables) = (&self.problem, self.numbers(), &self.tables);
+        let dimension = self.dimension;
         let mut found = Vec::new();
         for (part, is_term) in parts(problem.metric.get_ref()) {
             let (name, text, phi) = match part {
                 MetricFile::Cost(text) => ("cost", text, None),
                 MetricFile::Speed(text) => ("speed", text, None),
                 MetricFile::Formula(text) => {
-                    match squared_in::<D>(text, problem, &numbers, tables)? {
+                    match squared_in(text, problem, &numbers, tables, dimension)? {
                         Some((Form::Speed, phi)) => ("speed", text, Some(phi)),
                         Some((_, phi)) => ("cost", text, Some(phi)),
                         None => continue,
@@ -82,7 +80,10 @@ impl Question {
             };
             let phi = phi.map_or_else(
                 // The entries of φ I are the function itself.
-                || formula_of(&MetricFile::Phi(text.clone()), problem, &numbers, tables, None),
+                || {
+                    let phi = MetricFile::Phi(text.clone());
+                    formula_of(&phi, problem, &numbers, tables, dimension, None)
+                },
                 Ok,
             )?;
             found.push(Squared { name, place: text.span(), is_term, phi });
@@ -92,47 +93,53 @@ impl Question {
 }
 
 /// A cost or a speed in a metric.
-struct Squared<const D: usize> {
+struct Squared {
     /// Cost or speed.
     name: &'static str,
     place: Range<usize>,
     /// Whether it is in a term of a sum, which is a metric where the cost is 0.
     is_term: bool,
     /// The function itself: `φ I`.
-    phi: Formula<D>,
+    phi: Formula<ANY>,
 }
 
 /// Returns the least value of the first entry of `H` at the points of a sequence and in the middles of
 /// its chords, and where it is.
-pub(crate) fn least_entry<const D: usize>(
-    metric: &dyn Batches<D>,
-    sequence: &PointSequence<D>,
-) -> Option<(SVector<f64, D>, f64)> {
-    let middles = sequence.chords().map(|(x, d)| x + d * 0.5);
-    let points: Vec<SVector<f64, D>> = sequence.points().iter().copied().chain(middles).collect();
+pub(crate) fn least_entry(metric: &dyn AnyBatches, sequence: &PointSequence<ANY>) -> Option<Least> {
+    let n = sequence.n().get();
+    let middle = |k: usize| {
+        let ends = sequence.row(k).iter().zip(sequence.row(k + 1));
+        ends.map(|(x, y)| x + (y - x) * 0.5)
+    };
+    let middles = (0..n).flat_map(middle);
+    let points: Vec<f64> = sequence.coordinates().iter().copied().chain(middles).collect();
     least_at(metric, &points)
 }
 
-/// Returns the least value of the first entry of `H` at some points, and where it is.
-fn least_at<const D: usize>(
-    metric: &dyn Batches<D>,
-    points: &[SVector<f64, D>],
-) -> Option<(SVector<f64, D>, f64)> {
-    // The first unit vector e has eᵀ H e = H₁₁.
-    let mut unit = SVector::<f64, D>::zeros();
-    unit[0] = 1.0;
-    let mut batch = Batch::new(metric, Kind::Square, 1, points.len());
-    let mut least = None;
-    for points in points.chunks(batch.lanes()) {
-        let mut inputs = batch.inputs(points.len());
-        points.iter().enumerate().for_each(|(lane, x)| inputs.set(lane, x, &unit));
+/// Returns the least value of the first entry of `H` at points whose coordinates follow one another, and
+/// where it is.
+fn least_at(metric: &dyn AnyBatches, points: &[f64]) -> Option<Least> {
+    let d = metric.dimension();
+    let count = points.len() / d;
+    let mut batch = Batch::new(metric, Kind::Square, 1, count);
+    let mut least: Option<(f64, &[f64])> = None;
+    for points in points.chunks(batch.lanes() * d) {
+        let count = points.len() / d;
+        for i in 0..d {
+            let [place, vector] = batch.input(i);
+            for (place, x) in place.iter_mut().zip(points[i..].iter().step_by(d)) {
+                *place = *x;
+            }
+            // The first unit vector e has eᵀ H e = H₁₁.
+            vector[..count].fill(if i == 0 { 1.0 } else { 0.0 });
+        }
         // The result is whether H is a metric, which its sign says too.
-        let _ = batch.evaluate(points.len());
+        let _ = batch.evaluate(count);
         let values = batch.row(batch.layout().square[0]);
-        let values = points.iter().copied().zip(values.iter().copied());
-        least = least.into_iter().chain(values).min_by(|(_, a), (_, b)| a.total_cmp(b));
+        let values = values.iter().copied().zip(points.chunks_exact(d));
+        least = least.into_iter().chain(values).min_by(|(a, _), (b, _)| a.total_cmp(b));
     }
-    least
+    least.map(|(value, x)| (value, x.to_vec()))
 }
 
 /// Returns the metrics of which a metric is made, and which of them are in a term of a sum.

@@ -2,9 +2,11 @@
 
 use core::ops::ControlFlow;
 
-use tautline::{Estimate, Integral, Options, PointSequence, Problem, Rule, Starts, Stop, TautLine};
+use tautline::{
+    ANY, Estimate, Integral, Known, Options, PointSequence, Problem, Rule, Starts, Stop, TautLine,
+};
 
-use crate::{answer::is_shorter, known::Known};
+use crate::answer::is_shorter;
 
 /// The grid from which a tolerance is judged: that of a problem without a tolerance, so that the
 /// search meets the same minima.
@@ -26,15 +28,15 @@ const OPTIMISM: f64 = 10.0;
 /// Follows a line to finer grids until the relative error of its length is at most `tolerance`, by
 /// extrapolation, or until finer grids do not help. `coarser` is told of each line before the last, and may
 /// end this.
-pub(crate) fn refined<const D: usize>(
-    problem: &Problem<Known<D>, D>,
+pub(crate) fn refined(
+    problem: &Problem<Known, ANY>,
     rule: Rule,
-    mut line: TautLine<Known<D>, D>,
+    mut line: TautLine<Known, ANY>,
     tolerance: f64,
-    options: &Options<D>,
-    coarser: &mut dyn FnMut(&TautLine<Known<D>, D>) -> ControlFlow<()>,
-) -> TautLine<Known<D>, D> {
-    let converged = |line: &TautLine<_, D>| line.minimum().stop == Stop::Converged;
+    options: &Options<ANY>,
+    coarser: &mut dyn FnMut(&TautLine<Known, ANY>) -> ControlFlow<()>,
+) -> TautLine<Known, ANY> {
+    let converged = |line: &TautLine<_, ANY>| line.minimum().stop == Stop::Converged;
     let (mut options, mut failures, mut last_converged) = (options.clone(), 0, None);
     loop {
         // A search that fails twice on fine grids fails on finer ones.
@@ -52,7 +54,7 @@ pub(crate) fn refined<const D: usize>(
             starts.push(shorter.sequence().clone());
             Some(2 * n)
         });
-        let finer = finer.map(|finer| finer.min(FINEST_GRID / D));
+        let finer = finer.map(|finer| finer.min(FINEST_GRID / line.sequence().dimension()));
         let Some(finer) = finer.filter(|&finer| finer > n) else { break };
         if coarser(&line).is_break() {
             break;
@@ -70,7 +72,7 @@ pub(crate) fn refined<const D: usize>(
 
 /// Returns starts with further ones. What was found on a coarse grid is then not lost on a finer one,
 /// which has other coarse grids of its own.
-fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Starts<D> {
+fn also(starts: Starts<ANY>, found: Vec<PointSequence<ANY>>) -> Starts<ANY> {
     let only = matches!(starts, Starts::Only(_));
     let mut given = match starts {
         Starts::Also(given) | Starts::Only(given) => given,
@@ -82,10 +84,7 @@ fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Star
 
 /// Returns the next grid, or `None` if the relative error of the length is at most `tolerance`, by
 /// extrapolation.
-pub(crate) fn finer_grid<const D: usize>(
-    line: &TautLine<Known<D>, D>,
-    tolerance: f64,
-) -> Option<usize> {
+pub(crate) fn finer_grid(line: &TautLine<Known, ANY>, tolerance: f64) -> Option<usize> {
     let finer = factor(&line.length(), line.distance_squared_estimate(), tolerance)?;
     // A conversion to an integer saturates.
     Some((finer * line.sequence().n().get() as f64).ceil() as usize)

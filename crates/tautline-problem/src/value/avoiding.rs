@@ -1,15 +1,12 @@
 //! Metrics with obstacles.
 
 use tautline::{
-    Formula,
+    ANY, Formula,
     formula::{Part, Written, WrittenError},
 };
 
-use super::{Given, GivenError, Shape, sets::check_coordinates};
-use crate::{
-    known::Known,
-    reading::obstacles::{distance, factor},
-};
+use super::{GivenError, Shape, given::check_coordinates};
+use crate::reading::obstacles::{distance, factor};
 
 /// A region that no curve enters.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,11 +18,11 @@ pub enum Region {
 }
 
 /// Returns the metric `(1 + Σₖ (m/δₖ)²) H` with the distances `δₖ` from regions, which is undefined in them.
-pub(super) fn avoiding<const D: usize>(
-    formula: &Formula<D>,
+pub(super) fn avoiding(
+    formula: &Formula<ANY>,
     regions: &[Region],
     margin: f64,
-) -> Result<Given, GivenError> {
+) -> Result<Formula<ANY>, GivenError> {
     if !(margin > 0.0 && margin.is_finite()) {
         return Err(GivenError::Margin { margin });
     }
@@ -34,7 +31,7 @@ pub(super) fn avoiding<const D: usize>(
         let text = match region {
             Region::Negative(text) => text.clone(),
             Region::Set(shape) => {
-                check_coordinates::<D>(shape)?;
+                check_coordinates(shape, formula.dimension())?;
                 distance(shape).ok_or(GivenError::NoInside { set: shape.name() })?
             }
         };
@@ -45,9 +42,8 @@ pub(super) fn avoiding<const D: usize>(
         Part { text, id: 0 }
     }
     let distances = distances.iter().map(|text| part(text)).collect();
-    let metric = Box::new(Written::Recorded(formula.clone().into_any()));
+    let metric = Box::new(Written::Recorded(formula.clone()));
     let metric = Written::Weighted(distances, part(&factor), metric);
-    let formula = Formula::<D>::compose(&[], &[], &[], &metric);
-    let formula = formula.map_err(|WrittenError { error, .. }| GivenError::Text(error))?;
-    Ok(Given::held(Known::Formula(formula)))
+    let formula = Formula::compose_in(formula.dimension(), &[], &[], &[], &metric);
+    formula.map_err(|WrittenError { error, .. }| GivenError::Text(error))
 }

@@ -2,27 +2,28 @@
 
 use std::sync::Arc;
 
-use tautline::{BlackBox, Formula, Table, Values, certify::Watch};
-
-use super::{
-    Curve, GivenError, Proofs, Region, Request, Shape,
-    held::{AnyDimension, Held},
+use tautline::{
+    ANY, AnyBatches, AnySet, BlackBox, Formula, Known, Problem, SolveError, Table, Values,
+    certify::Watch, solve_all,
 };
+
+use super::{Curve, GivenError, Proofs, Region, Request, Shape, avoiding::avoiding};
 use crate::{
-    ConstantsAnswer,
-    dimension::{InDimension, in_dimension},
-    known::Known,
+    ConstantsAnswer, Grid, LARGEST_DIMENSION,
+    constants::{ConstantsError, constants},
+    reading::shape::ends,
+    solve::least_entry,
 };
 
 /// A metric on `R^d`, where `d` is known when the program runs. Its programs are derived once, and
 /// its clones share them.
 #[derive(Clone, Debug)]
 pub struct Given {
-    metric: Arc<dyn AnyDimension>,
+    metric: Arc<Known>,
 }
 
 /// A curve, or why there is none.
-pub type Found = Result<Arc<dyn Curve>, GivenError>;
+pub type Found = Result<Arc<Curve>, GivenError>;
 
 /// A value, and the point where it is.
 pub type Least = (f64, Vec<f64>);
@@ -40,8 +41,8 @@ impl Given {
         parameters: &[(&str, f64)],
         tables: &[(&str, Arc<dyn Table>)],
     ) -> Result<Self, GivenError> {
-        let parse = Parse { text, parameters, tables };
-        in_dimension(dimension, parse).unwrap_or(Err(GivenError::Dimension { dimension }))
+        check_dimension(dimension)?;
+        Ok(Formula::parse_in(dimension, text, parameters, tables)?.into())
     }
 
     /// Takes a metric that is known by its values only. Derivatives that it does not give are computed
@@ -55,13 +56,9 @@ impl Given {
         dimension: usize,
         step: f64,
     ) -> Result<Self, GivenError> {
-        let task = InBlackBox { values, step };
-        in_dimension(dimension, task).unwrap_or(Err(GivenError::Dimension { dimension }))
-    }
-
-    /// Takes a metric in its dimension.
-    pub(super) fn held<const D: usize>(metric: Known<D>) -> Self {
-        Self { metric: Arc::new(Held(Arc::new(metric.prepared()))) }
+        check_dimension(dimension)?;
+        let metric = BlackBox::new_in(dimension, values, step).ok_or(GivenError::Step { step })?;
+        Ok(Self { metric: Arc::new(metric.into()) })
     }
 
     /// Returns the metric with obstacles: with the distances `δₖ(x)` from the regions and the margin `m`,
@@ -73,7 +70,8 @@ impl Given {
     /// [`GivenError::Margin`], [`GivenError::NoInside`], [`GivenError::Coordinates`],
     /// [`GivenError::Text`]; [`GivenError::NoFormula`] for a black box.
     pub fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Self, GivenError> {
-        self.metric.avoiding(regions, margin)
+        let formula = self.metric.formula().map_err(|_| GivenError::NoFormula)?;
+        Ok(avoiding(formula, regions, margin)?.into())
     }
 
     /// Returns the dimension.
@@ -86,7 +84,7 @@ impl Given {
     /// metrics are the same program if these texts are equal. A black box has none.
     #[must_use]
     pub fn text(&self) -> Option<String> {
-        self.metric.text()
+        self.metric.formula().ok().map(ToString::to_string)
     }
 
     /// Returns the tables that the text calls `table1`, `table2`, ….
@@ -121,12 +119,12 @@ impl Given {
     /// # Errors
     ///
     /// [`GivenError::Coordinates`].
-    pub fn least_entry_along(&self, curve: &dyn Curve) -> Result<Option<Least>, GivenError> {
+    pub fn least_entry_along(&self, curve: &Curve) -> Result<Option<Least>, GivenError> {
         let (found, dimension) = (curve.dimension(), self.dimension());
         if found != dimension {
             return Err(GivenError::Coordinates { what: "a curve", found, dimension });
         }
-        self.metric.least_entry_along(&curve.points())
+        Ok(least_entry(&*self.metric, curve.sequence()))
     }
 
     /// Proves the constants of the metric from its formula, in a ball or a box, or on all of space if
@@ -143,7 +141,11 @@ impl Given {
         proofs: &Proofs,
         watch: &dyn Watch,
     ) -> Result<ConstantsAnswer, GivenError> {
-        self.metric.constants(within, proofs, watch)
+        if let Some(shape) = within {
+            check_coordinates(shape, self.dimension())?;
+        }
+        let formula = self.metric.formula().map_err(ConstantsError::NotRecorded)?;
+        Ok(constants(formula, within, proofs.accuracy(self.dimension()), watch)?)
     }
 
     /// Returns a curve between two sets, each the union of its pieces.
@@ -167,43 +169,60 @@ impl Given {
         request: &Request,
         goes_on: &dyn Fn() -> bool,
     ) -> Found {
-        self.metric.solve(ends, request, goes_on)
+        request.solve(&self.problem(ends)?, goes_on)
     }
 
     /// Solves many problems on all threads, or one after the other with a tolerance or a lattice, and
     /// returns the curves in order, bit for bit those of [`solve`](Given::solve). An error in one of them does not affect the others.
     #[must_use]
     pub fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
-        self.metric.solve_all(ends, request)
+        let (Grid::Chords(n), None) = (request.grid, &request.lattice) else {
+            return ends.iter().map(|&ends| self.solve(ends, request)).collect();
+        };
+        let options = match request.options(self.dimension()) {
+            Ok(options) => options,
+            Err(error) => return vec![Err(error); ends.len()],
+        };
+        let problems: Vec<_> = ends.iter().map(|&ends| self.problem(ends)).collect();
+        let posed: Vec<_> =
+            problems.iter().filter_map(|problem| problem.as_ref().ok().cloned()).collect();
+        let mut solved = solve_all(&posed, request.rule, n, &options).into_iter();
+        let next = |problem: Result<_, _>| {
+            problem.and_then(|_| {
+                let line = solved.next().unwrap_or(Err(SolveError::NoStart))?;
+                Ok(Arc::new(Curve::from(line)))
+            })
+        };
+        problems.into_iter().map(next).collect()
+    }
+
+    fn problem(&self, [from, to]: [&[Shape]; 2]) -> Result<Problem<Known, ANY>, GivenError> {
+        for (end, pieces) in [("first", from), ("second", to)] {
+            if pieces.is_empty() {
+                return Err(GivenError::NoPieces { end });
+            }
+            pieces.iter().try_for_each(|shape| check_coordinates(shape, self.dimension()))?;
+        }
+        let ends = ends(from.to_vec(), to.to_vec())?;
+        Ok(Problem::with_known(Arc::clone(&self.metric), ends)?)
     }
 }
 
-struct Parse<'t> {
-    text: &'t str,
-    parameters: &'t [(&'t str, f64)],
-    tables: &'t [(&'t str, Arc<dyn Table>)],
-}
-
-impl InDimension for Parse<'_> {
-    type Output = Result<Given, GivenError>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let formula = Formula::<D>::parse_with(self.text, self.parameters, self.tables)?;
-        Ok(Given::held(Known::Formula(formula)))
+impl From<Formula<ANY>> for Given {
+    fn from(formula: Formula<ANY>) -> Self {
+        Self { metric: Arc::new(formula.into()) }
     }
 }
 
-struct InBlackBox {
-    values: Arc<dyn Values>,
-    step: f64,
+/// Refuses dimensions in which there are no metrics.
+fn check_dimension(dimension: usize) -> Result<(), GivenError> {
+    let is_possible = (1..=LARGEST_DIMENSION).contains(&dimension);
+    if is_possible { Ok(()) } else { Err(GivenError::Dimension { dimension }) }
 }
 
-impl InDimension for InBlackBox {
-    type Output = Result<Given, GivenError>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let Self { values, step } = self;
-        let metric = BlackBox::<D>::new(values, step).ok_or(GivenError::Step { step })?;
-        Ok(Given::held(Known::BlackBox(metric)))
-    }
+/// Refuses a shape with another number of coordinates.
+pub(super) fn check_coordinates(shape: &Shape, dimension: usize) -> Result<(), GivenError> {
+    let found = shape.dimension();
+    let other = GivenError::Coordinates { what: shape.name(), found, dimension };
+    if found == dimension { Ok(()) } else { Err(other) }
 }

@@ -18,9 +18,7 @@ mod avoiding;
 mod curve;
 mod given;
 mod given_error;
-mod held;
 mod request;
-mod sets;
 
 pub use avoiding::Region;
 pub use curve::{Curve, Observe};

@@ -1,17 +1,21 @@
 //! `Request`: how a problem is to be solved.
 
+use core::ops::ControlFlow::{Break, Continue};
+use std::sync::Arc;
+
 use tautline::{
-    Constants, Lattice, LatticeSearchError, Options, PointSequence, Problem, Rule, SVector, Starts,
-    TautLine, certify::Accuracy,
+    ANY, Constants, GraphPathError, Known, Lattice, Options, PointSequence, Problem, Rule, SVector,
+    SolveError, Starts, TautLine, certify::Accuracy, lattice_starts,
 };
 
-use super::GivenError;
+use super::{Found, GivenError};
 use crate::{
-    Grid,
+    Grid, LEAST_TOLERANCE,
     bounds::Proving,
-    known::Known,
+    dimension::{InDimension, in_small_dimension},
     question::{ACCURACY, CHORDS, default_boxes},
     reading::shape::vector,
+    solve::{FIRST_GRID, refined},
 };
 
 /// How a problem is to be solved.
@@ -66,7 +70,7 @@ pub struct Nodes {
 
 impl Nodes {
     /// Returns the lattice in `D` dimensions.
-    pub(crate) fn lattice<const D: usize>(&self) -> Result<Lattice<D>, GivenError> {
+    fn lattice<const D: usize>(&self) -> Result<Lattice<D>, GivenError> {
         for corner in [&self.lower, &self.upper] {
             if corner.len() != D {
                 let (what, found) = ("a corner of a lattice", corner.len());
@@ -85,33 +89,83 @@ impl Nodes {
         Ok(Lattice::with_spacings(lower, upper, spacing)?)
     }
 
-    /// Solves a problem from the shortest path along a lattice of these nodes, or from those of the classes.
-    pub(crate) fn solve<const D: usize>(
+    /// Solves a problem from the shortest paths along the lattice too.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError::Coordinates`], [`GivenError::Lattice`], [`GivenError::Solve`].
+    pub(crate) fn solve(
         &self,
-        problem: &Problem<Known<D>, D>,
+        problem: &Problem<Known, ANY>,
         rule: Rule,
         n: usize,
-        lattice: &Lattice<D>,
-        options: &Options<D>,
-    ) -> Result<TautLine<Known<D>, D>, LatticeSearchError> {
-        if self.classes <= 1 {
-            problem.solve_on_lattice(rule, n, lattice, options)
-        } else {
-            problem.solve_by_classes(rule, n, lattice, self.classes, options)
-        }
+        options: &Options<ANY>,
+    ) -> Result<TautLine<Known, ANY>, GivenError> {
+        let dimension = problem.any_ends().dimension();
+        let search = AlongLattice { nodes: self, problem, rule, n, options };
+        let too_many = GraphPathError::Dimension { dimension };
+        in_small_dimension(dimension, search).unwrap_or(Err(too_many.into()))
+    }
+}
+
+/// A search along a lattice.
+struct AlongLattice<'r> {
+    nodes: &'r Nodes,
+    problem: &'r Problem<Known, ANY>,
+    rule: Rule,
+    n: usize,
+    options: &'r Options<ANY>,
+}
+
+impl InDimension for AlongLattice<'_> {
+    type Output = Result<TautLine<Known, ANY>, GivenError>;
+
+    fn run<const D: usize>(self) -> Self::Output {
+        let Self { nodes, problem, rule, n, options } = self;
+        let lattice = nodes.lattice::<D>()?;
+        let classes = (nodes.classes > 1).then_some(nodes.classes);
+        let starts = || {
+            let dimension = problem.any_ends().dimension();
+            let other = SolveError::Dimension { metric: dimension, found: D };
+            let metric = tautline::InDimension::<D>::new(problem.metric());
+            let (metric, ends) = metric.zip(problem.any_ends().in_dimension()).ok_or(other)?;
+            let starts = lattice_starts(&metric, &ends, &lattice, n, classes)?;
+            Ok(starts.into_iter().map(PointSequence::into_any).collect())
+        };
+        Ok(problem.solve_from(rule, n, options, starts)?)
     }
 }
 
 impl Request {
-    /// Returns the options of a search in `D` dimensions.
-    pub(super) fn options<const D: usize>(&self) -> Result<Options<D>, GivenError> {
+    /// Returns a curve of a problem. With a tolerance, it goes on to a finer grid only while `goes_on` says
+    /// so.
+    pub(super) fn solve(&self, problem: &Problem<Known, ANY>, goes_on: &dyn Fn() -> bool) -> Found {
+        let (rule, options) = (self.rule, self.options(problem.any_ends().dimension())?);
+        let line = match (self.grid, &self.lattice) {
+            (Grid::Chords(n), None) => problem.solve_with(rule, n, &options)?,
+            (Grid::Chords(n), Some(nodes)) => nodes.solve(problem, rule, n, &options)?,
+            (Grid::Tolerance(_), Some(_)) => return Err(GivenError::LatticeAndTolerance),
+            (Grid::Tolerance(tolerance), None) => {
+                if !(LEAST_TOLERANCE..1.0).contains(&tolerance) {
+                    return Err(GivenError::Tolerance { tolerance });
+                }
+                let line = problem.solve_with(rule, FIRST_GRID, &options)?;
+                let go_on = || if goes_on() { Continue(()) } else { Break(()) };
+                refined(problem, rule, line, tolerance, &options, &mut |_| go_on())
+            }
+        };
+        Ok(Arc::new(line.into()))
+    }
+
+    /// Returns the options of a search in this dimension.
+    pub(super) fn options(&self, dimension: usize) -> Result<Options<ANY>, GivenError> {
         let mut starts = Vec::new();
         for start in &self.starts {
-            if let Some(x) = start.iter().find(|x| x.len() != D) {
+            if let Some(x) = start.iter().find(|x| x.len() != dimension) {
                 let (what, found) = ("a point of a start", x.len());
-                return Err(GivenError::Coordinates { what, found, dimension: D });
+                return Err(GivenError::Coordinates { what, found, dimension });
             }
-            starts.push(PointSequence::new(start.iter().map(|x| vector::<D>(x)).collect())?);
+            starts.push(PointSequence::from_coordinates(dimension, start.concat())?);
         }
         let starts = match (starts.is_empty(), self.only_these_starts) {
             (_, true) => Starts::Only(starts),

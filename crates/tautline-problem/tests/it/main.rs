@@ -7,6 +7,7 @@ mod constants;
 mod corridor;
 mod gallery;
 mod lattice;
+mod many_dimensions;
 mod meaning;
 mod obstacles;
 mod other_minima;

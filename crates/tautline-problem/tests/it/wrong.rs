@@ -92,7 +92,7 @@ fn each_mistake_is_underlined() {
         ("[to]", "[solve]\nstarts = [[[0, 0]]]\n[to]", "[[0, 0]]", "a start of 1 point"),
         ("[to]", "[output]\ncoordinates = [1, 3]\n[to]", "[1, 3]", "no such plane"),
         ("[to]", "[certify]\nwithin = { point = [0, 0] }\n[to]", "", "in a ball or in a box"),
-        ("[parameters]", "dimension = 13\n[parameters]", "13", "dimension 13"),
+        ("[parameters]", "dimension = 257\n[parameters]", "257", "dimension 257"),
         ("[parameters]", "dimension = 3\n[parameters]", "[0, 0]", "2 coordinates in dimension 3"),
         ("[0, \"f\"]", "[1, \"f\"]", "", "symmetric"),
         ("\"a - cos", "\"-a - cos", "", "not positive definite"),

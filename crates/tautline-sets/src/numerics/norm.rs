@@ -1,5 +1,6 @@
 //! Euclidean norms and directions, without overflow or underflow of squares.
 
+#[cfg(test)]
 use nalgebra::SVector;
 use tautline_scalar::{Interval, Scalar};
 
@@ -85,6 +86,7 @@ pub(crate) fn polar(v: &[f64]) -> Option<(f64, Place)> {
 }
 
 /// Returns `length · eᵢ`. (`SVector::ith` does not exist while `D` is generic.)
+#[cfg(test)]
 pub(crate) fn on_axis<const D: usize>(i: usize, length: f64) -> SVector<f64, D> {
     SVector::from_fn(|j, _| if j == i { length } else { 0.0 })
 }

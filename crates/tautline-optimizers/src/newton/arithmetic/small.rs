@@ -3,7 +3,7 @@
 
 use smallvec::SmallVec;
 
-use crate::newton::blocks::Blocks;
+use crate::newton::arithmetic::blocks::Blocks;
 
 /// A vector, which needs no allocation up to six dimensions.
 pub(crate) type Vector = SmallVec<[f64; 6]>;

@@ -3,7 +3,10 @@
 use nalgebra::{SMatrix, SVector};
 use smallvec::SmallVec;
 
-use crate::newton::{dense, factorization::Pivot, ldl::Ldl};
+use crate::newton::{
+    arithmetic::{dense, ldl::Ldl},
+    factorization::Pivot,
+};
 
 /// Runs an expression with [`Blocks`] for a dimension. Up to three dimensions the blocks are of a fixed
 /// size: their loops are unrolled, and they stay in registers.
@@ -11,17 +14,17 @@ macro_rules! with_blocks {
     (@ $($fixed:literal)*, $dimension:expr, $blocks:ident => $run:expr) => {
         match $dimension {
             $($fixed => {
-                let $blocks = $crate::newton::blocks::Fixed::<$fixed>;
+                let $blocks = $crate::newton::arithmetic::blocks::Fixed::<$fixed>;
                 $run
             })*
             dimension => {
-                let $blocks = $crate::newton::blocks::Any(dimension);
+                let $blocks = $crate::newton::arithmetic::blocks::Any(dimension);
                 $run
             }
         }
     };
     ($dimension:expr, $blocks:ident => $run:expr) => {
-        $crate::newton::blocks::with_blocks!(
+        $crate::newton::arithmetic::blocks::with_blocks!(
             @ 1 2 3 4 5 6 7 8 9 10 11 12, $dimension, $blocks => $run
         )
     };
@@ -31,7 +34,7 @@ pub(crate) use with_blocks;
 /// Does the same for what is done at the ends of a curve only, where larger blocks do not matter.
 macro_rules! with_small_blocks {
     ($dimension:expr, $blocks:ident => $run:expr) => {
-        $crate::newton::blocks::with_blocks!(@ 1 2 3 4 5 6, $dimension, $blocks => $run)
+        $crate::newton::arithmetic::blocks::with_blocks!(@ 1 2 3 4 5 6, $dimension, $blocks => $run)
     };
 }
 pub(crate) use with_small_blocks;

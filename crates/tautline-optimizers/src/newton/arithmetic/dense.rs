@@ -97,7 +97,7 @@ fn eliminate_inline(
     true
 }
 
-/// Factorises a block in place, as [`Blocks::factorize`](crate::newton::blocks::Blocks::factorize) says.
+/// Factorises a block in place, as [`Blocks::factorize`](crate::newton::arithmetic::blocks::Blocks::factorize) says.
 pub(crate) fn factorize(d: usize, factors: &mut [f64]) -> bool {
     factorize_widest(d, factors, &mut vec![0.0; d])
 }
@@ -107,7 +107,7 @@ fn factorize_widest(d: usize, factors: &mut [f64], diagonal: &mut [f64]) -> bool
     factorize_inline(d, factors, diagonal)
 }
 
-/// Eliminates a block, as [`Blocks::eliminate`](crate::newton::blocks::Blocks::eliminate) says. The
+/// Eliminates a block, as [`Blocks::eliminate`](crate::newton::arithmetic::blocks::Blocks::eliminate) says. The
 /// results are its factors, `W D⁻¹` and `W`.
 pub(crate) fn eliminate(
     d: usize,

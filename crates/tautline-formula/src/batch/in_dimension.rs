@@ -1,0 +1,45 @@
+//! `InDimension`: batches of a metric whose dimension is a value, as batches on `R^D`.
+
+use crate::{
+    batch::{AnyBatches, Batches, Kind, Layout},
+    program::{InstructionSet, Registers},
+};
+
+/// Batches of a metric whose dimension is a value, as batches on `R^D`.
+pub struct InDimension<'m, const D: usize>(&'m dyn AnyBatches);
+
+impl<'m, const D: usize> InDimension<'m, D> {
+    /// Takes a metric; `None` if it is one in another dimension.
+    #[must_use]
+    pub fn new(metric: &'m dyn AnyBatches) -> Option<Self> {
+        (metric.dimension() == D).then_some(Self(metric))
+    }
+}
+
+impl<const D: usize> Batches<D> for InDimension<'_, D> {}
+
+impl<const D: usize> AnyBatches for InDimension<'_, D> {
+    fn dimension(&self) -> usize {
+        D
+    }
+
+    fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
+        self.0.gram_into(x, gram);
+    }
+
+    fn layout(&self, kind: Kind) -> &Layout {
+        self.0.layout(kind)
+    }
+
+    fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
+        self.0.registers(kind, unit, units)
+    }
+
+    fn instruction_set(&self) -> InstructionSet {
+        self.0.instruction_set()
+    }
+
+    fn evaluate(&self, kind: Kind, registers: &mut Registers) {
+        self.0.evaluate(kind, registers);
+    }
+}

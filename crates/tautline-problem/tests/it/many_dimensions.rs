@@ -1,0 +1,107 @@
+//! Problems in more dimensions than anything is compiled for.
+
+use std::sync::Arc;
+
+use tautline::{Ball, Point};
+use tautline_problem::{
+    Diagnostic, Failure, Question,
+    value::{Given, GivenError, Grid, Nodes, Request, Shape, Values},
+};
+
+/// Along `x₁`, from 0 to 3, `∫ (2 − cos x₁) dx₁ = 6 − sin 3`, and every other way is longer.
+fn exact() -> f64 {
+    6.0 - 3.0_f64.sin()
+}
+
+fn file(dimension: usize, more: &str) -> String {
+    let end = |x: f64| {
+        let mut point = vec![0.0; dimension];
+        point[0] = x;
+        point
+    };
+    format!(
+        "[metric]\ncost = \"2 - cos(x1)\"\n[from]\npoint = {:?}\n[to]\npoint = {:?}\n{more}",
+        end(0.0),
+        end(3.0)
+    )
+}
+
+#[test]
+fn a_file_is_solved_in_256_dimensions_and_no_more() {
+    for (dimension, n) in [(13, 256), (64, 64), (256, 8)] {
+        let solve = format!("[solve]\nn = {n}\n");
+        let question = Question::read(&file(dimension, &solve)).expect("a problem");
+        let answer = question.solve(&mut |_| ()).expect("a curve");
+        assert_eq!((answer.dimension, answer.curve[0].len()), (dimension, dimension));
+        assert!(answer.search.converged);
+        // The excess of a polygon on the way of a convex cost is below h²/8 · max f″ per unit of length.
+        let excess = answer.length.value - exact();
+        assert!(excess.abs() <= 3.0 * (3.0 / n as f64).powi(2) / 8.0, "{dimension}: {excess:e}");
+        // Constants are proved in up to six dimensions.
+        let reason = answer.no_bounds.expect("a reason");
+        assert!(reason.contains("up to 6 dimensions"), "{reason}");
+    }
+    let refused = Question::read(&file(257, "")).expect_err("too many");
+    assert_eq!(refused.message, "dimension 257");
+}
+
+/// The same metric by its formula and by its values.
+#[test]
+fn a_black_box_in_twenty_dimensions_leads_to_the_curve_of_its_formula() {
+    struct Valleys;
+    impl Values for Valleys {
+        fn gram(&self, x: &[f64]) -> Vec<f64> {
+            let matrix = |x: &[f64]| {
+                let square = (2.0 - x[0].cos()).powi(2);
+                (0..400).map(move |place| if place % 21 == 0 { square } else { 0.0 })
+            };
+            x.chunks(20).flat_map(matrix).collect()
+        }
+    }
+    let formula = Given::parse("cost(2 - cos(x1))", 20, &[], &[]).expect("a formula");
+    let values = Given::black_box(Arc::new(Valleys), 20, 1e-3).expect("a step");
+    let mut far = [0.0; 20];
+    (far[0], far[7]) = (3.0, 1.0);
+    let from = [Shape::Point(Point::from_slice(&[0.0; 20]).expect("finite"))];
+    let to = [Shape::Ball(Ball::from_slice(&far, 0.5).expect("a radius"))];
+    let request = Request { grid: Grid::Chords(32), ..Request::default() };
+    let [by_formula, by_values] =
+        [&formula, &values].map(|metric| metric.solve([&from, &to], &request).expect("a curve"));
+    assert!(by_formula.search().converged && by_values.search().converged);
+    let [a, b] = [by_formula.length().value, by_values.length().value];
+    // Both are minima of the same energy, which differences resolve to 10⁻¹⁰ or so.
+    assert!((a - b).abs() <= 1e-9 * a, "{a} {b}");
+    assert_eq!(values.gram(&far), formula.gram(&far));
+}
+
+/// What is made for each dimension says up to which one.
+#[test]
+fn what_needs_fewer_dimensions_is_refused() {
+    let reason = |more: &str| -> String {
+        let question = Question::read(&file(20, more)).expect("a problem");
+        match question.solve(&mut |_| ()) {
+            Ok(answer) => answer.no_bounds.expect("no bounds"),
+            Err(Failure::BadInput(Diagnostic { message, .. })) => message,
+            Err(Failure::NotComputed(message)) => message,
+        }
+    };
+    let claims = "[solve]\nn = 8\n[certify]\nconstants = { c1 = 1, c2 = 9, l_h = 6 }\n";
+    assert!(reason(claims).contains("up to 12 dimensions"), "{}", reason(claims));
+    let corners = |x: f64| vec![x; 20];
+    let lattice = format!(
+        "[solve]\nn = 8\nlattice = {{ lower = {:?}, upper = {:?}, spacing = 1 }}\n",
+        corners(-1.0),
+        corners(4.0)
+    );
+    assert!(reason(&lattice).contains("dimension 20; at most 4"), "{}", reason(&lattice));
+    let gallery = file(20, "").replace("cost = \"2 - cos(x1)\"", "gallery = \"valleys\"");
+    let refused = Question::read(&gallery).expect("a problem").solve(&mut |_| ());
+    let message = refused.expect_err("a metric of the gallery").to_string();
+    assert!(message.contains("up to 12 dimensions"), "{message}");
+    let metric = Given::parse("cost(2 - cos(x1))", 20, &[], &[]).expect("a formula");
+    let point = [Shape::Point(Point::from_slice(&[0.0; 20]).expect("finite"))];
+    let nodes = Nodes { lower: corners(0.0), upper: corners(1.0), spacing: vec![0.5], classes: 1 };
+    let request = Request { lattice: Some(nodes), grid: Grid::Chords(8), ..Request::default() };
+    let refused = metric.solve([&point, &point], &request).expect_err("no lattice");
+    assert!(matches!(refused, GivenError::Lattice(_)), "{refused}");
+}
