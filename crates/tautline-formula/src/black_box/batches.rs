@@ -21,6 +21,9 @@ pub struct BlackBoxBatches {
 /// The greatest number of lanes. A call from another language costs as much as some dozen points.
 const LANES: usize = 512;
 
+/// The greatest number of second derivatives of a batch, of which a point has `D⁴`: 64 MB.
+const SECOND_DERIVATIVES: usize = 1 << 23;
+
 impl BlackBoxBatches {
     /// Wraps a metric.
     #[must_use]
@@ -46,7 +49,8 @@ impl AnyBatches for BlackBoxBatches {
     }
 
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
-        let lanes = unit.saturating_mul(units).clamp(unit, unit.max(LANES));
+        let most = LANES.min(SECOND_DERIVATIVES / self.dimension().pow(4));
+        let lanes = unit.saturating_mul(units).clamp(unit, unit.max(most));
         Registers::empty(rows(self.layout(kind), self.dimension()), lanes)
     }
 

@@ -70,6 +70,9 @@ impl<const D: usize> BlackBox<D> {
     /// The default step of differences: a thousandth of a unit of the coordinates.
     pub const STEP: f64 = 1e-3;
 
+    /// The largest dimension. A point has `D⁴` second derivatives there, which take 134 MB.
+    pub const LARGEST_DIMENSION: usize = 64;
+
     /// Makes the metric. Derivatives that are not given are computed from differences of values at
     /// points whose coordinates differ by `step`, in `ℓ`.
     ///
@@ -79,14 +82,16 @@ impl<const D: usize> BlackBox<D> {
     /// rounded when they are moved, and is as small where they are not large, compared with that length.
     /// The second derivatives, which only steer the search, are known to `10⁻⁸`.
     ///
-    /// Returns `None` if the step is not positive and finite.
+    /// Returns `None` if the step is not positive and finite, or if the dimension is 0 or more than
+    /// [`LARGEST_DIMENSION`](BlackBox::LARGEST_DIMENSION).
     #[must_use]
     pub fn new(values: Arc<dyn Values>, step: f64) -> Option<Self> {
         Self::checked(D, values, step)
     }
 
     fn checked(dimension: usize, values: Arc<dyn Values>, step: f64) -> Option<Self> {
-        (step > 0.0 && step.is_finite()).then_some(Self { dimension, values, step })
+        let is_small = (1..=Self::LARGEST_DIMENSION).contains(&dimension);
+        (is_small && step > 0.0 && step.is_finite()).then_some(Self { dimension, values, step })
     }
 
     /// Returns the dimension of the space.

@@ -50,13 +50,17 @@ impl Given {
     ///
     /// # Errors
     ///
-    /// [`GivenError::Dimension`]; [`GivenError::Step`] if the step is not positive and finite.
+    /// [`GivenError::Dimension`] and [`GivenError::BlackBoxDimension`]; [`GivenError::Step`] if the step is not
+    /// positive and finite.
     pub fn black_box(
         values: Arc<dyn Values>,
         dimension: usize,
         step: f64,
     ) -> Result<Self, GivenError> {
         check_dimension(dimension)?;
+        if dimension > BlackBox::<ANY>::LARGEST_DIMENSION {
+            return Err(GivenError::BlackBoxDimension { dimension });
+        }
         let metric = BlackBox::new_in(dimension, values, step).ok_or(GivenError::Step { step })?;
         Ok(Self { metric: Arc::new(metric.into()) })
     }

@@ -1,7 +1,8 @@
 //! `GivenError`: why a problem that was given as values has no curve.
 
 use tautline::{
-    GraphPathError, LatticeSearchError, SequenceError, SetError, SolveError, TextError,
+    ANY, BlackBox, GraphPathError, LatticeSearchError, SequenceError, SetError, SolveError,
+    TextError,
 };
 
 use crate::{ConstantsError, LARGEST_DIMENSION, LEAST_TOLERANCE};
@@ -13,6 +14,15 @@ pub enum GivenError {
     /// The dimension is 0 or too large.
     #[error("{dimension} dimensions: only 1 to {LARGEST_DIMENSION} are possible")]
     Dimension {
+        /// The dimension.
+        dimension: usize,
+    },
+    /// A black box has too many dimensions.
+    #[error(
+        "a metric that is no formula has at most {} dimensions, not {dimension}",
+        BlackBox::<ANY>::LARGEST_DIMENSION
+    )]
+    BlackBoxDimension {
         /// The dimension.
         dimension: usize,
     },

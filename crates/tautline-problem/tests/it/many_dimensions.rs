@@ -72,6 +72,8 @@ fn a_black_box_in_twenty_dimensions_leads_to_the_curve_of_its_formula() {
     // Both are minima of the same energy, which differences resolve to 10⁻¹⁰ or so.
     assert!((a - b).abs() <= 1e-9 * a, "{a} {b}");
     assert_eq!(values.gram(&far), formula.gram(&far));
+    let refused = Given::black_box(Arc::new(Valleys), 65, 1e-3).map(|given| given.dimension());
+    assert_eq!(refused, Err(GivenError::BlackBoxDimension { dimension: 65 }));
 }
 
 /// What is made for each dimension says up to which one.
