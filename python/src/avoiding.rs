@@ -1,7 +1,7 @@
 //! Metrics with obstacles.
 
 use pyo3::prelude::*;
-use tautline_problem::value::Region;
+use tautline_any::Region;
 
 use crate::{
     error::raised,

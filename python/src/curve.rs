@@ -9,7 +9,7 @@ use std::sync::{
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::{exceptions::PyTypeError, prelude::*};
 use tautline::{certify, distance::Wanted};
-use tautline_problem::value::{self, Proofs};
+use tautline_any::{self as value, Proofs};
 
 use crate::{
     accuracy::accuracy,

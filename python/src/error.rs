@@ -2,7 +2,7 @@
 
 use pyo3::{PyErr, create_exception, exceptions::PyValueError};
 use tautline::{CertificateError, GraphPathError, SolveError};
-use tautline_problem::value::GivenError;
+use tautline_any::GivenError;
 
 create_exception!(
     tautline,

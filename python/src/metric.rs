@@ -11,9 +11,8 @@ use numpy::{
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use tautline::{Point, Rule, SetError, Table};
-use tautline_problem::{
-    IF_IT_SETTLES,
-    value::{self, Found, Given, Grid, Nodes, Proofs, Request, Shape},
+use tautline_any::{
+    self as value, Found, Given, Grid, IF_IT_SETTLES, Nodes, Proofs, Request, Shape,
 };
 
 use crate::{

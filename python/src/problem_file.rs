@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use tautline::RecordError;
-use tautline_problem::value::Shape;
+use tautline_any::Shape;
 
 use crate::{
     claims::Claims,

@@ -4,7 +4,7 @@ use pyo3::{prelude::*, types::PyType};
 use tautline::{
     AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, SetError, Sphere,
 };
-use tautline_problem::value::Shape;
+use tautline_any::Shape;
 
 use crate::error::ProblemError;
 

@@ -1,6 +1,6 @@
 //! The sign of a cost or a speed, which the metric, made of its square, does not show.
 
-use tautline_problem::value::{Curve, Given, GivenError};
+use tautline_any::{Curve, Given, GivenError};
 
 /// A cost or a speed.
 #[derive(Clone)]

@@ -5,7 +5,7 @@ use std::{any::Any, sync::Arc};
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
 use pyo3::{prelude::*, types::PyType};
 use tautline::{Interval, Table};
-use tautline_problem::value::Given;
+use tautline_any::Given;
 
 use crate::error::ProblemError;
 

@@ -1,6 +1,6 @@
 //! What is wrong with a text, shown in the user's own words.
 
-use tautline_problem::value::{GivenError, TextError};
+use tautline_any::{GivenError, TextError};
 
 /// The functions of texts, as `Metric` lists them.
 const FUNCTIONS: &str = "sqr, recip, sqrt, exp, ln, sin, cos, tan, atan, sinh, cosh, tanh";

@@ -3,65 +3,14 @@
 use core::ops::ControlFlow;
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::Serialize;
 use tautline::{
-    ANY, CertificateError, Known, RecordError, Rule, TautLine,
-    check::{self, CheckError, LARGEST_DIMENSION},
-    distance::{DistanceError, Ended, Progress, Wanted},
+    CertificateError, Known, Rule,
+    check::LARGEST_DIMENSION,
+    distance::{Progress, Wanted},
 };
-use tautline_picture::portrait::Cubes;
+use tautline_any::{CertifiedAnswer, Request};
 
-use crate::{
-    Answer, Diagnostic, Failure, Float, Question,
-    dimension::{InDimension, in_small_dimension},
-    solve::points,
-};
-
-/// Bounds on the distance, with a certificate that anybody can check.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-#[schemars(title = "Certified distance")]
-pub struct CertifiedAnswer {
-    /// No curve between the sets is shorter.
-    pub lower: Float,
-    /// The proved length of a curve between the sets; 0 if they have a proved common point.
-    pub upper: Float,
-    /// (upper - lower)/upper.
-    pub gap: Float,
-    /// Whether the gap is as small as wanted.
-    pub reached: bool,
-    /// Why the search ended.
-    pub ended: &'static str,
-    /// The levels, from coarse to fine.
-    pub levels: Vec<LevelAnswer>,
-    /// The number of cubes that hold every shortest curve.
-    pub corridor_cubes: usize,
-    /// Their side.
-    pub corridor_side: Float,
-    /// That a cost or a speed is negative in places, and what this means; absent if no such place is known.
-    pub note: Option<String>,
-    /// The certificate, which `tautline check` reads; empty if the sets touch, up to rounding.
-    #[serde(skip)]
-    pub certificate: String,
-    /// The points of the curve.
-    #[serde(skip)]
-    pub curve: Vec<Vec<f64>>,
-    /// The points of other local minima.
-    #[serde(skip)]
-    pub other_minima: Vec<Vec<Vec<f64>>>,
-    /// The cubes of each level, from coarse to fine, and those that hold every shortest curve.
-    #[serde(skip)]
-    pub corridor: Vec<Cubes>,
-}
-
-/// What one level proves.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct LevelAnswer {
-    /// The number of cubes.
-    pub cubes: usize,
-    /// The lower bound after this level.
-    pub lower: Float,
-}
+use crate::{Answer, Diagnostic, Failure, Question};
 
 impl Question {
     /// Searches for a certificate of the distance. The search goes on until the gap is as small as
@@ -83,8 +32,8 @@ impl Question {
             )));
         }
         let problem = self.posed(Arc::new(Known::from(self.any_formula()?)))?;
-        let options = self.options()?;
-        let line = self.line(&problem, Rule::TRAPEZOIDAL, &options, &mut |_: &Answer| ())?;
+        let request = Request { rule: Rule::TRAPEZOIDAL, ..self.request() };
+        let line = self.line(&problem, &request, &mut |_: &Answer| ())?;
         self.check_sign(line.sequence())?;
         let found = CertifiedAnswer::of(&line, wanted, observe);
         let mut found = found.map_err(|error| self.refused(error))?;
@@ -104,116 +53,5 @@ impl Question {
             }
             error => Failure::NotComputed(error.to_string()),
         }
-    }
-}
-
-impl CertifiedAnswer {
-    /// Searches for a certificate of the distance, given a line.
-    pub(crate) fn of(
-        line: &TautLine<Known, ANY>,
-        wanted: Wanted,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<Self, CertificateError> {
-        let dimension = line.sequence().dimension();
-        let search = Search { line, wanted, observe };
-        let refused = || Err(DistanceError::Refused(CheckError::Dimension { dimension }).into());
-        match in_small_dimension(dimension, search).unwrap_or_else(refused) {
-            Err(CertificateError::Touching) => {
-                let ended = "the sets have a common point";
-                Ok(without_certificate(line, 0.0, ended))
-            }
-            Err(CertificateError::NearlyTouching { upper }) => {
-                let ended = "the sets touch up to rounding, and no common point is proved";
-                Ok(without_certificate(line, upper, ended))
-            }
-            found => found,
-        }
-    }
-}
-
-/// A search for a certificate.
-struct Search<'l> {
-    line: &'l TautLine<Known, ANY>,
-    wanted: Wanted,
-    observe: &'l mut dyn FnMut(Progress) -> ControlFlow<()>,
-}
-
-impl InDimension for Search<'_> {
-    type Output = Result<CertifiedAnswer, CertificateError>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let Self { line, wanted, observe } = self;
-        let typed = line.in_dimension::<D>().ok_or(RecordError::BlackBox)?;
-        let found = typed.certificate_with(wanted, observe)?;
-        let proved = &found.proved;
-        let levels = proved
-            .levels
-            .iter()
-            .map(|&(cubes, lower)| LevelAnswer { cubes, lower: Float::from(lower) });
-        let corridor = found.certificate.levels.iter().map(|level| level.cubes());
-        let corridor = corridor.chain([&proved.corridor]).map(plain).collect();
-        let others = line.other_minima();
-        Ok(CertifiedAnswer {
-            lower: Float::from(proved.lower),
-            upper: Float::from(proved.upper.unwrap_or(f64::INFINITY)),
-            gap: Float::from(proved.gap().unwrap_or(f64::INFINITY)),
-            reached: found.ended == Ended::Reached,
-            ended: ended(found.ended),
-            levels: levels.collect(),
-            corridor_cubes: proved.corridor.places().len(),
-            corridor_side: Float::from(proved.corridor.side()),
-            note: None,
-            certificate: found.certificate.to_string(),
-            curve: points(line.sequence()),
-            other_minima: others.iter().map(|other| points(other.sequence())).collect(),
-            corridor,
-        })
-    }
-}
-
-/// Returns the answer without a certificate, for sets that touch, up to rounding: the distance is at most
-/// `upper`.
-fn without_certificate(
-    line: &TautLine<Known, ANY>,
-    upper: f64,
-    ended: &'static str,
-) -> CertifiedAnswer {
-    CertifiedAnswer {
-        lower: Float::from(0.0),
-        upper: Float::from(upper),
-        gap: Float::from(if upper == 0.0 { 0.0 } else { 1.0 }),
-        reached: upper == 0.0,
-        ended,
-        levels: Vec::new(),
-        corridor_cubes: 0,
-        corridor_side: Float::from(0.0),
-        note: None,
-        certificate: String::new(),
-        curve: points(line.sequence()),
-        other_minima: Vec::new(),
-        corridor: Vec::new(),
-    }
-}
-
-/// Returns cubes without their dimension.
-fn plain<const D: usize>(cubes: &check::Cubes<D>) -> Cubes {
-    Cubes { side: cubes.side(), places: cubes.places().iter().flatten().copied().collect() }
-}
-
-/// Says why a search ended.
-pub(crate) fn ended(ended: Ended) -> &'static str {
-    match ended {
-        Ended::Reached => "the gap is as small as wanted",
-        Ended::Stalled => {
-            "the gap no longer falls: there may be a shorter curve, or another one nearly as short"
-        }
-        Ended::TooManyCubes => "the next level would have too many cubes",
-        Ended::TooFar => {
-            "the next cubes would be too small, or too small for their distance from the origin"
-        }
-        Ended::TooMuchWork => {
-            "with the next level, the check would cost more than a certificate of this size may"
-        }
-        _ => "stopped before the next level",
     }
 }

@@ -7,14 +7,12 @@ use tautline::{
     gallery::{self as metrics, GalleryError},
 };
 
+use tautline_any::{InDimension, LARGEST_FIXED_DIMENSION, in_dimension, vector};
+
 use crate::{
     Diagnostic,
-    dimension::{InDimension, LARGEST_FIXED_DIMENSION, in_dimension},
     file::gallery::{self as files, GalleryFile},
-    reading::{
-        numbers::{Numbers, counted},
-        shape::vector,
-    },
+    reading::numbers::{Numbers, counted},
 };
 
 /// Why a metric of the gallery was refused.

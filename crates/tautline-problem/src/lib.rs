@@ -22,18 +22,14 @@
 //! # Ok::<(), tautline_problem::Failure>(())
 //! ```
 
-mod answer;
 pub mod array;
 mod audited;
-mod bounds;
 mod certify;
 mod constants;
 mod diagnostic;
-mod dimension;
 mod examples;
 mod failure;
 mod file;
-mod float;
 mod formula;
 mod gallery;
 mod picture;
@@ -42,22 +38,11 @@ mod reading;
 mod schema;
 mod solve;
 pub mod sweep;
-pub mod value;
 
-pub use answer::{
-    Answer, BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, OtherMinimum, Search,
-    UsedConstants,
-};
-pub use certify::{CertifiedAnswer, LevelAnswer};
-pub use constants::{ConstantAnswer, ConstantsAnswer, ConstantsError, IF_IT_SETTLES};
 pub use diagnostic::Diagnostic;
-pub use dimension::{
-    InDimension, LARGEST_DIMENSION, LARGEST_FIXED_DIMENSION, LARGEST_PROVED_DIMENSION, in_dimension,
-};
 pub use examples::{EXAMPLES, Example};
 pub use failure::Failure;
-pub use float::Float;
-pub use question::{Grid, LEAST_TOLERANCE, Question};
+pub use question::Question;
 pub use reading::tables::{Open, no_file};
 pub use schema::{answer_schema, certified_schema, constants_schema, problem_schema};
 pub use schemars::Schema;
@@ -67,5 +52,11 @@ pub use tautline::{
     LARGEST_N,
     certify::{Progress, Watch},
     check, decimal, distance,
+};
+pub use tautline_any::{
+    Answer, BallAnswer, Bounds, CertificateAnswer, CertifiedAnswer, ConstantAnswer,
+    ConstantsAnswer, ConstantsError, Estimated, Float, GlobalMinimum, Grid, IF_IT_SETTLES,
+    InDimension, LARGEST_DIMENSION, LARGEST_PROVED_DIMENSION, LEAST_TOLERANCE, LevelAnswer,
+    OtherMinimum, Search, UsedConstants, in_dimension,
 };
 pub use tautline_picture::{Scene, pdf, png, svg};

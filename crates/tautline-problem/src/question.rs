@@ -4,10 +4,11 @@
 use core::time::Duration;
 use std::sync::Arc;
 
-use tautline::{ANY, Constants, Formula, Rule};
+use tautline::{ANY, Constants, Formula, Rule, certify::Accuracy};
+use tautline_any::{ACCURACY, Grid, LARGEST_DIMENSION, Nodes, Proving, Request, default_boxes};
 
 use crate::{
-    Diagnostic, LARGEST_DIMENSION,
+    Diagnostic,
     file::{ProblemFile, placed::Placed, request::ConstantsFile, set::SetFile},
     formula::formula,
     reading::{
@@ -19,17 +20,7 @@ use crate::{
         tables::{Open, Tables, no_file, tables},
         view::{View, view},
     },
-    value::Nodes,
 };
-
-/// How fine the grid is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Grid {
-    /// The number of chords.
-    Chords(usize),
-    /// The relative error of the length.
-    Tolerance(f64),
-}
 
 /// A problem file that was read and evaluated, but for its formula.
 #[derive(Clone, Debug)]
@@ -62,25 +53,6 @@ pub struct Question {
     pub(crate) cases: Option<u32>,
     pub(crate) seed: Option<u64>,
     pub(crate) view: View,
-}
-
-/// The number of chords that is used unless the file has another.
-pub(crate) const CHORDS: usize = 256;
-
-/// The relative error of a length that rounding leaves, so that no grid reaches less.
-pub const LEAST_TOLERANCE: f64 = 1e-13;
-
-/// The number of boxes for one constant in the plane, unless the file has another: some tenths of a
-/// second.
-const BOXES: usize = 100_000;
-
-/// The relative accuracy of a constant, unless the file has another.
-pub(crate) const ACCURACY: f64 = 1e-3;
-
-/// Returns the number of boxes for one constant, unless the file has another. A box costs more in
-/// more dimensions, so that a proof takes seconds, not minutes.
-pub(crate) fn default_boxes(dimension: usize) -> usize {
-    BOXES / 5_usize.pow(dimension.saturating_sub(2) as u32)
 }
 
 impl Question {
@@ -266,6 +238,31 @@ impl Question {
         self.ends.is_some()
     }
 
+    /// Returns what bounds rest on.
+    pub(crate) fn proving(&self) -> Proving {
+        let is_in_a_region = self.within.is_some();
+        Proving { claimed: self.claimed, is_in_a_region, accuracy: self.accuracy() }
+    }
+
+    /// Returns how closely constants are proved, and at what cost.
+    pub(crate) fn accuracy(&self) -> Accuracy {
+        Accuracy { tolerance: self.accuracy, budget: self.boxes }
+    }
+
+    /// Returns how the problem is to be solved.
+    pub(crate) fn request(&self) -> Request {
+        let default = Request::default();
+        Request {
+            rule: self.rule,
+            grid: self.grid,
+            starts: self.starts.clone(),
+            only_these_starts: self.only_these_starts,
+            lattice: self.lattice.as_ref().map(|nodes| nodes.get_ref().clone()),
+            steps: self.steps.unwrap_or(default.steps),
+            ..default
+        }
+    }
+
     pub(crate) fn numbers(&self) -> Numbers<'_> {
         Numbers { file: &self.file, parameters: self.parameters.clone() }
     }
@@ -316,15 +313,17 @@ mod tests {
     };
     use tautline_picture::portrait::Field;
 
-    use super::{Question, default_boxes};
-    use crate::{Grid, reading::view::View};
+    use tautline_any::{Grid, default_boxes};
+
+    use super::Question;
+    use crate::reading::view::View;
 
     fn question(lines: &str) -> Question {
         let file = format!("dimension = 2\n[metric]\nphi = 1\n{lines}");
         Question::read(&file).unwrap_or_else(|error| panic!("{file}: {error}"))
     }
 
-    /// A fifth for each dimension beyond the plane, as [`Proofs`](crate::value::Proofs) says.
+    /// A fifth for each dimension beyond the plane, as [`Proofs`](tautline_any::Proofs) says.
     #[test]
     fn a_constant_has_fewer_boxes_in_more_dimensions() {
         let boxes = [1, 2, 3, 4, 5, 6].map(default_boxes);

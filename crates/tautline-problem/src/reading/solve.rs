@@ -4,18 +4,17 @@
 use core::{ops::Range, time::Duration};
 
 use tautline::LARGEST_N;
+use tautline_any::{CHORDS, Grid, LEAST_TOLERANCE, Nodes};
 
 use crate::{
-    Diagnostic, Grid, LEAST_TOLERANCE,
+    Diagnostic,
     file::{
         expression::Text,
         placed::Placed,
         request::{LatticeFile, SolveFile},
         set::Vector,
     },
-    question::CHORDS,
     reading::numbers::{Numbers, counted},
-    value::Nodes,
 };
 
 /// The numbers of the section `[solve]`.

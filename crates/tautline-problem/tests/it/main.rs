@@ -7,7 +7,6 @@ mod constants;
 mod corridor;
 mod gallery;
 mod lattice;
-mod many_dimensions;
 mod meaning;
 mod obstacles;
 mod other_minima;

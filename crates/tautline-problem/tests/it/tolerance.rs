@@ -1,10 +1,8 @@
 //! Lengths to a tolerance.
 
 use tautline::Point;
-use tautline_problem::{
-    Answer, Grid, Question,
-    value::{Given, Request, Shape},
-};
+use tautline_any::{Given, Request, Shape};
+use tautline_problem::{Answer, Grid, Question};
 
 /// Light in water whose speed changes from 1 to 2 within a tenth.
 const LAYERS: &str = "\

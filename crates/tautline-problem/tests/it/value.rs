@@ -1,15 +1,15 @@
 //! Problems as values: the same curves as from files, and errors with the numbers.
 
+mod many_dimensions;
+
 use std::{ops::ControlFlow, sync::Arc};
 
 use tautline::{
     Ball, CertificateError, Constants, HalfSpace, Point, RecordError, Rule, Sphere, certify,
     distance::Wanted,
 };
-use tautline_problem::{
-    Question,
-    value::{Given, GivenError, Grid, Nodes, Proofs, Region, Request, Shape, Values},
-};
+use tautline_any::{Given, GivenError, Grid, Nodes, Proofs, Region, Request, Shape, Values};
+use tautline_problem::Question;
 
 const HILL: &str = "cost(1 + 4*exp(-2*(x1^2 + x2^2)))";
 

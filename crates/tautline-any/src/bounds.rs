@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    ANY, CertifyError, Constants, Formula, Known, LocalError, Metric, PointSequence, ProofError,
+    CertifyError, Constants, Formula, LocalError, Metric, PointSequence, ProofError,
     RayleighQuotient, RecordError, SMatrix, SVector, Short, Stop, TautLine,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
@@ -12,8 +12,8 @@ use tautline::{
 };
 
 use crate::{
-    BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, Question, UsedConstants,
-    certify::ended,
+    BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, Line, UsedConstants,
+    certified::ended,
     constants::too_many_coordinates,
     dimension::{InDimension, LARGEST_FIXED_DIMENSION, in_dimension, in_proved_dimension},
 };
@@ -21,8 +21,8 @@ use crate::{
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
 pub(crate) fn bounds(
     proving: Proving,
-    line: &TautLine<Known, ANY>,
-    others: &[TautLine<Known, ANY>],
+    line: &Line,
+    others: &[Line],
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
@@ -31,7 +31,7 @@ pub(crate) fn bounds(
     let Some(claimed) = proving.claimed else {
         let proof = Proof { accuracy: proving.accuracy, line, others, watch, observe };
         let found = in_proved_dimension(dimension, proof);
-        return found.unwrap_or_else(|| Err(too_many_coordinates().to_string()));
+        return found.unwrap_or_else(|| Err(too_many_coordinates()));
     };
     if proving.is_in_a_region {
         return Err(IN_A_REGION.to_owned());
@@ -47,8 +47,8 @@ pub(crate) fn bounds(
 /// Bounds by constants that are claimed.
 struct ByClaims<'l> {
     claimed: Constants,
-    line: &'l TautLine<Known, ANY>,
-    others: &'l [TautLine<Known, ANY>],
+    line: &'l Line,
+    others: &'l [Line],
 }
 
 impl InDimension for ByClaims<'_> {
@@ -84,8 +84,8 @@ impl InDimension for ByClaims<'_> {
 /// Bounds by constants that are proved from the formula.
 struct Proof<'l> {
     accuracy: Accuracy,
-    line: &'l TautLine<Known, ANY>,
-    others: &'l [TautLine<Known, ANY>],
+    line: &'l Line,
+    others: &'l [Line],
     watch: &'l dyn Watch,
     observe: &'l mut dyn FnMut(Progress) -> ControlFlow<()>,
 }
@@ -116,12 +116,12 @@ impl InDimension for Proof<'_> {
 }
 
 /// Returns a line in its dimension.
-fn typed<const D: usize>(line: &TautLine<Known, ANY>) -> Result<TautLine<Formula<D>, D>, String> {
+fn typed<const D: usize>(line: &Line) -> Result<TautLine<Formula<D>, D>, String> {
     line.in_dimension().ok_or_else(|| RecordError::BlackBox.to_string())
 }
 
 /// Returns a proved upper bound on the length of a line, if there is one.
-fn length_above<const D: usize>(line: &TautLine<Known, ANY>) -> Option<f64> {
+fn length_above<const D: usize>(line: &Line) -> Option<f64> {
     let line = line.in_dimension::<D>()?;
     let curve = line.admissible_curve().ok()?;
     Some(curve.length().hi())
@@ -129,24 +129,13 @@ fn length_above<const D: usize>(line: &TautLine<Known, ANY>) -> Option<f64> {
 
 /// What bounds rest on: constants that are claimed, or how they are proved.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Proving {
-    pub(crate) claimed: Option<Constants>,
+pub struct Proving {
+    /// The constants that are claimed.
+    pub claimed: Option<Constants>,
     /// Whether the claims are about a region only, beyond which curves may run.
-    pub(crate) is_in_a_region: bool,
-    pub(crate) accuracy: Accuracy,
-}
-
-impl Question {
-    /// Returns what bounds rest on.
-    pub(crate) fn proving(&self) -> Proving {
-        let is_in_a_region = self.within.is_some();
-        Proving { claimed: self.claimed, is_in_a_region, accuracy: self.accuracy() }
-    }
-
-    /// Returns how closely constants are proved, and at what cost.
-    pub(crate) fn accuracy(&self) -> Accuracy {
-        Accuracy { tolerance: self.accuracy, budget: self.boxes }
-    }
+    pub is_in_a_region: bool,
+    /// How closely constants are proved, and at what cost.
+    pub accuracy: Accuracy,
 }
 
 /// How much longer than its quadrature a curve may be by a bound with outward rounding, relative to

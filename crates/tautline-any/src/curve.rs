@@ -4,17 +4,16 @@ use core::ops::ControlFlow;
 use std::sync::Arc;
 
 use tautline::{
-    ANY, CertificateError, Interpolation, Known, Other, PointSequence, Rule, TautLine,
+    ANY, CertificateError, Interpolation, Other, PointSequence, Rule,
     certify::Watch,
     distance::{Progress, Wanted},
 };
 
-use super::Proofs;
 use crate::{
-    Bounds, CertifiedAnswer, Estimated, Search,
-    answer::is_shorter,
+    Bounds, CertifiedAnswer, Estimated, Line, Proofs, Search,
+    answer::{extrapolated, is_shorter, search},
     bounds::bounds,
-    solve::{estimated, extrapolated, finer_grid, search},
+    tolerance::finer_grid,
 };
 
 /// How much more energy another minimum may have, and be shorter.
@@ -28,10 +27,10 @@ pub type Observe<'o> = &'o mut dyn FnMut(Progress) -> ControlFlow<()>;
 
 /// A computed discrete minimiser, and the curve that joins its points.
 #[derive(Debug)]
-pub struct Curve(TautLine<Known, ANY>);
+pub struct Curve(Line);
 
-impl From<TautLine<Known, ANY>> for Curve {
-    fn from(line: TautLine<Known, ANY>) -> Self {
+impl From<Line> for Curve {
+    fn from(line: Line) -> Self {
         Self(line)
     }
 }
@@ -76,13 +75,13 @@ impl Curve {
     /// quadrature.
     #[must_use]
     pub fn length(&self) -> Estimated {
-        estimated(self.0.length())
+        self.0.length().into()
     }
 
     /// Returns the energy of the curve, in `m²`.
     #[must_use]
     pub fn energy(&self) -> Estimated {
-        estimated(self.0.energy())
+        self.0.energy().into()
     }
 
     /// Returns the discrete energy, in `m²`.

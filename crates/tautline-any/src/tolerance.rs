@@ -3,14 +3,14 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    ANY, Estimate, Integral, Known, Options, PointSequence, Problem, Rule, Starts, Stop, TautLine,
+    ANY, Estimate, Integral, Known, Options, PointSequence, Problem, Rule, Starts, Stop,
 };
 
-use crate::answer::is_shorter;
+use crate::{Line, answer::is_shorter};
 
 /// The grid from which a tolerance is judged: that of a problem without a tolerance, so that the
 /// search meets the same minima.
-pub(crate) const FIRST_GRID: usize = crate::question::CHORDS;
+pub(crate) const FIRST_GRID: usize = crate::request::CHORDS;
 
 /// The finest grid that is tried for a tolerance, times the number of coordinates. Twice as many
 /// chords gain nothing: what remains of the error of smooth metrics is rounding.
@@ -31,12 +31,12 @@ const OPTIMISM: f64 = 10.0;
 pub(crate) fn refined(
     problem: &Problem<Known, ANY>,
     rule: Rule,
-    mut line: TautLine<Known, ANY>,
+    mut line: Line,
     tolerance: f64,
     options: &Options<ANY>,
-    coarser: &mut dyn FnMut(&TautLine<Known, ANY>) -> ControlFlow<()>,
-) -> TautLine<Known, ANY> {
-    let converged = |line: &TautLine<_, ANY>| line.minimum().stop == Stop::Converged;
+    coarser: &mut dyn FnMut(&Line) -> ControlFlow<()>,
+) -> Line {
+    let converged = |line: &Line| line.minimum().stop == Stop::Converged;
     let (mut options, mut failures, mut last_converged) = (options.clone(), 0, None);
     loop {
         // A search that fails twice on fine grids fails on finer ones.
@@ -84,7 +84,7 @@ fn also(starts: Starts<ANY>, found: Vec<PointSequence<ANY>>) -> Starts<ANY> {
 
 /// Returns the next grid, or `None` if the relative error of the length is at most `tolerance`, by
 /// extrapolation.
-pub(crate) fn finer_grid(line: &TautLine<Known, ANY>, tolerance: f64) -> Option<usize> {
+pub(crate) fn finer_grid(line: &Line, tolerance: f64) -> Option<usize> {
     let finer = factor(&line.length(), line.distance_squared_estimate(), tolerance)?;
     // A conversion to an integer saturates.
     Some((finer * line.sequence().n().get() as f64).ceil() as usize)

@@ -1,10 +1,19 @@
-//! `Answer`: what was computed and proved for a problem.
+//! `Answer`: what is computed and proved for a problem.
+
+use core::ops::ControlFlow;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use tautline::{Constants, decimal::shortly_down};
+use tautline::{
+    ANY, Constants, Curvature, Integral, PointSequence, Stop, certify::Watch,
+    decimal::shortly_down, distance::Progress,
+};
 
-use crate::Float;
+use crate::{
+    Float, Line,
+    bounds::{Proving, bounds},
+    tolerance::finer_grid,
+};
 
 /// A curve between the two sets, and bounds on their distance.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -46,8 +55,65 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// Returns what is known of a line on its own: neither other minima nor bounds. `tolerance` is the
+    /// relative error of the length that was asked for.
+    #[must_use]
+    pub fn of(line: &Line, tolerance: Option<f64>) -> Self {
+        let minimum = line.minimum();
+        Self {
+            dimension: minimum.sequence.dimension(),
+            rule: line.rule().name(),
+            n: minimum.sequence.n().get(),
+            length: line.length().into(),
+            energy: line.energy().into(),
+            discrete_energy: minimum.energy,
+            extrapolated: extrapolated(line),
+            search: search(line),
+            resolved: line.is_resolved(),
+            within_tolerance: tolerance.map(|tolerance| finer_grid(line, tolerance).is_none()),
+            bounds: None,
+            no_bounds: None,
+            curve: points(&minimum.sequence),
+            other_minima: Vec::new(),
+        }
+    }
+
+    /// Adds the other minima of the line, and what is proved of the distance, if anything shall be.
+    /// `solved` is called before anything is proved, which may take longer; `watch` and `observe` may end
+    /// the proofs.
+    pub fn complete(
+        mut self,
+        line: &Line,
+        proving: Option<Proving>,
+        watch: &dyn Watch,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+        solved: &mut dyn FnMut(&Self),
+    ) -> Self {
+        let others = line.other_minima();
+        let minima = others.iter().map(|other| OtherMinimum {
+            length: other.length().into(),
+            curve: points(other.sequence()),
+        });
+        self.other_minima = minima.collect();
+        if self.other_minima.iter().any(|other| other.is_shorter_than(&self)) {
+            self.is_not_resolved();
+        }
+        solved(&self);
+        let Some(proving) = proving else { return self };
+        match bounds(proving, line, &others, watch, observe) {
+            Ok(bounds) => {
+                if bounds.exceed(&self.length) {
+                    self.is_not_resolved();
+                }
+                (self.bounds, self.no_bounds) = (Some(bounds), None);
+            }
+            Err(reason) => self.no_bounds = Some(reason),
+        }
+        self
+    }
+
     /// Says that the distance is not what the energies of the curve tend to.
-    pub(crate) fn is_not_resolved(&mut self) {
+    fn is_not_resolved(&mut self) {
         (self.resolved, self.extrapolated) = (false, None);
         self.within_tolerance = self.within_tolerance.and(Some(false));
     }
@@ -60,6 +126,12 @@ pub struct Estimated {
     pub value: f64,
     /// The estimated error.
     pub error: f64,
+}
+
+impl From<Integral> for Estimated {
+    fn from(Integral { value, error, .. }: Integral) -> Self {
+        Self { value, error }
+    }
 }
 
 /// How a search ended.
@@ -217,6 +289,53 @@ impl OtherMinimum {
     #[must_use]
     pub fn is_shorter_than(&self, answer: &Answer) -> bool {
         is_shorter(self.length.value, answer.length.value)
+    }
+}
+
+/// Returns an estimate of the distance.
+pub(crate) fn extrapolated(line: &Line) -> Option<Estimated> {
+    let square = line.distance_squared_estimate()?;
+    let value = square.value.max(0.0).sqrt();
+    // An estimate that may be 0 is none.
+    let is_known = square.error < square.value;
+    is_known.then(|| Estimated { value, error: 0.5 * square.error / value })
+}
+
+/// Returns how the search for a minimum ended.
+pub(crate) fn search(line: &Line) -> Search {
+    let minimum = line.minimum();
+    let is_contact = minimum.stop == Stop::EndsTouch && line.proved_contact().is_none();
+    Search {
+        converged: minimum.is_local_minimum(),
+        stop: if is_contact { "the sets touch, up to rounding" } else { stop(minimum.stop) },
+        hessian: hessian(minimum.curvature),
+        residual: minimum.residual,
+        residual_floor: minimum.residual_floor,
+        newton_steps: minimum.iterations,
+    }
+}
+
+/// Returns the points of a sequence, from the first to the last.
+pub(crate) fn points(sequence: &PointSequence<ANY>) -> Vec<Vec<f64>> {
+    sequence.coordinates().chunks_exact(sequence.dimension()).map(<[f64]>::to_vec).collect()
+}
+
+fn stop(stop: Stop) -> &'static str {
+    match stop {
+        Stop::Converged => "converged",
+        Stop::EndsTouch => "the sets touch",
+        Stop::Stalled => "stalled",
+        Stop::IterationLimit => "the number of steps ran out",
+        _ => "stopped",
+    }
+}
+
+fn hessian(curvature: Curvature) -> String {
+    match curvature {
+        Curvature::PositiveDefinite => "positive definite".to_owned(),
+        Curvature::Degenerate => "degenerate".to_owned(),
+        Curvature::Indefinite { negative } => format!("{negative} negative eigenvalues"),
+        _ => "unknown".to_owned(),
     }
 }
 

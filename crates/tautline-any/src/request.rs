@@ -1,22 +1,49 @@
 //! `Request`: how a problem is to be solved.
 
-use core::ops::ControlFlow::{Break, Continue};
-use std::sync::Arc;
+use core::ops::ControlFlow;
 
 use tautline::{
     ANY, Constants, GraphPathError, Known, Lattice, Options, PointSequence, Problem, Rule, SVector,
-    SolveError, Starts, TautLine, certify::Accuracy, lattice_starts,
+    SolveError, Starts, certify::Accuracy, lattice_starts,
 };
 
-use super::{Found, GivenError};
 use crate::{
-    Grid, LEAST_TOLERANCE,
+    GivenError, Line,
     bounds::Proving,
     dimension::{InDimension, in_small_dimension},
-    question::{ACCURACY, CHORDS, default_boxes},
-    reading::shape::vector,
-    solve::{FIRST_GRID, refined},
+    ends::vector,
+    tolerance::{FIRST_GRID, refined},
 };
+
+/// How fine the grid is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Grid {
+    /// The number of chords.
+    Chords(usize),
+    /// The relative error of the length.
+    Tolerance(f64),
+}
+
+/// The number of chords unless another is given.
+pub const CHORDS: usize = 256;
+
+/// The relative error of a length that rounding leaves, so that no grid reaches less.
+pub const LEAST_TOLERANCE: f64 = 1e-13;
+
+/// The number of boxes for one constant in the plane, unless another is given: some tenths of a second.
+const BOXES: usize = 100_000;
+
+/// The relative accuracy of a constant, unless another is given.
+pub const ACCURACY: f64 = 1e-3;
+
+/// Returns the number of boxes for one constant, unless another is given. A box costs more in
+/// more dimensions, so that a proof takes seconds, not minutes.
+#[must_use]
+pub fn default_boxes(dimension: usize) -> usize {
+    // From ten dimensions on, one is left.
+    let dear = dimension.saturating_sub(2).min(7) as u32;
+    BOXES / 5_usize.pow(dear)
+}
 
 /// How a problem is to be solved.
 #[derive(Clone, Debug, PartialEq)]
@@ -100,7 +127,7 @@ impl Nodes {
         rule: Rule,
         n: usize,
         options: &Options<ANY>,
-    ) -> Result<TautLine<Known, ANY>, GivenError> {
+    ) -> Result<Line, GivenError> {
         let dimension = problem.any_ends().dimension();
         let search = AlongLattice { nodes: self, problem, rule, n, options };
         let too_many = GraphPathError::Dimension { dimension };
@@ -118,7 +145,7 @@ struct AlongLattice<'r> {
 }
 
 impl InDimension for AlongLattice<'_> {
-    type Output = Result<TautLine<Known, ANY>, GivenError>;
+    type Output = Result<Line, GivenError>;
 
     fn run<const D: usize>(self) -> Self::Output {
         let Self { nodes, problem, rule, n, options } = self;
@@ -137,11 +164,19 @@ impl InDimension for AlongLattice<'_> {
 }
 
 impl Request {
-    /// Returns a curve of a problem. With a tolerance, it goes on to a finer grid only while `goes_on` says
-    /// so.
-    pub(super) fn solve(&self, problem: &Problem<Known, ANY>, goes_on: &dyn Fn() -> bool) -> Found {
+    /// Returns the line of a problem. With a tolerance, `coarser` is told of the line on each coarser grid,
+    /// and may end the search for finer ones.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError`].
+    pub fn line(
+        &self,
+        problem: &Problem<Known, ANY>,
+        coarser: &mut dyn FnMut(&Line) -> ControlFlow<()>,
+    ) -> Result<Line, GivenError> {
         let (rule, options) = (self.rule, self.options(problem.any_ends().dimension())?);
-        let line = match (self.grid, &self.lattice) {
+        Ok(match (self.grid, &self.lattice) {
             (Grid::Chords(n), None) => problem.solve_with(rule, n, &options)?,
             (Grid::Chords(n), Some(nodes)) => nodes.solve(problem, rule, n, &options)?,
             (Grid::Tolerance(_), Some(_)) => return Err(GivenError::LatticeAndTolerance),
@@ -150,15 +185,13 @@ impl Request {
                     return Err(GivenError::Tolerance { tolerance });
                 }
                 let line = problem.solve_with(rule, FIRST_GRID, &options)?;
-                let go_on = || if goes_on() { Continue(()) } else { Break(()) };
-                refined(problem, rule, line, tolerance, &options, &mut |_| go_on())
+                refined(problem, rule, line, tolerance, &options, coarser)
             }
-        };
-        Ok(Arc::new(line.into()))
+        })
     }
 
     /// Returns the options of a search in this dimension.
-    pub(super) fn options(&self, dimension: usize) -> Result<Options<ANY>, GivenError> {
+    pub(crate) fn options(&self, dimension: usize) -> Result<Options<ANY>, GivenError> {
         let mut starts = Vec::new();
         for start in &self.starts {
             if let Some(x) = start.iter().find(|x| x.len() != dimension) {
@@ -189,14 +222,14 @@ pub struct Proofs {
 }
 
 impl Proofs {
-    pub(super) fn accuracy(&self, dimension: usize) -> Accuracy {
+    pub(crate) fn accuracy(&self, dimension: usize) -> Accuracy {
         Accuracy {
             tolerance: self.tolerance.unwrap_or(ACCURACY),
             budget: self.boxes.unwrap_or(default_boxes(dimension)),
         }
     }
 
-    pub(super) fn proving(&self, dimension: usize) -> Proving {
+    pub(crate) fn proving(&self, dimension: usize) -> Proving {
         Proving { claimed: self.claimed, is_in_a_region: false, accuracy: self.accuracy(dimension) }
     }
 }

@@ -1,5 +1,6 @@
 //! `Given`: a metric whose dimension is known when the program runs.
 
+use core::ops::ControlFlow::{Break, Continue};
 use std::sync::Arc;
 
 use tautline::{
@@ -7,12 +8,10 @@ use tautline::{
     certify::Watch, solve_all,
 };
 
-use super::{Curve, GivenError, Proofs, Region, Request, Shape, avoiding::avoiding};
 use crate::{
-    ConstantsAnswer, Grid, LARGEST_DIMENSION,
-    constants::{ConstantsError, constants},
-    reading::shape::ends,
-    solve::least_entry,
+    ConstantsAnswer, ConstantsError, Curve, GivenError, Grid, LARGEST_DIMENSION, Least, Proofs,
+    Region, Request, Shape, constants::constants, ends::ends, least_entry::least_entry,
+    region::avoiding,
 };
 
 /// A metric on `R^d`, where `d` is known when the program runs. Its programs are derived once, and
@@ -24,9 +23,6 @@ pub struct Given {
 
 /// A curve, or why there is none.
 pub type Found = Result<Arc<Curve>, GivenError>;
-
-/// A value, and the point where it is.
-pub type Least = (f64, Vec<f64>);
 
 impl Given {
     /// Parses a metric, given values for named parameters, and tables that it may call by their names:
@@ -173,7 +169,9 @@ impl Given {
         request: &Request,
         goes_on: &dyn Fn() -> bool,
     ) -> Found {
-        request.solve(&self.problem(ends)?, goes_on)
+        let go_on = || if goes_on() { Continue(()) } else { Break(()) };
+        let line = request.line(&self.problem(ends)?, &mut |_| go_on())?;
+        Ok(Arc::new(line.into()))
     }
 
     /// Solves many problems on all threads, or one after the other with a tolerance or a lattice, and

@@ -3,10 +3,8 @@
 use std::sync::Arc;
 
 use tautline::{Ball, Point};
-use tautline_problem::{
-    Diagnostic, Failure, Question,
-    value::{Given, GivenError, Grid, Nodes, Request, Shape, Values},
-};
+use tautline_any::{Given, GivenError, Grid, Nodes, Request, Shape, Values};
+use tautline_problem::{Diagnostic, Failure, Question};
 
 /// Along `x₁`, from 0 to 3, `∫ (2 − cos x₁) dx₁ = 6 − sin 3`, and every other way is longer.
 fn exact() -> f64 {
