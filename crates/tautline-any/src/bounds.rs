@@ -31,7 +31,7 @@ pub(crate) fn bounds(
     let Some(claimed) = proving.claimed else {
         let proof = Proof { accuracy: proving.accuracy, line, others, watch, observe };
         let found = in_proved_dimension(dimension, proof);
-        return found.unwrap_or_else(|| Err(too_many_coordinates()));
+        return found.unwrap_or_else(|| Err(too_many_coordinates(dimension)));
     };
     if proving.is_in_a_region {
         return Err(IN_A_REGION.to_owned());

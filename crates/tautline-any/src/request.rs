@@ -40,7 +40,7 @@ pub const ACCURACY: f64 = 1e-3;
 /// more dimensions, so that a proof takes seconds, not minutes.
 #[must_use]
 pub fn default_boxes(dimension: usize) -> usize {
-    // From ten dimensions on, one is left.
+    // From nine dimensions on, one is left.
     let dear = dimension.saturating_sub(2).min(7) as u32;
     BOXES / 5_usize.pow(dear)
 }

@@ -6,7 +6,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use tautline_problem::{Diagnostic, Failure, Question, in_dimension};
+use tautline_problem::{Diagnostic, Failure, LARGEST_FIXED_DIMENSION, Question, in_dimension};
 
 use crate::{answer::Audit, effort::Effort, run::Run};
 
@@ -41,13 +41,19 @@ pub enum AuditError {
 pub fn audit(question: &Question, effort: Effort) -> Result<Audit, AuditError> {
     let start = Instant::now();
     let limit: Duration = effort.time_limit.mul_f64(1.0 - RESERVE);
+    let dimension = question.dimension();
+    if dimension > LARGEST_FIXED_DIMENSION {
+        let what =
+            format!("audits run in up to {LARGEST_FIXED_DIMENSION} dimensions, not {dimension}");
+        return Err(AuditError::NotRun(what));
+    }
     let (sender, reports) = mpsc::channel();
     let question = question.clone();
     let work = move || {
         // Nobody listens any more once time has run out.
         let report = |audit: &Audit| sender.send(Ok(audit.clone())).is_ok();
         let run = Run { question: &question, effort, report: &report };
-        // A question has a dimension in which it is posed.
+        // The dimension was checked.
         if let Some(result) = in_dimension(question.dimension(), run) {
             let _ = sender.send(result);
         }

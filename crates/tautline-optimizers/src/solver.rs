@@ -242,9 +242,7 @@ impl<'a> Search<'a> {
             (false, _) if unsettled => &LINES[..1],
             (false, _) => &[],
         };
-        if grid > SETTLED
-            && let Err(error) = Workspace::check_damped(self.energy.dimension(), grid)
-        {
+        if let Err(error) = Workspace::check_damped(self.energy.dimension(), grid) {
             self.refused = Some(error);
             return;
         }

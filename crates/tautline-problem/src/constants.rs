@@ -36,7 +36,9 @@ impl Question {
                 "no constants on all of space: {error}. Constants in a region need [certify] with \
                  within = {{ ball = … }} or {{ box = … }}"
             )),
-            (ConstantsError::TooManyCoordinates, _) => Failure::NotComputed(too_many_coordinates()),
+            (ConstantsError::TooManyCoordinates, _) => {
+                Failure::NotComputed(too_many_coordinates(self.dimension))
+            }
             (error, _) => Failure::NotComputed(error.to_string()),
         })
     }

@@ -22,6 +22,14 @@ fn a_wrong_file_is_refused_with_its_place() {
     refused(&["-"], &format!("{METRIC}{claims}"), "standard input:5:6");
 }
 
+/// The laws are compiled for each dimension.
+#[test]
+fn a_metric_in_thirteen_dimensions_is_refused() {
+    let ran = run_on(&["-"], &METRIC.replace("dimension = 2", "dimension = 13"));
+    assert_eq!(ran.out, "");
+    assert!(ran.err.contains("audits run in up to 12 dimensions, not 13"), "{}", ran.err);
+}
+
 #[test]
 fn a_missing_file_is_named() {
     refused(&["no/such.toml"], "", "no/such.toml");

@@ -52,6 +52,10 @@ impl Known {
     }
 
     /// Returns `H(x)`, as `D²` numbers column by column.
+    ///
+    /// # Panics
+    ///
+    /// If `x` has another number of coordinates than the space.
     #[must_use]
     pub fn gram(&self, x: &[f64]) -> Vec<f64> {
         let mut gram = vec![0.0; x.len() * x.len()];

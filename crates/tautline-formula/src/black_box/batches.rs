@@ -21,7 +21,8 @@ pub struct BlackBoxBatches {
 /// The greatest number of lanes. A call from another language costs as much as some dozen points.
 const LANES: usize = 512;
 
-/// The greatest number of second derivatives of a batch, of which a point has `D⁴`: 64 MB.
+/// The greatest number of second derivatives of a batch, of which a point has `D⁴`: 64 MB, unless eight
+/// points have more. Differences take twice as many values.
 const SECOND_DERIVATIVES: usize = 1 << 23;
 
 impl BlackBoxBatches {

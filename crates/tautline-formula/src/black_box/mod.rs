@@ -70,8 +70,9 @@ impl<const D: usize> BlackBox<D> {
     /// The default step of differences: a thousandth of a unit of the coordinates.
     pub const STEP: f64 = 1e-3;
 
-    /// The largest dimension. A point has `D⁴` second derivatives there, which take 134 MB.
-    pub const LARGEST_DIMENSION: usize = 64;
+    /// The largest dimension. A point has `D⁴` second derivatives, and differences take twice as many
+    /// values: 25 MB for each of at least eight points.
+    pub const LARGEST_DIMENSION: usize = 32;
 
     /// Makes the metric. Derivatives that are not given are computed from differences of values at
     /// points whose coordinates differ by `step`, in `ℓ`.

@@ -74,6 +74,10 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Opt
         .map(|(i, j)| Half { entries: [at(i, j), at(j, i)], diagonal: [at(i, i), at(j, j)] })
         .collect();
     let pivots = graph.pivots(dimension, |i, j| at(i.min(j), i.max(j)));
+    // Of a full matrix in about ninety dimensions. What follows has a matrix for each base.
+    if graph.is_full() {
+        return None;
+    }
     let own = own_entries(&graph, &gram);
     let mut split = split(&graph, &gram, &own, dimension);
     let squares = if needs_gram && order == Order::Zero {

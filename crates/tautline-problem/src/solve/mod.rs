@@ -114,6 +114,7 @@ impl Question {
         });
         let line = line.map_err(|error| match (error, &self.lattice) {
             (GivenError::Solve(error), _) => self.failure(problem.metric(), &error),
+            (GivenError::Start(error), _) => Failure::NotComputed(error.to_string()),
             (error, Some(nodes)) => {
                 Failure::BadInput(Diagnostic::new(error.to_string(), nodes.span()))
             }
