@@ -1,7 +1,8 @@
 //! Problems, curves, bounds and certificates in a dimension that is known when the program runs.
 //!
-//! Files, the command, the page and Python stand on this crate. It alone chooses what is compiled for one
-//! dimension: proofs, certificates and lattices.
+//! Problem files, the command and Python stand on this crate. [`in_dimension`] and its kin list the
+//! dimensions for which proofs, certificates, lattices, audits and the gallery are compiled; everything else
+//! is compiled once.
 //!
 //! ```
 //! use tautline::{Ball, HalfSpace};

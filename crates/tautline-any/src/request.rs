@@ -3,8 +3,8 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    ANY, Constants, GraphPathError, Known, Lattice, Options, PointSequence, Problem, Rule, SVector,
-    SolveError, Starts, certify::Accuracy, lattice_starts,
+    ANY, BatchesIn, Constants, GraphPathError, Known, Lattice, Options, PointSequence, Problem,
+    Rule, SVector, SolveError, Starts, certify::Accuracy, lattice_starts,
 };
 
 use crate::{
@@ -154,7 +154,7 @@ impl InDimension for AlongLattice<'_> {
         let starts = || {
             let dimension = problem.any_ends().dimension();
             let other = SolveError::Dimension { metric: dimension, found: D };
-            let metric = tautline::InDimension::<D>::new(problem.metric());
+            let metric = BatchesIn::<D>::new(problem.metric());
             let (metric, ends) = metric.zip(problem.any_ends().in_dimension()).ok_or(other)?;
             let starts = lattice_starts(&metric, &ends, &lattice, n, classes)?;
             Ok(starts.into_iter().map(PointSequence::into_any).collect())

@@ -62,7 +62,7 @@ mod text;
 
 pub use any_metric::AnyMetric;
 pub use batch::{
-    AnyBatches, Batch, Batches, InDimension, Inputs, Kind, Known, Layout, Plain, Prepare, Prepared,
+    AnyBatches, Batch, Batches, BatchesIn, Inputs, Kind, Known, Layout, Plain, Prepare, Prepared,
     PreparedFormula,
 };
 pub use black_box::{BlackBox, BlackBoxBatches, Values};

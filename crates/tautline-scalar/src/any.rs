@@ -2,6 +2,6 @@
 
 /// The parameter `D` of a type whose dimension is a value, known when the program runs.
 ///
-/// A `PointSequence<2>` lies in the plane, and the compiler knows it. A `PointSequence<ANY>` carries its
-/// dimension with it. What takes the latter is compiled once for all dimensions.
+/// The compiler knows that a `PointSequence<2>` lies in the plane. A `PointSequence<ANY>` stores its
+/// dimension, and a function that takes it is compiled once for all dimensions.
 pub const ANY: usize = usize::MAX;

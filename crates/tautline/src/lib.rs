@@ -117,7 +117,7 @@ pub use tautline_discretizations::{
 };
 pub use tautline_distance as distance;
 pub use tautline_formula::{
-    self as formula, AnyBatches, AnyMetric, Batch, Batches, BlackBox, Formula, InDimension, Kind,
+    self as formula, AnyBatches, AnyMetric, Batch, Batches, BatchesIn, BlackBox, Formula, Kind,
     Known, Plain, Prepare, Prepared, PreparedFormula, RecordError, TextError, Values,
     spline::{Spline, SplineError},
 };

@@ -1,7 +1,7 @@
 //! `Batch`: a metric at many points at once.
 
+mod batches_in;
 mod contraction;
-mod in_dimension;
 mod interpreted;
 mod kernel;
 mod known;
@@ -12,8 +12,8 @@ mod prepared;
 
 use nalgebra::{SMatrix, SVector};
 
+pub use batches_in::BatchesIn;
 pub(crate) use contraction::CHUNKED;
-pub use in_dimension::InDimension;
 pub use known::Known;
 pub use layout::{Kind, Layout};
 pub use plain::Plain;
@@ -160,19 +160,6 @@ impl<const D: usize> Inputs<'_, D> {
         for i in 0..D {
             self.x[i][lane] = x[i];
             self.d[i][lane] = d[i];
-        }
-    }
-
-    /// Sets the points and vectors of lanes `2 pair` and `2 pair + 1`.
-    ///
-    /// # Panics
-    ///
-    /// If there are no such lanes.
-    #[inline(always)]
-    pub fn set_pair(&mut self, pair: usize, x: &[SVector<f64, D>; 2], d: &[SVector<f64, D>; 2]) {
-        for i in 0..D {
-            self.x[i].as_chunks_mut().0[pair] = [x[0][i], x[1][i]];
-            self.d[i].as_chunks_mut().0[pair] = [d[0][i], d[1][i]];
         }
     }
 }

@@ -121,13 +121,6 @@ impl BlackBox<ANY> {
     pub fn new_in(dimension: usize, values: Arc<dyn Values>, step: f64) -> Option<Self> {
         Self::checked(dimension, values, step)
     }
-
-    /// Returns the same metric as one on `R^E`; `None` if it is one in another dimension.
-    #[must_use]
-    pub fn into_dimension<const E: usize>(self) -> Option<BlackBox<E>> {
-        let Self { dimension, values, step } = self;
-        (dimension == E).then_some(BlackBox { dimension, values, step })
-    }
 }
 
 impl<const D: usize> Debug for BlackBox<D> {

@@ -1,4 +1,4 @@
-//! `InDimension`: batches of a metric whose dimension is a value, as batches on `R^D`.
+//! `BatchesIn`: batches of a metric whose dimension is a value, as batches on `R^D`.
 
 use crate::{
     batch::{AnyBatches, Batches, Kind, Layout},
@@ -6,9 +6,9 @@ use crate::{
 };
 
 /// Batches of a metric whose dimension is a value, as batches on `R^D`.
-pub struct InDimension<'m, const D: usize>(&'m dyn AnyBatches);
+pub struct BatchesIn<'m, const D: usize>(&'m dyn AnyBatches);
 
-impl<'m, const D: usize> InDimension<'m, D> {
+impl<'m, const D: usize> BatchesIn<'m, D> {
     /// Takes a metric; `None` if it is one in another dimension.
     #[must_use]
     pub fn new(metric: &'m dyn AnyBatches) -> Option<Self> {
@@ -16,9 +16,9 @@ impl<'m, const D: usize> InDimension<'m, D> {
     }
 }
 
-impl<const D: usize> Batches<D> for InDimension<'_, D> {}
+impl<const D: usize> Batches<D> for BatchesIn<'_, D> {}
 
-impl<const D: usize> AnyBatches for InDimension<'_, D> {
+impl<const D: usize> AnyBatches for BatchesIn<'_, D> {
     fn dimension(&self) -> usize {
         D
     }
