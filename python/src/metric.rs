@@ -10,7 +10,7 @@ use numpy::{
 };
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use tautline::{Point, Rule, SetError, Table};
+use tautline::{Point, Rule, Scope, SetError, Table};
 use tautline_any::{
     self as value, Found, Given, Grid, IF_IT_SETTLES, Nodes, Proofs, Request, Shape,
 };
@@ -50,6 +50,7 @@ pub(crate) struct Options {
     rule: String,
     starts: Vec<Vec<Vec<f64>>>,
     only_these_starts: bool,
+    scope: String,
     /// The first node, the corner at which the nodes end, and their spacing.
     lattice: Option<(Vec<f64>, Vec<f64>, Vec<f64>)>,
     /// The most homotopy classes of paths along it.
@@ -311,6 +312,7 @@ impl Program {
             rule,
             starts,
             only_these_starts,
+            scope,
             lattice,
             classes,
             steps,
@@ -324,10 +326,15 @@ impl Program {
             let message = format!("{rule:?} is no rule; the rules are {names}");
             return Err(ProblemError::new_err(message));
         };
+        let Some(scope) = Scope::named(&scope) else {
+            let names = Scope::NAMES.map(|name| format!("'{name}'")).join(", ");
+            let message = format!("{scope:?} is no scope; the scopes are {names}");
+            return Err(ProblemError::new_err(message));
+        };
         let default = Request::default();
         // Python runs one thread at a time.
         let own = if self.callback.is_some() { 1 } else { default.threads };
         let (steps, threads) = (steps.unwrap_or(default.steps), threads.unwrap_or(own));
-        Ok(Request { rule, grid, starts, only_these_starts, lattice, steps, threads })
+        Ok(Request { rule, grid, starts, only_these_starts, scope, lattice, steps, threads })
     }
 }

@@ -34,6 +34,7 @@ def solve(
     rule: str = "trapezoidal",
     starts: Starts = (),
     only_these_starts: bool = False,
+    scope: str = "automatic",
     classes: int = 1,
     steps: int | None = None,
     threads: int | None = None,
@@ -46,7 +47,9 @@ def solve(
     `rule` is one of `RULES`, such as "trapezoidal" (the metric in the middle of each chord) or
     "left_endpoint". `starts` are polygons from which a search starts besides the automatic ones, or
     in place of them: an array of shape (m, D), a curve, or a list of such. `steps` is the largest
-    number of Newton steps of a search on one grid. `threads` is 1 or 2. If the metric has a
+    number of Newton steps of a search on one grid. By the `scope` "automatic" a search in two or three
+    dimensions also looks along a path through a coarse lattice around what the starts led to; "local"
+    stands for the starts alone. `threads` is 1 or 2. If the metric has a
     `lattice`, as an image has, a second search starts from a shortest path along it, unless
     `only_these_starts`, and the shorter curve is returned. With `classes` above 1 the paths are the
     shortest ones of as many homotopy classes, ways around the peaks and holes of the metric, and
@@ -62,7 +65,9 @@ def solve(
     if n is not None and tolerance is not None:
         raise ProblemError(f"n = {n} and tolerance = {tolerance}; expected one of them")
     chords = 256 if n is None else n
-    options = _options(metric, chords, rule, steps, threads, _polygons(starts), only_these_starts)
+    options = _options(
+        metric, chords, rule, steps, threads, _polygons(starts), only_these_starts, scope
+    )
     searches_lattice = metric.lattice is not None and not only_these_starts
     if tolerance is not None and searches_lattice:
         raise ProblemError(
@@ -241,6 +246,7 @@ def _options(
     threads: int | None = None,
     starts: Sequence[Any] = (),
     only_these_starts: bool = False,
+    scope: str = "automatic",
 ) -> dict[str, Any]:
     if not isinstance(metric, Metric):
         raise ProblemError(
@@ -254,6 +260,7 @@ def _options(
         "threads": None if threads is None else whole(threads, "threads"),
         "starts": starts,
         "only_these_starts": only_these_starts,
+        "scope": scope if isinstance(scope, str) else repr(scope),
         "lattice": None,
         "classes": 1,
     }

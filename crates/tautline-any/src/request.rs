@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use tautline::{
     ANY, BatchesIn, Constants, GraphPathError, Known, Lattice, Options, PointSequence, Problem,
-    Rule, SVector, SolveError, Starts, certify::Accuracy, lattice_starts,
+    Rule, SVector, Scope, SolveError, Starts, certify::Accuracy, lattice_starts,
 };
 
 use crate::{
@@ -56,6 +56,8 @@ pub struct Request {
     pub starts: Vec<Vec<Vec<f64>>>,
     /// Whether they replace the automatic starts.
     pub only_these_starts: bool,
+    /// How far a search looks, unless it has nodes.
+    pub scope: Scope,
     /// Nodes; a search also starts from shortest paths along them, with all of the chords. It needs their
     /// number. See [`solve_on_lattice`](Problem::solve_on_lattice).
     pub lattice: Option<Nodes>,
@@ -68,12 +70,13 @@ pub struct Request {
 impl Default for Request {
     /// Returns the trapezoidal rule with 256 chords, automatic starts, and the options of a search.
     fn default() -> Self {
-        let Options { iterations, threads, .. } = Options::<1>::default();
+        let Options { scope, iterations, threads, .. } = Options::<1>::default();
         Self {
             rule: Rule::default(),
             grid: Grid::Chords(CHORDS),
             starts: Vec::new(),
             only_these_starts: false,
+            scope,
             lattice: None,
             steps: iterations,
             threads,
@@ -205,7 +208,7 @@ impl Request {
             (true, false) => Starts::Automatic,
             (false, false) => Starts::Also(starts),
         };
-        Ok(Options { starts, iterations: self.steps, threads: self.threads })
+        Ok(Options { starts, scope: self.scope, iterations: self.steps, threads: self.threads })
     }
 }
 

@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    ANY, Estimate, Integral, Known, Options, PointSequence, Problem, Rule, Starts, Stop,
+    ANY, Estimate, Integral, Known, Options, PointSequence, Problem, Rule, Scope, Starts, Stop,
 };
 
 use crate::{Line, answer::is_shorter};
@@ -60,6 +60,8 @@ pub(crate) fn refined(
             break;
         }
         options.starts = also(options.starts, starts);
+        // The first grid has been looked around.
+        options.scope = Scope::Local;
         // Without a finer line, the coarser one misses the tolerance, and says so.
         let Ok(finer) = problem.solve_with(rule, finer, &options) else { break };
         let before = std::mem::replace(&mut line, finer);

@@ -7,12 +7,14 @@
 //! | --- | --- | --- |
 //! | [`graph_path`], [`graph()`], [`LatticeGraph`] | a shortest path along edges | some per cent, at any spacing: it runs in a few directions |
 //! | [`class_paths`] | one for each way around the peaks and holes of a metric, its [`Punctures`] | the same |
+//! | [`path_elsewhere`] | a shortest path, unless it runs along a known line | the same |
 //! | [`eikonal()`], [`Eikonal`] | the distances from a set at the nodes, by fast marching, and paths that descend them | of the first or second order in the spacing |
 //! | [`pass_paths`] | curves through the passes between two distance fields | the same |
 //! | [`Front`] | the march itself, over nodes of any arrangement | |
 
 mod class_paths;
 mod eikonal;
+mod elsewhere;
 mod front;
 mod graph;
 mod graph_path;
@@ -28,6 +30,7 @@ mod word;
 
 pub use class_paths::{ClassPath, class_paths};
 pub use eikonal::{Distances, Eikonal, EikonalError, EikonalPath, eikonal};
+pub use elsewhere::path_elsewhere;
 pub use front::{Front, Order};
 pub use graph::{angular_factor, graph};
 pub use graph_path::{GraphPathError, equal_chords, graph_path};

@@ -2,7 +2,7 @@
 
 use tautline::{
     GraphPathError, Lattice, LatticeGraph, Metric, Options, Plain, PointSequence, Problem,
-    Punctures, Rule, SolveError, Starts, TautLine, are_apart, class_paths,
+    Punctures, Rule, Scope, SolveError, Starts, TautLine, are_apart, class_paths,
     grid::{EikonalError, pass_paths},
 };
 
@@ -85,7 +85,8 @@ impl<const D: usize> GlobalSearch<D> {
         }
         let mut collected = Collected { problem, rule, n, minima: Vec::new(), starts: 0 };
         let mut refused = Vec::new();
-        let automatic = problem.solve(rule, n);
+        let local = Options { scope: Scope::Local, ..Options::default() };
+        let automatic = problem.solve_with(rule, n, &local);
         let source = automatic.as_ref().err().cloned();
         if source.as_ref().is_some_and(SolveError::is_due_to_n) {
             return Err(MinimaError::NoMinimum { starts: 1, source });

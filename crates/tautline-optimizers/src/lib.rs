@@ -35,7 +35,7 @@
 //!
 //! # Features
 //!
-//! `serde`, off by default: [`Options`], in which fields may be missing, [`Minimum`], [`Estimate`],
+//! `serde`, off by default: [`Options`], in which fields may be missing, [`Scope`], [`Minimum`], [`Estimate`],
 //! [`LeadingConstants`] and what they hold are written and read by the names of their fields.
 
 mod asymptotics;
@@ -64,6 +64,7 @@ pub use search::{
     candidate::are_apart,
     minimum::{Curvature, Level, Minimum, Other, Stop},
     others::lowest_different,
+    scope::Scope,
     solve_error::SolveError,
     starts::Starts,
 };

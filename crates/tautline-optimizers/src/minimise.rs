@@ -6,7 +6,7 @@ use tautline_metrics::Metric;
 use tautline_sets::{AnyEnds, AnySet, Ends};
 
 use crate::{
-    Iterate, Minimum, SolveError, Starts, Watcher, Workspace,
+    Iterate, Minimum, Scope, SolveError, Starts, Watcher, Workspace,
     newton::discrete_energy::DiscreteEnergy,
     solver::solve,
     watch::{Unwatched, Watched},
@@ -23,6 +23,9 @@ pub struct Options<const D: usize> {
     /// The sequences from which the search starts.
     #[cfg_attr(feature = "serde", serde(default))]
     pub starts: Starts<D>,
+    /// How far the search looks.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub scope: Scope,
     /// The largest number of Newton steps of a local search on one grid.
     #[cfg_attr(feature = "serde", serde(default = "default_iterations"))]
     pub iterations: usize,
@@ -39,18 +42,18 @@ pub struct Options<const D: usize> {
 }
 
 impl<const D: usize> Default for Options<D> {
-    /// Returns automatic starts, two threads, and 200 steps, which is five times what a successful
+    /// Returns automatic starts and scope, two threads, and 200 steps, which is five times what a successful
     /// search takes on one grid.
     fn default() -> Self {
-        Self { starts: Starts::Automatic, iterations: 200, threads: 2 }
+        Self { starts: Starts::Automatic, scope: Scope::Automatic, iterations: 200, threads: 2 }
     }
 }
 
 impl<const D: usize> Options<D> {
     /// Returns the same options for a dimension that is a value.
     fn in_any(&self) -> Options<ANY> {
-        let &Self { ref starts, iterations, threads } = self;
-        Options { starts: starts.in_any(), iterations, threads }
+        let &Self { ref starts, scope, iterations, threads } = self;
+        Options { starts: starts.in_any(), scope, iterations, threads }
     }
 }
 

@@ -257,6 +257,7 @@ impl Question {
             grid: self.grid,
             starts: self.starts.clone(),
             only_these_starts: self.only_these_starts,
+            scope: self.problem.solve.scope,
             lattice: self.lattice.as_ref().map(|nodes| nodes.get_ref().clone()),
             steps: self.steps.unwrap_or(default.steps),
             ..default
@@ -309,7 +310,8 @@ fn constants(claimed: &ConstantsFile, numbers: &Numbers<'_>) -> Result<Constants
 #[cfg(test)]
 mod tests {
     use tautline::{
-        ANY, AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, Shape, Sphere,
+        ANY, AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Scope, Segment, Shape,
+        Sphere,
     };
     use tautline_picture::portrait::Field;
 
@@ -359,7 +361,7 @@ mod tests {
     #[test]
     fn the_numbers_of_the_sections_are_read_as_they_stand() {
         let found = question(
-            "[solve]\nn = 33\nsteps = 4\ntime_limit = 1.5\nonly_these_starts = true\n\
+            "[solve]\nn = 33\nsteps = 4\nscope = \"local\"\ntime_limit = 1.5\nonly_these_starts = true\n\
              starts = [[[0, 1], [2, 3]], [[4, 5], [6, 7], [8, 9]]]\n[audit]\ncases = 12\nseed = 34\n\
              region = { lower = [-1, -2], upper = [3, 4] }\n[certify]\nbound = false\n",
         );
@@ -368,6 +370,7 @@ mod tests {
         assert_eq!(found.starts[0], [[0.0, 1.0], [2.0, 3.0]]);
         assert_eq!(found.starts[1], [[4.0, 5.0], [6.0, 7.0], [8.0, 9.0]]);
         assert!(found.only_these_starts);
+        assert_eq!(found.request().scope, Scope::Local);
         assert_eq!((found.audit_cases(), found.audit_seed()), (Some(12), Some(34)));
         assert_eq!(found.audit_region(), Some(&[vec![-1.0, -2.0], vec![3.0, 4.0]]));
         let tolerance = question("[solve]\ntolerance = 1e-6\n");

@@ -7,7 +7,8 @@ use tautline_formula::{Batches, Prepare};
 use tautline_grid::{GraphPathError, Lattice, LatticeGraph, Punctures, class_paths, graph_path};
 use tautline_metrics::Metric;
 use tautline_optimizers::{
-    Level, Minimum, Options, Other, SolveError, Starts, Workspace, are_apart, lowest_different,
+    Level, Minimum, Options, Other, Scope, SolveError, Starts, Workspace, are_apart,
+    lowest_different,
 };
 use tautline_sets::Ends;
 
@@ -136,6 +137,7 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
         options: &Options<D>,
         starts: impl FnOnce() -> Result<Vec<PointSequence<D>>, LatticeSearchError>,
     ) -> Result<TautLine<M, D>, LatticeSearchError> {
+        let options = &Options { scope: Scope::Local, ..options.clone() };
         let first = self.solve_with(rule, n, options);
         if first.as_ref().is_err_and(SolveError::is_due_to_n) {
             return Ok(first?);
@@ -171,7 +173,11 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
 
     /// Adds the energies on the grids of half and a quarter of the chords, as far as they resolve the
     /// metric and have a minimum next to the line.
-    fn with_coarser_grids(&self, line: TautLine<M, D>, options: &Options<D>) -> TautLine<M, D> {
+    pub(crate) fn with_coarser_grids(
+        &self,
+        line: TautLine<M, D>,
+        options: &Options<D>,
+    ) -> TautLine<M, D> {
         let n = line.sequence().n().get();
         let mut minimum = line.minimum().clone();
         for coarser in [n.div_ceil(2), n.div_ceil(4)] {
@@ -194,7 +200,7 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
 
 impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// Adds another line to the other minima, and the lowest of what was met on the way to it.
-    fn beside(self, line: &Self, local_minima: Vec<f64>) -> Self {
+    pub(crate) fn beside(self, line: &Self, local_minima: Vec<f64>) -> Self {
         let (mut minimum, found) = (self.minimum().clone(), line.minimum());
         minimum.iterations += found.iterations;
         minimum.local_minima = local_minima;

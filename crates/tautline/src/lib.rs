@@ -64,7 +64,7 @@
 //!
 //! | what | types |
 //! | --- | --- |
-//! | options, in which fields may be missing, but not misspelt | [`Options`], [`certify::Accuracy`]; also [`Starts`], [`distance::Wanted`] |
+//! | options, in which fields may be missing, but not misspelt | [`Options`], [`certify::Accuracy`]; also [`Scope`], [`Starts`], [`distance::Wanted`] |
 //! | results of a search | [`Minimum`], [`Other`], [`Level`], [`Stop`], [`Curvature`], [`PointSequence`] |
 //! | numbers with their errors | [`Estimate`], [`Integral`], [`LeadingConstants`] |
 //! | bounds | [`bounds::Enclosure`], [`bounds::Bound`], [`SuggestedN`], [`Competitors`] |
@@ -88,6 +88,7 @@ mod certificate;
 mod certified_distance;
 mod competitors;
 mod conventions;
+mod elsewhere;
 mod lattice_search;
 mod other_minima;
 mod problem;
@@ -132,9 +133,9 @@ pub use tautline_metrics::{
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Entry, Estimate, Iterate, LeadingConstants, Level, Minimum,
-    NewtonStep, Options, Other, SolveError, Starts, Stop, Trace, Watcher, Workspace, are_apart,
-    extrapolate, leading_constants, minimise, minimise_any, minimise_by_batches, minimise_in,
-    minimise_watched, newton_step,
+    NewtonStep, Options, Other, Scope, SolveError, Starts, Stop, Trace, Watcher, Workspace,
+    are_apart, extrapolate, leading_constants, minimise, minimise_any, minimise_by_batches,
+    minimise_in, minimise_watched, newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table, decimal};
 pub use tautline_sets::{

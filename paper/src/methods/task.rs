@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use tautline::{
     Bounded, Ends, Iterate, Lattice, Minimum, Options, PointSequence, Prepared, Problem, Rule,
-    SVector, Starts, TautLine,
+    SVector, Scope, Starts, TautLine,
     grid::{Eikonal, Order, graph},
     norm_squared,
 };
@@ -147,7 +147,8 @@ impl<M: Bounded<D> + Clone, const D: usize> Task<M, D> {
     ) -> Result<TautLine<M, D>, Failure> {
         let [x, y] = self.ends;
         let problem = Problem::new(self.metric.clone(), Ends::points(x, y)?);
-        let options = Options { starts, threads: 1, ..Options::default() };
+        // From these starts alone: what a lattice adds is a method of its own.
+        let options = Options { starts, scope: Scope::Local, threads: 1, ..Options::default() };
         Ok(problem.solve_with(rule, n, &options)?)
     }
 

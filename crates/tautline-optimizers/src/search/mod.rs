@@ -12,5 +12,6 @@ pub(crate) mod others;
 pub(crate) mod prolongation;
 pub(crate) mod refinement;
 pub(crate) mod saddle;
+pub(crate) mod scope;
 pub(crate) mod solve_error;
 pub(crate) mod starts;

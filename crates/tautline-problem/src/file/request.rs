@@ -2,7 +2,7 @@
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, de::Error};
-use tautline::Rule;
+use tautline::{Rule, Scope};
 
 use super::{
     expression::Text,
@@ -30,6 +30,11 @@ pub(crate) struct SolveFile {
     /// Whether the given starts replace the automatic ones.
     #[serde(default)]
     pub(crate) only_these_starts: bool,
+    /// How far a search looks: `automatic`, in two and three coordinates also along a path through a coarse
+    /// lattice around what the starts led to, or `local`, from the starts alone.
+    #[serde(default, deserialize_with = "named_scope")]
+    #[schemars(schema_with = "scope_names")]
+    pub(crate) scope: Scope,
     /// A lattice; a search also starts, with `n` chords, from a shortest path along its nodes. It finds
     /// the way through a landscape with many hills, in at most four dimensions.
     pub(crate) lattice: Option<Placed<LatticeFile>>,
@@ -63,6 +68,17 @@ fn named_rule<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Rule, D::Err
 /// Describes the names of the rules.
 fn rule_names(_: &mut SchemaGenerator) -> Schema {
     json_schema!({ "type": "string", "enum": Rule::NAMES })
+}
+
+/// Reads the name of a scope of the library.
+fn named_scope<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Scope, D::Error> {
+    let name = String::deserialize(deserializer)?;
+    Scope::named(&name).ok_or_else(|| D::Error::unknown_variant(&name, &Scope::NAMES))
+}
+
+/// Describes the names of the scopes.
+fn scope_names(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "string", "enum": Scope::NAMES })
 }
 
 /// What is proved.

@@ -2,6 +2,7 @@
 
 mod batch;
 mod certificates;
+mod elsewhere;
 mod enclosure;
 mod front_door;
 mod last_digits;

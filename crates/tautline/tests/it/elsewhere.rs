@@ -1,0 +1,80 @@
+//! Searches that look beyond what their starts led to.
+
+use tautline::{
+    Ends, Options, Problem, Rule, Scope, Starts, TautLine, are_apart,
+    gallery::{Obstacle, SoftObstacles, Valleys},
+};
+
+/// Seven hills: every start leads above the two on the left, where the shortest way leads below them.
+fn hills() -> Problem<SoftObstacles<2>, 2> {
+    let hill = |[x, y, height, width]: [f64; 4]| Obstacle { centre: [x, y].into(), height, width };
+    let hills = [
+        [-1.05, -0.27, 29.1, 0.152],
+        [-0.96, -0.28, 7.43, 0.114],
+        [0.04, 0.10, 5.02, 0.173],
+        [-0.34, 0.52, 23.8, 0.235],
+        [0.81, -1.12, 9.52, 0.321],
+        [-0.99, -0.77, 8.63, 0.160],
+        [-1.16, 0.93, 22.7, 0.133],
+    ];
+    let ends = Ends::points([-1.8, -0.712], [1.8, 0.731]).expect("finite");
+    Problem::new(SoftObstacles::new(hills.map(hill).to_vec()).expect("hills"), ends)
+}
+
+fn local() -> Options<2> {
+    Options { scope: Scope::Local, ..Options::default() }
+}
+
+/// The local search misses a curve that is shorter by 7 %: the energies differ by a sixth. What it found is
+/// among the other minima, and the line has coarser grids of its own for the extrapolation.
+#[test]
+fn a_path_through_the_hills_leads_to_a_shorter_line() {
+    let problem = hills();
+    for rule in [Rule::TRAPEZOIDAL, Rule::LEFT_ENDPOINT] {
+        for n in [64, 256, 1000] {
+            let near = problem.solve_with(rule, n, &local()).expect("a line");
+            let line = problem.solve(rule, n).expect("a line");
+            let [long, short] = [&near, &line].map(|line| line.length().value);
+            println!("{rule:?} {n}: {long} {short}");
+            assert!(short < 0.95 * long, "{rule:?}, N = {n}: {short} {long}");
+            assert!(line.minimum().is_local_minimum() && line.is_resolved());
+            assert_eq!(line.sequence().n().get(), n);
+            let is_near = |other: &TautLine<_, 2>| !are_apart(other.sequence(), near.sequence());
+            assert!(line.other_minima().iter().any(is_near), "{rule:?}, N = {n}");
+            let estimate = line.distance_squared_estimate().expect("several grids");
+            assert!((estimate.value.sqrt() / short - 1.0).abs() < 1e-2);
+        }
+    }
+}
+
+/// From a given start there is one line, and with few chords none would be resolved.
+#[test]
+fn given_starts_and_few_chords_keep_the_search_near() {
+    let problem = hills();
+    let near = problem.solve_with(Rule::TRAPEZOIDAL, 64, &local()).expect("a line");
+    let start = vec![near.sequence().clone()];
+    for starts in [Starts::Only(start.clone()), Starts::OnTheGrid(start.clone())] {
+        let options = Options { starts, ..Options::default() };
+        let line = problem.solve_with(Rule::TRAPEZOIDAL, 64, &options).expect("a line");
+        assert!(!are_apart(line.sequence(), near.sequence()));
+    }
+    let options = Options { starts: Starts::Also(start), ..Options::default() };
+    let line = problem.solve_with(Rule::TRAPEZOIDAL, 64, &options).expect("a line");
+    assert!(are_apart(line.sequence(), near.sequence()));
+    for n in [8, 15] {
+        let [near, line] = [local(), Options::default()]
+            .map(|options| problem.solve_with(Rule::TRAPEZOIDAL, n, &options).expect("a line"));
+        assert_eq!(line.minimum(), near.minimum(), "N = {n}");
+    }
+}
+
+/// Where the path runs along the line, or leads to nothing shorter, the result has the same bits.
+#[test]
+fn a_look_that_finds_nothing_leaves_the_line_as_it_is() {
+    let problem = Problem::new(Valleys, Ends::points([0.0, 0.0], [12.0, 0.5]).expect("finite"));
+    for n in [16, 64, 300] {
+        let [near, line] = [local(), Options::default()]
+            .map(|options| problem.solve_with(Rule::TRAPEZOIDAL, n, &options).expect("a line"));
+        assert_eq!(line.minimum(), near.minimum(), "N = {n}");
+    }
+}
