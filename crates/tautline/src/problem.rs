@@ -109,8 +109,10 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
     /// Minimises the discrete energy of `rule` over sequences of `n + 1` points.
     ///
     /// In two and three dimensions, with sixteen chords or more, the search also looks
-    /// [elsewhere](Scope::Automatic). That costs about a tenth of a solve where nothing is found, and a solve
-    /// from one start where another way is tried.
+    /// [elsewhere](Scope::Automatic). Where the path runs along what was found, that costs some hundred
+    /// evaluations of the metric and a search through as many nodes, in the plane about half as much as a
+    /// solve with 64 chords of a short formula, in space up to twice as much, and no more for finer grids.
+    /// Where it does not, it costs a solve from one more start.
     ///
     /// # Errors
     ///
