@@ -3,13 +3,15 @@
 use tautline_discretizations::PointSequence;
 use tautline_formula::{Formula, RecordError};
 use tautline_metrics::Metric;
-use tautline_scalar::{Interval, Scalar};
-use tautline_sets::{ClosedSet, Ends};
+use tautline_scalar::{ANY, Interval, Scalar};
+use tautline_sets::{AnyEnds, AnySet, Ends};
 use thiserror::Error;
 
 use super::{Polygon, chord::is_positive_definite, polygon::NotEnclosed};
 
 /// A polygon that provably runs from the first end set to the second, with its energy and length.
+///
+/// The dimension is known at compile time, or is a value if `D` is [`ANY`].
 ///
 /// ```
 /// use tautline_certify::AdmissibleCurve;
@@ -27,7 +29,7 @@ use super::{Polygon, chord::is_positive_definite, polygon::NotEnclosed};
 /// assert!(bound >= d_squared && bound <= d_squared * (1.0 + 1e-13));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 #[doc(alias = "competitor")]
 pub struct AdmissibleCurve<'a, const D: usize> {
     polygon: Polygon<'a, D>,
@@ -93,15 +95,29 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
         sequence: &'a PointSequence<D>,
         ends: &Ends<D>,
     ) -> Result<Self, CurveError> {
-        let member = |end, set: &dyn ClosedSet<D>, x| {
-            let distance = || (set.project(x) - x).norm();
-            set.member_near(x).ok_or_else(|| CurveError::NoMember { end, distance: distance() })
-        };
-        let first = member("first", &**ends.first(), sequence.first())?;
-        let last = member("second", &**ends.second(), sequence.last())?;
-        let polygon = Polygon::new(sequence).with_ends(first, last);
+        let formula = Formula::record(metric).map_err(CurveError::NotRecorded)?;
+        Self::by_formula(&formula.into_any(), sequence, &ends.in_any())
+    }
+
+    /// Does the same as [`new`](AdmissibleCurve::new), in a dimension that is a value.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](AdmissibleCurve::new).
+    ///
+    /// # Panics
+    ///
+    /// If the formula, the sequence and the sets do not lie in the same dimension.
+    pub fn by_formula(
+        formula: &Formula<ANY>,
+        sequence: &'a PointSequence<D>,
+        ends: &AnyEnds,
+    ) -> Result<Self, CurveError> {
         let chords = sequence.n().get();
-        let (energy, length) = polygon.enclosures_of_a_curve(metric).map_err(|why| match why {
+        let first = member("first", &**ends.first(), sequence.row(0))?;
+        let last = member("second", &**ends.second(), sequence.row(chords))?;
+        let polygon = Polygon::new(sequence).with_ends(first, last);
+        let (energy, length) = polygon.enclosures_of_a_curve(formula).map_err(|why| match why {
             NotEnclosed::NotRecorded(error) => CurveError::NotRecorded(error),
             NotEnclosed::Undefined { chord } => CurveError::Undefined { chord, chords },
             NotEnclosed::Indefinite { chord } => CurveError::Indefinite { chord, chords },
@@ -138,6 +154,16 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
     pub fn distance_squared_at_most(&self) -> f64 {
         self.energy.hi().min(self.length.sqr().hi())
     }
+}
+
+/// Returns a box that contains a member of an end set near `x`.
+fn member(end: &'static str, set: &dyn AnySet, x: &[f64]) -> Result<Vec<Interval>, CurveError> {
+    set.member_near(x).ok_or_else(|| {
+        let mut nearest = x.to_vec();
+        set.project(&mut nearest);
+        let squares = nearest.iter().zip(x).map(|(y, x)| (y - x) * (y - x));
+        CurveError::NoMember { end, distance: squares.sum::<f64>().sqrt() }
+    })
 }
 
 /// Returns whether a formula is proved to give a metric at a point: a matrix that is symmetric, defined and
@@ -325,7 +351,7 @@ mod tests {
         let curve = AdmissibleCurve::new(&euclidean, &curve, &ends).expect("proved");
         let first = curve.polygon().first();
         assert!((first[0].midpoint() - 0.06).abs() < 1e-16 && !first[0].contains(0.03));
-        assert_eq!(curve.polygon().last(), &vector![3.0, 0.0].map(Interval::point));
+        assert_eq!(curve.polygon().last(), &[3.0, 0.0].map(Interval::point));
         // The squared distance from 0.1 (0.6, 0.8) to (3, 0) is 2.94² + 0.08².
         let square = 2.94_f64 * 2.94 + 0.08 * 0.08;
         let bound = curve.distance_squared_at_most();

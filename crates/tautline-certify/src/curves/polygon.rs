@@ -1,11 +1,10 @@
 //! `Polygon`: the curve `γᵖˡ` through given points, with rigorous bounds on its energies and
 //! length.
 
-use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
-use tautline_formula::{AnyMetric, Formula, RecordError};
+use tautline_formula::{Formula, RecordError};
 use tautline_metrics::Metric;
-use tautline_scalar::{Enclosure, Interval, Kernel, Rigorous};
+use tautline_scalar::{ANY, Enclosure, Interval, Kernel, Rigorous};
 
 use super::{chord::Chord, pairwise_sum::PairwiseSum};
 
@@ -14,6 +13,9 @@ use super::{chord::Chord, pairwise_sum::PairwiseSum};
 ///
 /// With boxes it represents all polygons with ends in them, and the enclosures hold for each of
 /// these. `K` is the kernel of the intervals.
+///
+/// The dimension is known at compile time, or is a value if `D` is [`ANY`]. Every enclosure is that of
+/// the recorded formula, by code that is compiled once for all dimensions.
 ///
 /// ```
 /// use tautline_certify::Polygon;
@@ -26,12 +28,12 @@ use super::{chord::Chord, pairwise_sum::PairwiseSum};
 /// assert!(energy.contains(1.361_440_417_474_834_4) && energy.width() < 1e-12);
 /// # Ok::<(), tautline_discretizations::SequenceError>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 #[doc(alias = "interpolation")]
 pub struct Polygon<'a, const D: usize, K = Rigorous> {
     sequence: &'a PointSequence<D>,
-    first: SVector<Enclosure<K>, D>,
-    last: SVector<Enclosure<K>, D>,
+    first: Vec<Enclosure<K>>,
+    last: Vec<Enclosure<K>>,
 }
 
 /// Why there are no enclosures.
@@ -45,45 +47,51 @@ pub(super) enum NotEnclosed {
 }
 
 /// Returns the point as a box.
-fn point<K: Kernel, const D: usize>(x: &SVector<f64, D>) -> SVector<Enclosure<K>, D> {
-    x.map(Enclosure::point)
+fn point<K: Kernel>(x: &[f64]) -> Vec<Enclosure<K>> {
+    x.iter().map(|&x| Enclosure::point(x)).collect()
 }
 
 impl<'a, const D: usize> Polygon<'a, D> {
     /// Joins the points of `sequence` by straight lines.
     #[must_use]
     pub fn new(sequence: &'a PointSequence<D>) -> Self {
-        Polygon { sequence, first: point(sequence.first()), last: point(sequence.last()) }
+        let [first, last] = [0, sequence.n().get()].map(|k| point(sequence.row(k)));
+        Polygon { sequence, first, last }
     }
 
-    /// Replaces the first and the last point by boxes, in `ℓ`. If a box is undefined, so is every
-    /// result.
+    /// Returns the polygon with boxes for the first and the last point, in `ℓ`. If a box is undefined,
+    /// so is every result.
+    ///
+    /// # Panics
+    ///
+    /// If a box has another dimension than the polygon.
     #[must_use]
-    pub fn with_ends(self, first: SVector<Interval, D>, last: SVector<Interval, D>) -> Self {
-        Polygon { first, last, ..self }
+    pub fn with_ends(&self, first: impl AsRef<[Interval]>, last: impl AsRef<[Interval]>) -> Self {
+        let (first, last) = (first.as_ref().to_vec(), last.as_ref().to_vec());
+        let dimension = self.sequence.dimension();
+        assert_eq!([first.len(), last.len()], [dimension; 2], "the ends lie in the space");
+        Polygon { sequence: self.sequence, first, last }
     }
 }
 
 impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     /// Returns the same polygon, for evaluation by another kernel.
     #[must_use]
-    pub fn with_kernel<L: Kernel>(self) -> Polygon<'a, D, L> {
-        Polygon {
-            sequence: self.sequence,
-            first: self.first.map(Enclosure::with_kernel),
-            last: self.last.map(Enclosure::with_kernel),
-        }
+    pub fn with_kernel<L: Kernel>(&self) -> Polygon<'a, D, L> {
+        let [first, last] =
+            [&self.first, &self.last].map(|end| end.iter().map(|x| x.with_kernel()).collect());
+        Polygon { sequence: self.sequence, first, last }
     }
 
     /// Returns the first point, in `ℓ`.
     #[must_use]
-    pub fn first(&self) -> &SVector<Enclosure<K>, D> {
+    pub fn first(&self) -> &[Enclosure<K>] {
         &self.first
     }
 
     /// Returns the last point, in `ℓ`.
     #[must_use]
-    pub fn last(&self) -> &SVector<Enclosure<K>, D> {
+    pub fn last(&self) -> &[Enclosure<K>] {
         &self.last
     }
 
@@ -115,19 +123,20 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     /// in `m`, in the time that one of them takes.
     #[must_use]
     pub fn energy_and_length(&self, metric: &impl Metric<D>) -> (Enclosure<K>, Enclosure<K>) {
-        self.enclosures(metric).unwrap_or((Enclosure::UNDEFINED, Enclosure::UNDEFINED))
+        recorded(metric)
+            .and_then(|formula| self.enclosures(&formula).ok())
+            .unwrap_or((Enclosure::UNDEFINED, Enclosure::UNDEFINED))
     }
 
     /// Returns the energy and the length, or why they could not be enclosed.
-    pub(super) fn enclosures(
+    fn enclosures(
         &self,
-        metric: &impl Metric<D>,
+        formula: &Formula<ANY>,
     ) -> Result<(Enclosure<K>, Enclosure<K>), NotEnclosed> {
-        let metric = AnyMetric::new(metric);
-        metric.formula().and_then(Formula::symmetric).map_err(NotEnclosed::NotRecorded)?;
+        self.check(formula).map_err(NotEnclosed::NotRecorded)?;
         let (mut square, mut root) = (PairwiseSum::new(), PairwiseSum::new());
         for (n, chord) in self.chords().enumerate() {
-            let integrals = chord.integrals(&metric);
+            let integrals = chord.integrals(formula);
             if integrals.is_undefined() {
                 return Err(NotEnclosed::Undefined { chord: n });
             }
@@ -140,11 +149,10 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     /// Returns the energy and the length of a curve on which the metric is one: positive definite.
     pub(super) fn enclosures_of_a_curve(
         &self,
-        metric: &impl Metric<D>,
+        formula: &Formula<ANY>,
     ) -> Result<(Enclosure<K>, Enclosure<K>), NotEnclosed> {
-        let enclosures = self.enclosures(metric)?;
-        let metric = AnyMetric::new(metric);
-        match self.chords().position(|chord| !chord.is_definite(&metric)) {
+        let enclosures = self.enclosures(formula)?;
+        match self.chords().position(|chord| !chord.is_definite(formula)) {
             Some(chord) => Err(NotEnclosed::Indefinite { chord }),
             None => Ok(enclosures),
         }
@@ -156,17 +164,34 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     /// is undefined at a node, or if its formula cannot be recorded or is not known to be symmetric.
     #[must_use]
     pub fn discrete_energy(&self, rule: Rule, metric: &impl Metric<D>) -> Enclosure<K> {
-        let metric = AnyMetric::new(metric);
-        if !is_symmetric(&metric) {
+        recorded(metric)
+            .map_or(Enclosure::UNDEFINED, |formula| self.discrete_energy_by_formula(rule, &formula))
+    }
+
+    /// Encloses the [`discrete_energy`](Polygon::discrete_energy), in `m²`, in a dimension that is a
+    /// value.
+    ///
+    /// # Panics
+    ///
+    /// If the formula is one in another dimension.
+    #[must_use]
+    pub fn discrete_energy_by_formula(&self, rule: Rule, formula: &Formula<ANY>) -> Enclosure<K> {
+        if self.check(formula).is_err() {
             return Enclosure::UNDEFINED;
         }
         let mut sum = PairwiseSum::new();
         for chord in self.chords() {
             for node in rule.nodes() {
-                sum.add(chord.square_at(&metric, node.fraction) * node.weight);
+                sum.add(chord.square_at(formula, node.fraction) * node.weight);
             }
         }
         sum.value() * self.n()
+    }
+
+    /// Checks that a formula is known to be symmetric.
+    pub(super) fn check(&self, formula: &Formula<ANY>) -> Result<(), RecordError> {
+        assert_eq!(formula.dimension(), self.sequence.dimension(), "a formula on this space");
+        formula.symmetric().map(|_| ())
     }
 
     /// Returns `N`, which is exact as a double.
@@ -174,19 +199,18 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
         self.sequence.n().get() as f64
     }
 
-    pub(super) fn chords(&self) -> impl Iterator<Item = Chord<K, D>> {
-        let points = self.sequence.points();
-        let last = points.len() - 1;
+    pub(super) fn chords(&self) -> impl Iterator<Item = Chord<K>> {
+        let last = self.sequence.n().get();
         let vertex = move |n: usize| match n {
-            0 => self.first,
-            _ if n == last => self.last,
-            _ => point(&points[n]),
+            0 => self.first.clone(),
+            _ if n == last => self.last.clone(),
+            _ => point(self.sequence.row(n)),
         };
         (0..last).map(move |n| Chord::between(&vertex(n), &vertex(n + 1)))
     }
 }
 
-/// Returns whether the formula of a metric can be recorded and is known to be symmetric.
-pub(super) fn is_symmetric<const D: usize>(metric: &AnyMetric<'_, D>) -> bool {
-    metric.formula().is_ok_and(|formula| formula.symmetric().is_ok())
+/// Returns the formula of a metric, if it can be recorded.
+pub(super) fn recorded<const D: usize>(metric: &impl Metric<D>) -> Option<Formula<ANY>> {
+    Formula::record(metric).ok().map(Formula::into_any)
 }

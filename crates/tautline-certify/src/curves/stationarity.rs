@@ -1,12 +1,14 @@
 //! How far a polygon is from a stationary point of its discrete energy, with rigorous bounds.
 
-use nalgebra::SVector;
 use tautline_discretizations::Rule;
-use tautline_formula::AnyMetric;
+use tautline_formula::Formula;
 use tautline_metrics::Metric;
-use tautline_scalar::{Enclosure, Jet1, Kernel, Scalar};
+use tautline_scalar::{ANY, Enclosure, Jet1, Kernel, Scalar};
 
-use super::{Polygon, chord::Chord, pairwise_sum::PairwiseSum, polygon::is_symmetric};
+use super::{Polygon, chord::Chord, pairwise_sum::PairwiseSum, polygon::recorded};
+
+/// How many derivatives one evaluation of the formula gives.
+const TOGETHER: usize = 4;
 
 impl<const D: usize, K: Kernel> Polygon<'_, D, K> {
     /// Encloses the residual `((1/N) Σ |ρₙ|²)^{1/2}` of a rule over the inner points, in `m²/ℓ`, with
@@ -17,19 +19,30 @@ impl<const D: usize, K: Kernel> Polygon<'_, D, K> {
     /// Overestimation: rounding, of the size of `ε N` times the length.
     #[must_use]
     pub fn residual(&self, rule: Rule, metric: &impl Metric<D>) -> Enclosure<K> {
-        let metric = AnyMetric::new(metric);
+        recorded(metric)
+            .map_or(Enclosure::UNDEFINED, |formula| self.residual_by_formula(rule, &formula))
+    }
+
+    /// Encloses the [`residual`](Polygon::residual), in `m²/ℓ`, in a dimension that is a value.
+    ///
+    /// # Panics
+    ///
+    /// If the formula is one in another dimension.
+    #[must_use]
+    pub fn residual_by_formula(&self, rule: Rule, formula: &Formula<ANY>) -> Enclosure<K> {
         let is_single = self.n() == 1.0;
-        if !is_symmetric(&metric) || is_single && self.discrete_energy(rule, &metric).is_undefined()
+        if self.check(formula).is_err()
+            || is_single && self.discrete_energy_by_formula(rule, formula).is_undefined()
         {
             return Enclosure::UNDEFINED;
         }
         let mut squares = PairwiseSum::new();
-        let mut before: Option<SVector<Enclosure<K>, D>> = None;
+        let mut before: Option<Vec<Enclosure<K>>> = None;
         for chord in self.chords() {
-            let [first, last] = slopes(rule, &chord, &metric);
+            let [first, last] = slopes(rule, &chord, formula);
             if let Some(before) = before {
-                for i in 0..D {
-                    squares.add((before[i] + first[i]).sqr());
+                for (before, first) in before.iter().zip(first) {
+                    squares.add((*before + first).sqr());
                 }
             }
             before = Some(last);
@@ -60,30 +73,37 @@ impl<const D: usize, K: Kernel> Polygon<'_, D, K> {
 /// Returns the derivatives of `Σᵢ wᵢ dᵀ H(x + θᵢ d) d` with respect to both ends of a chord.
 ///
 /// With `vₖ = dᵀ (∂ₖH) d` they are `Σ w (−2Hd + (1 − θ) v)` and `Σ w (2Hd + θ v)`.
-fn slopes<K: Kernel, const D: usize>(
+fn slopes<K: Kernel>(
     rule: Rule,
-    chord: &Chord<K, D>,
-    metric: &impl Metric<D>,
-) -> [SVector<Enclosure<K>, D>; 2] {
+    chord: &Chord<K>,
+    formula: &Formula<ANY>,
+) -> [Vec<Enclosure<K>>; 2] {
     let (x, d) = (chord.start(), chord.step());
-    let mut slopes = [SVector::<Enclosure<K>, D>::repeat(Enclosure::point(0.0)); 2];
+    let (n, zero) = (d.len(), Enclosure::point(0.0));
+    let mut slopes = [vec![zero; n], vec![zero; n]];
     for node in rule.nodes() {
         let theta = Enclosure::point(node.fraction);
-        let at: [Enclosure<K>; D] = std::array::from_fn(|i| x[i] + d[i] * theta);
-        // As everywhere, the upper triangle is H.
-        let h = metric.gram(&SVector::from(Jet1::variables(&at)));
-        let entry = |i: usize, j: usize| &h[(i.min(j), i.max(j))];
-        for k in 0..D {
-            let (mut momentum, mut force) = (Enclosure::point(0.0), Enclosure::point(0.0));
-            for i in 0..D {
-                momentum += entry(k, i).value() * d[i] * 2.0;
-                for j in i..D {
-                    let product = if i == j { d[i].sqr() } else { d[i] * d[j] * 2.0 };
-                    force += entry(i, j).first(k) * product;
+        for begin in (0..n).step_by(TOGETHER) {
+            let variable = |i: usize| {
+                let first = |k: usize| Enclosure::point(if begin + k == i { 1.0 } else { 0.0 });
+                Jet1::<_, TOGETHER>::new(x[i] + d[i] * theta, std::array::from_fn(first))
+            };
+            let at: Vec<_> = (0..n).map(variable).collect();
+            let h = formula.gram_at(&at);
+            // As everywhere, the upper triangle is H.
+            let entry = |i: usize, j: usize| &h[i.max(j) * n + i.min(j)];
+            for k in begin..n.min(begin + TOGETHER) {
+                let (mut momentum, mut force) = (zero, zero);
+                for i in 0..n {
+                    momentum += entry(k, i).value() * d[i] * 2.0;
+                    for j in i..n {
+                        let product = if i == j { d[i].sqr() } else { d[i] * d[j] * 2.0 };
+                        force += entry(i, j).first(k - begin) * product;
+                    }
                 }
+                slopes[0][k] += (force * (1.0 - theta) - momentum) * node.weight;
+                slopes[1][k] += (force * theta + momentum) * node.weight;
             }
-            slopes[0][k] += (force * (1.0 - theta) - momentum) * node.weight;
-            slopes[1][k] += (force * theta + momentum) * node.weight;
         }
     }
     slopes
@@ -160,7 +180,8 @@ mod tests {
         let points = [0.0, 1.0, 4.0, 5.0].map(|x| vector![x, 0.5]).to_vec();
         let sequence = PointSequence::new(points).expect("finite");
         let polygon = Polygon::new(&sequence);
-        let (first, last) = (*polygon.first(), *polygon.last());
+        let ends = [polygon.first(), polygon.last()].map(SVector::<_, 2>::from_column_slice);
+        let [first, last] = ends;
         assert_eq!(polygon.with_ends(first, last).greatest_difference().lo(), 9.0);
         for i in 0..2 {
             let (mut from, mut to) = (first, last);
@@ -190,7 +211,7 @@ mod tests {
             assert_eq!(residual.is_undefined(), !is_defined, "{to}: {residual:?}");
             assert!(!is_defined || residual == Interval::point(0.0), "{residual:?}");
             let first = vector![Interval::point(0.0), Interval::UNDEFINED];
-            let unknown = polygon.with_ends(first, *polygon.last());
+            let unknown = polygon.with_ends(first, polygon.last());
             assert!(unknown.residual(Rule::TRAPEZOIDAL, &hyperbolic).is_undefined());
         }
     }

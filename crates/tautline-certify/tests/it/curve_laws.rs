@@ -127,7 +127,7 @@ fn boxes_at_the_ends_represent_all_their_points() {
             |x: &SVector<f64, 2>| x.map(|c| Interval::new(c - 1e-3, c + 1e-3).expect("ordered"));
         let (first, last) = (near(sequence.first()), near(sequence.last()));
         let all = Polygon::new(&sequence).with_ends(first, last);
-        assert_eq!((all.first(), all.last()), (&first, &last));
+        assert_eq!((all.first(), all.last()), (first.as_slice(), last.as_slice()));
         let (energy, length) = all.energy_and_length(&metric);
         let discrete = all.discrete_energy(Rule::LEFT_ENDPOINT, &metric);
         for _ in 0..5 {
@@ -202,8 +202,8 @@ fn a_metric_that_is_undefined_somewhere_has_no_finite_energy() {
     assert!(polygon.discrete_energy(Rule::TRUE_TRAPEZOID, &Hyperbolic).is_undefined());
     // Some boxes are undefined.
     let nowhere = vector![Interval::UNDEFINED, Interval::point(0.0)];
-    assert!(polygon.with_ends(nowhere, *polygon.last()).energy(&Valleys).is_undefined());
-    assert!(polygon.with_ends(*polygon.first(), nowhere).length(&Valleys).is_undefined());
+    assert!(polygon.with_ends(nowhere, polygon.last()).energy(&Valleys).is_undefined());
+    assert!(polygon.with_ends(polygon.first(), nowhere).length(&Valleys).is_undefined());
     // Close to the boundary, only parts of the chord are shown to be defined. The length is 4
     // artanh 0.99.
     let sequence = PointSequence::straight([-0.99, 0.0], [0.99, 0.0], 1).expect("finite");

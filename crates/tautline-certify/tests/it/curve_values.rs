@@ -88,7 +88,7 @@ fn the_line_of_section_5_has_the_energy_72_pi_squared() {
 fn without_the_box_the_end_is_another_point() {
     let straight = line([0.0, 0.0], [12.0, 0.0]);
     let polygon = Polygon::new(&straight);
-    let moved = polygon.with_ends(*polygon.first(), vector![13.0, 0.0].map(Interval::point));
+    let moved = polygon.with_ends(polygon.first(), vector![13.0, 0.0].map(Interval::point));
     assert!(polygon.energy(&Valleys).hi() < moved.energy(&Valleys).lo());
     assert!(polygon.length(&Valleys).hi() < moved.length(&Valleys).lo());
 }
