@@ -3,19 +3,18 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    CertifyError, Constants, Formula, LocalError, Metric, PointSequence, ProofError,
-    RayleighQuotient, RecordError, SMatrix, SVector, Short, Stop, TautLine,
+    ANY, CertifyError, Constants, Formula, Interval, Known, LocalError, PointSequence, ProofError,
+    RayleighQuotient, RecordError, Short, Stop, TautLine, are_gram,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
     distance::{Ended, Progress},
-    is_gram,
 };
 
 use crate::{
     BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, Line, UsedConstants,
     certified::ended,
     constants::too_many_coordinates,
-    dimension::{InDimension, LARGEST_FIXED_DIMENSION, in_dimension, in_proved_dimension},
+    dimension::{InDimension, in_proved_dimension},
 };
 
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
@@ -27,58 +26,41 @@ pub(crate) fn bounds(
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
     line.rule().paper_rule().map_err(|error| error.to_string())?;
-    let dimension = line.sequence().dimension();
     let Some(claimed) = proving.claimed else {
         let proof = Proof { accuracy: proving.accuracy, line, others, watch, observe };
-        let found = in_proved_dimension(dimension, proof);
-        return found.unwrap_or_else(|| Err(too_many_coordinates(dimension)));
+        let found = in_proved_dimension(line.sequence().dimension(), proof);
+        return found.unwrap_or_else(|| Err(too_many_coordinates()));
     };
     if proving.is_in_a_region {
         return Err(IN_A_REGION.to_owned());
     }
-    let found = in_dimension(dimension, ByClaims { claimed, line, others });
-    found.unwrap_or_else(|| {
-        Err(format!(
-            "bounds rest on claimed constants in up to {LARGEST_FIXED_DIMENSION} dimensions"
-        ))
-    })
+    by_claims(claimed, line, others)
 }
 
-/// Bounds by constants that are claimed.
-struct ByClaims<'l> {
-    claimed: Constants,
-    line: &'l Line,
-    others: &'l [Line],
-}
-
-impl InDimension for ByClaims<'_> {
-    type Output = Result<Bounds, String>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let Self { claimed, others, .. } = self;
-        let line = typed::<D>(self.line)?;
-        check_claims(claimed, line.metric(), line.sequence())?;
-        let curve = line.admissible_curve().ok();
-        let enclosure = line.enclosure_given(claimed, curve.as_ref());
-        let enclosure = enclosure.map_err(|error| error.to_string())?;
-        let constants = UsedConstants::new(claimed, false, None);
-        let mut found = in_words(enclosure, constants, line.minimum().is_local_minimum());
-        if curve.is_none() {
-            let quadrature = ", with the estimated error of quadrature";
-            found.upper_by += quadrature;
-            if found.lower_by != NOTHING {
-                found.lower_by += quadrature;
-            }
+/// Returns bounds by constants that are claimed.
+fn by_claims(claimed: Constants, line: &Line, others: &[Line]) -> Result<Bounds, String> {
+    line.metric().formula().map_err(|error| error.to_string())?;
+    check_claims(claimed, line.metric(), line.sequence())?;
+    let curve = line.admissible_curve().ok();
+    let enclosure = line.enclosure_given(claimed, curve.as_ref());
+    let enclosure = enclosure.map_err(|error| error.to_string())?;
+    let constants = UsedConstants::new(claimed, false, None);
+    let mut found = in_words(enclosure, constants, line.minimum().is_local_minimum());
+    if curve.is_none() {
+        let quadrature = ", with the estimated error of quadrature";
+        found.upper_by += quadrature;
+        if found.lower_by != NOTHING {
+            found.lower_by += quadrature;
         }
-        found = found.after(line.minimum().stop);
-        let lengths = others.iter().map(|other| {
-            length_above::<D>(other).unwrap_or_else(|| {
-                let length = other.length();
-                length.value + length.error
-            })
-        });
-        found.and_no_longer_than(lengths).without_contradiction()
     }
+    found = found.after(line.minimum().stop);
+    let lengths = others.iter().map(|other| {
+        length_above(other).unwrap_or_else(|| {
+            let length = other.length();
+            length.value + length.error
+        })
+    });
+    found.and_no_longer_than(lengths).without_contradiction()
 }
 
 /// Bounds by constants that are proved from the formula.
@@ -111,7 +93,7 @@ impl InDimension for Proof<'_> {
             });
         }
         found = found.after(line.minimum().stop);
-        Ok(found.and_no_longer_than(others.iter().filter_map(length_above::<D>)))
+        Ok(found.and_no_longer_than(others.iter().filter_map(length_above)))
     }
 }
 
@@ -121,8 +103,7 @@ fn typed<const D: usize>(line: &Line) -> Result<TautLine<Formula<D>, D>, String>
 }
 
 /// Returns a proved upper bound on the length of a line, if there is one.
-fn length_above<const D: usize>(line: &Line) -> Option<f64> {
-    let line = line.in_dimension::<D>()?;
+fn length_above(line: &Line) -> Option<f64> {
     let curve = line.admissible_curve().ok()?;
     Some(curve.length().hi())
 }
@@ -204,33 +185,46 @@ const IN_A_REGION: &str = "the constants are claimed in the region of `within` i
 const NOTHING: &str = "nothing: a distance is not negative";
 
 /// Refuses claims about the eigenvalues of `H` that fail at a point of the curve.
-fn check_claims<const D: usize>(
+fn check_claims(
     claimed: Constants,
-    metric: &impl Metric<D>,
-    sequence: &PointSequence<D>,
+    metric: &Known,
+    sequence: &PointSequence<ANY>,
 ) -> Result<(), String> {
-    let refuse = |name, claim: f64, x: &SVector<f64, D>, what| {
-        let (x, claim) = (x.as_slice(), format!("{claim:?}"));
+    let refuse = |name, claim: f64, x: &[f64], what| {
+        let claim = format!("{claim:?}");
         let claim = claim.trim_end_matches(".0");
         Err(format!(
             "the claim {name} = {claim} is wrong: H({x:?}) has a {what} eigenvalue; \
              `tautline audit` tests all claims"
         ))
     };
-    for x in sequence.points() {
-        let mut h = metric.gram(x);
-        // Entries that differ by a rounding are not symmetric relative to what remains of `h`.
-        h.fill_lower_triangle_with_upper_triangle();
+    let d = sequence.dimension();
+    for x in sequence.coordinates().chunks_exact(d) {
+        let h = metric.gram(x);
+        // Returns `sign H + by I`. Halves that differ by a rounding would not be symmetric relative to
+        // what remains.
+        let shifted = |sign: f64, by: f64| -> Vec<f64> {
+            let places = (0..d * d).map(|place| (place % d, place / d));
+            let entry = |(i, j): (usize, usize)| {
+                sign * h[i.max(j) * d + i.min(j)] + if i == j { by } else { 0.0 }
+            };
+            places.map(entry).collect()
+        };
         let (c1, c2) = (claimed.c1(), claimed.c2());
         let (lowest, highest) = (c1 * (1.0 - ATTAINED), c2 * (1.0 + ATTAINED));
-        let (identity, rounding) = (SMatrix::<f64, D, D>::identity(), ROUNDING * h.amax());
-        let is_low = !is_gram(&(h - identity * (lowest - rounding)));
-        let is_high = !is_gram(&(identity * (highest + rounding) - h));
+        let rounding = ROUNDING * h.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+        let is_low = !are_gram(&shifted(1.0, rounding - lowest), d);
+        let is_high = !are_gram(&shifted(-1.0, highest + rounding), d);
         if !is_low && !is_high {
             continue;
         }
         // Intervals have the last word. Of a black box they know nothing.
-        let Some([least, greatest]) = RayleighQuotient::extreme(metric, x) else { continue };
+        let place: Vec<Interval> = x.iter().map(|&x| Interval::point(x)).collect();
+        let enclosed = metric
+            .formula()
+            .map_or_else(|_| vec![Interval::UNDEFINED; d * d], |formula| formula.gram_at(&place));
+        let extreme = RayleighQuotient::extreme_of(&h, &enclosed, d);
+        let Some([least, greatest]) = extreme else { continue };
         let is_unknown = least.value.is_undefined();
         if is_low && (is_unknown || least.value.hi() < lowest) {
             return refuse("c1", c1, x, "smaller");

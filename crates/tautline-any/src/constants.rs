@@ -8,7 +8,7 @@ use tautline::{
 };
 
 use crate::{
-    Float, LARGEST_FIXED_DIMENSION, LARGEST_PROVED_DIMENSION,
+    Float, LARGEST_PROVED_DIMENSION,
     dimension::{InDimension, in_proved_dimension},
 };
 
@@ -62,16 +62,11 @@ impl ConstantsAnswer {
 
 /// Says why nothing is proved in many dimensions.
 #[must_use]
-pub fn too_many_coordinates(dimension: usize) -> String {
-    let proved = format!(
-        "constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions"
-    );
-    if dimension > LARGEST_FIXED_DIMENSION {
-        return format!(
-            "{proved}, and bounds rest on claimed ones in up to {LARGEST_FIXED_DIMENSION}"
-        );
-    }
-    format!("{proved}; claim c1, c2 and l_h in [certify], constants")
+pub fn too_many_coordinates() -> String {
+    format!(
+        "constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions; claim c1, \
+         c2 and l_h in [certify], constants"
+    )
 }
 
 /// Why no constants were sought.

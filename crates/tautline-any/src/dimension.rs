@@ -3,8 +3,7 @@
 /// The largest dimension of a problem.
 pub const LARGEST_DIMENSION: usize = 256;
 
-/// The largest dimension of what is compiled for each dimension: metrics of the gallery, audits, and bounds
-/// by claimed constants.
+/// The largest dimension of what is compiled for each dimension: metrics of the gallery, and audits.
 pub const LARGEST_FIXED_DIMENSION: usize = 12;
 
 /// The largest dimension in which constants are proved from the formula. Beyond it the boxes of

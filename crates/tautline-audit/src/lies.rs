@@ -121,7 +121,7 @@ pub(crate) fn indefinite<const D: usize>(metric: &impl Metric<D>, at: &[f64]) ->
         found: Some(least.value.hi()),
         formula: Claim::C1.formula().to_owned(),
         point: Some(at.to_vec()),
-        direction: Some(least.direction.normalize().as_slice().to_vec()),
+        direction: Some(point::<D>(&least.direction).normalize().as_slice().to_vec()),
         other: None,
     })
 }

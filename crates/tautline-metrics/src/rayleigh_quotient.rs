@@ -7,15 +7,15 @@ use crate::Metric;
 
 /// The quotient `wᵀ H(x) w / |w|²` of one direction. The least eigenvalue of `H(x)` is no larger, and the
 /// greatest no smaller.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RayleighQuotient<const D: usize> {
+#[derive(Clone, Debug, PartialEq)]
+pub struct RayleighQuotient {
     /// The direction `w`; its largest entry is 1.
-    pub direction: SVector<f64, D>,
+    pub direction: Vec<f64>,
     /// Rigorous bounds on the quotient; undefined for a metric that is known by its values in `f64`.
     pub value: Interval,
 }
 
-impl<const D: usize> RayleighQuotient<D> {
+impl RayleighQuotient {
     /// Returns quotients near the least and the greatest eigenvalue of `H(x)`: in the directions that
     /// are eigenvectors in `f64`. `None` if an entry of `H(x)` is not finite.
     ///
@@ -30,26 +30,34 @@ impl<const D: usize> RayleighQuotient<D> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn extreme(metric: &impl Metric<D>, x: &SVector<f64, D>) -> Option<[Self; 2]> {
-        let h = metric.gram(x);
+    pub fn extreme<const D: usize>(
+        metric: &impl Metric<D>,
+        x: &SVector<f64, D>,
+    ) -> Option<[Self; 2]> {
+        let enclosed = metric.gram(&x.map(Interval::point));
+        Self::extreme_of(metric.gram(x).as_slice(), enclosed.as_slice(), D)
+    }
+
+    /// Does the same, given the `d²` numbers of `H(x)` and their enclosures, column by column.
+    #[must_use]
+    pub fn extreme_of(h: &[f64], enclosed: &[Interval], d: usize) -> Option<[Self; 2]> {
         // On other matrices nalgebra would iterate forever.
         if !h.iter().all(|entry| entry.is_finite()) {
             return None;
         }
-        let eigen =
-            DMatrix::from_fn(D, D, |i, j| 0.5 * h[(i, j)] + 0.5 * h[(j, i)]).symmetric_eigen();
-        let enclosed = metric.gram(&x.map(Interval::point));
+        let half = |i: usize, j: usize| 0.5 * h[j * d + i];
+        let eigen = DMatrix::from_fn(d, d, |i, j| half(i, j) + half(j, i)).symmetric_eigen();
         let quotient = |k: usize| {
             let column = eigen.eigenvectors.column(k);
             let largest = column[column.icamax()];
             // So scaled, the direction in which a singular matrix of short numbers vanishes is exact.
-            let direction = SVector::<f64, D>::from_fn(|i, _| column[i] / largest);
+            let direction: Vec<f64> = column.iter().map(|entry| entry / largest).collect();
             let mut form = Interval::constant(0.0);
             let mut square = Interval::constant(0.0);
             for (i, &wi) in direction.iter().enumerate() {
                 square += Interval::point(wi).sqr();
                 for (j, &wj) in direction.iter().enumerate() {
-                    form += enclosed[(i, j)] * wi * wj;
+                    form += enclosed[j * d + i] * wi * wj;
                 }
             }
             Self { direction, value: form / square }
@@ -82,7 +90,7 @@ mod tests {
             RayleighQuotient::extreme(&Cancelled, &[0.25, 0.0].into()).expect("finite");
         assert!(least.value.lo() <= 0.25 && 0.25 <= least.value.hi(), "{least:?}");
         assert_eq!((greatest.value.lo(), greatest.value.hi()), (1.0, 1.0));
-        assert_eq!(greatest.direction, SVector::from([0.0, 1.0]));
+        assert_eq!(greatest.direction, [0.0, 1.0]);
     }
 
     /// Both halves count: the symmetric part of `(2 0; 2 2)` is `(2 1; 1 2)`.

@@ -36,9 +36,7 @@ impl Question {
                 "no constants on all of space: {error}. Constants in a region need [certify] with \
                  within = {{ ball = … }} or {{ box = … }}"
             )),
-            (ConstantsError::TooManyCoordinates, _) => {
-                Failure::NotComputed(too_many_coordinates(self.dimension))
-            }
+            (ConstantsError::TooManyCoordinates, _) => Failure::NotComputed(too_many_coordinates()),
             (error, _) => Failure::NotComputed(error.to_string()),
         })
     }

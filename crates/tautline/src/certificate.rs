@@ -2,16 +2,18 @@
 
 use std::num::NonZeroUsize;
 
+use nalgebra::DVectorView;
 use tautline_bounds::{
     BetweenPoints, BoundError, Computed, Constants, DiscreteMinimum, Enclosure, PaperRule, Setting,
     Theorem, convex_excess_outward, enclose_outward, strict_convexity_outward, suggest_n,
 };
 use tautline_certify::{AdmissibleCurve, Polygon};
-use tautline_discretizations::energy_gradient;
+use tautline_discretizations::LinearModel;
+use tautline_formula::Prepare;
 use tautline_metrics::{Bounded, Metric};
 use tautline_scalar::{Interval, Scalar};
 
-use crate::{Competitors, SVector, TautLine};
+use crate::{Competitors, TautLine};
 
 /// Numbers of subintervals for which `L(γᵖˡ)² − d²` is within a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,15 +57,17 @@ pub(crate) struct Stationarity {
     residual: f64,
 }
 
-impl<M: Metric<D>, const D: usize> TautLine<M, D> {
+impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// Returns the bounds by quadrature, with its estimated errors added, and what is computed of the
     /// points in doubles.
     pub(crate) fn extent(&self) -> Extent {
         let (length, energy) = (self.length(), self.energy());
         let length = length.value + length.error;
         let sequence = self.sequence();
-        let fixed = self.ends().are_points();
-        let point = |x: &SVector<f64, D>| x.map(Interval::point);
+        let n = sequence.n().get();
+        let fixed = self.any_ends().are_points();
+        let point =
+            |k: usize| -> Vec<_> { sequence.row(k).iter().map(|&x| Interval::point(x)).collect() };
         Extent {
             energy: energy.value + energy.error,
             energy_at_least: energy.value - energy.error,
@@ -71,20 +75,19 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
             length_squared: length * length,
             discrete_energy: self.discrete_energy(),
             discrete_energy_at_least: self.discrete_energy(),
-            gap_at_least: if fixed {
-                gap(&point(sequence.first()), &point(sequence.last()))
-            } else {
-                0.0
-            },
+            gap_at_least: if fixed { gap(point(0), point(n)) } else { 0.0 },
             stationarity: fixed.then(|| {
-                let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
-                let n = sequence.n().get();
-                let squares: f64 = gradient[1..n].iter().map(|g| g.norm_squared()).sum();
+                let (nodes, d) = (self.rule().nodes(), sequence.dimension());
+                let LinearModel { slopes, .. } =
+                    LinearModel::by_batches(nodes, M::plain(self.prepared()), sequence);
+                let squares: f64 = slopes[d..n * d].chunks_exact(d).map(norm_squared).sum();
+                let difference = |k: usize| {
+                    let both = sequence.row(k).iter().zip(sequence.row(k + 1));
+                    let beta: Vec<f64> = both.map(|(x, y)| (y - x) * n as f64).collect();
+                    norm_squared(&beta).sqrt()
+                };
                 Stationarity {
-                    greatest_difference: sequence
-                        .differences()
-                        .map(|beta| beta.norm())
-                        .fold(0.0, f64::max),
+                    greatest_difference: (0..n).map(difference).fold(0.0, f64::max),
                     // The root of the mean (1/N) Σ |ρₙ|², where ρₙ = ½N ∂E/∂xₙ.
                     residual: 0.5 * (n as f64 * squares).sqrt(),
                 }
@@ -95,13 +98,17 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Returns proved bounds, given the proved curve of this line.
     pub(crate) fn proved_extent(&self, curve: &AdmissibleCurve<'_, D>) -> Extent {
         let polygon = curve.polygon();
-        let fixed = self.ends().are_points();
+        let fixed = self.any_ends().are_points();
+        let formula = self.formula().map(|formula| formula.clone().into_any());
+        let formula = formula.as_ref();
+        let discrete_energy = |polygon: &Polygon<'_, D>| {
+            let energy = |formula| polygon.discrete_energy_by_formula(self.rule(), formula);
+            formula.map_or(Interval::UNDEFINED, energy)
+        };
         // The ends are moved into their sets, by a few roundings. The minimum that was found is that of
         // the points before, and both are sequences that competitors are compared with.
         let found = Polygon::new(self.sequence());
-        let [moved, found] =
-            [polygon, &found].map(|polygon| polygon.discrete_energy(self.rule(), self.metric()));
-        let discrete_energy = moved.hull(found);
+        let discrete_energy = discrete_energy(polygon).hull(discrete_energy(&found));
         Extent {
             energy: curve.energy().hi(),
             energy_at_least: curve.energy().lo(),
@@ -112,15 +119,24 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
             gap_at_least: if fixed { gap(polygon.first(), polygon.last()) } else { 0.0 },
             stationarity: fixed.then(|| Stationarity {
                 greatest_difference: polygon.greatest_difference().hi(),
-                residual: polygon.residual(self.rule(), self.metric()).hi(),
+                residual: formula
+                    .map_or(Interval::UNDEFINED, |formula| {
+                        polygon.residual_by_formula(self.rule(), formula)
+                    })
+                    .hi(),
             }),
         }
     }
 }
 
+/// Returns the sum of the squares.
+fn norm_squared(x: &[f64]) -> f64 {
+    DVectorView::from_slice(x, x.len()).norm_squared()
+}
+
 /// Returns a lower bound on the Euclidean distance between two points, or 0 if it overflows.
-fn gap<const D: usize>(first: &SVector<Interval, D>, last: &SVector<Interval, D>) -> f64 {
-    let squares = first.iter().zip(last).map(|(&x, &y)| (y - x).sqr());
+fn gap(first: impl AsRef<[Interval]>, last: impl AsRef<[Interval]>) -> f64 {
+    let squares = first.as_ref().iter().zip(last.as_ref()).map(|(&x, &y)| (y - x).sqr());
     let gap = squares.fold(Interval::constant(0.0), |sum, square| sum + square).sqrt().lo();
     if gap.is_finite() { gap } else { 0.0 }
 }
@@ -186,6 +202,50 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         self.enclosure_by(competitors.constants, extent)
     }
 
+    /// Suggests an `N` like [`suggest_n`](TautLine::suggest_n), by constants that hold where all
+    /// [competitors](TautLine::competitors) of this line are. The proven `N` is at least the `N` of
+    /// this line. From there on no sequence with as little energy leaves the ball, since the bounds
+    /// of Lemma S.4 fall with `N`.
+    ///
+    /// # Errors
+    ///
+    /// [`BoundError::OtherRule`] and [`BoundError::LeavesTheBall`] as for
+    /// [`enclosure_among`](TautLine::enclosure_among); another [`BoundError`] if the length is not
+    /// finite.
+    pub fn suggest_n_among(
+        &self,
+        competitors: &Competitors<D>,
+        tolerance: f64,
+    ) -> Result<SuggestedN, BoundError> {
+        competitors.hold_those_of(self, self.extent())?;
+        let suggested = self.suggest_n_by(competitors.constants, tolerance)?;
+        let n = self.sequence().n();
+        let proven = suggested.proven.map(|(least, theorem)| (least.max(n), theorem));
+        Ok(SuggestedN { proven, ..suggested })
+    }
+
+    fn suggest_n_by(&self, constants: Constants, tolerance: f64) -> Result<SuggestedN, BoundError> {
+        let rule = self.rule().paper_rule()?;
+        let length = self.length();
+        let proven = match self.admissible_curve() {
+            Ok(curve) => {
+                let setting = Setting::new(constants, curve.length().hi(), D)?;
+                suggest_n(setting, rule, tolerance)
+            }
+            Err(_) => None,
+        };
+        let expected = self.distance_squared_estimate().and_then(|estimate| {
+            let excess = length.value * length.value - estimate.value;
+            let noise = estimate.error + 2.0 * length.value * length.error;
+            let count = self.sequence().n().get() as f64 * (excess / tolerance).sqrt();
+            let is_known = excess > noise && count.is_finite() && count < 2_f64.powi(40);
+            NonZeroUsize::new(if is_known { count.ceil() as usize } else { 0 })
+        });
+        Ok(SuggestedN { proven, expected })
+    }
+}
+
+impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), by constants that
     /// you claim for this metric on all of `R^D`. They count as
     /// [isotropic](Constants::is_isotropic) if the formula shows that `H` is a multiple of the
@@ -211,28 +271,6 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         self.enclosure_by(global(constants)?, extent)
     }
 
-    /// Suggests an `N` like [`suggest_n`](TautLine::suggest_n), by constants that hold where all
-    /// [competitors](TautLine::competitors) of this line are. The proven `N` is at least the `N` of
-    /// this line. From there on no sequence with as little energy leaves the ball, since the bounds
-    /// of Lemma S.4 fall with `N`.
-    ///
-    /// # Errors
-    ///
-    /// [`BoundError::OtherRule`] and [`BoundError::LeavesTheBall`] as for
-    /// [`enclosure_among`](TautLine::enclosure_among); another [`BoundError`] if the length is not
-    /// finite.
-    pub fn suggest_n_among(
-        &self,
-        competitors: &Competitors<D>,
-        tolerance: f64,
-    ) -> Result<SuggestedN, BoundError> {
-        competitors.hold_those_of(self, self.extent())?;
-        let suggested = self.suggest_n_by(competitors.constants, tolerance)?;
-        let n = self.sequence().n();
-        let proven = suggested.proven.map(|(least, theorem)| (least.max(n), theorem));
-        Ok(SuggestedN { proven, ..suggested })
-    }
-
     /// Returns bounds on `d²`, given constants that hold and bounds on the curve.
     pub(crate) fn enclosure_by(
         &self,
@@ -250,12 +288,12 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         extent: Extent,
         otherwise: DiscreteMinimum,
     ) -> Result<Enclosure, BoundError> {
-        let rule = self.rule().paper_rule()?;
+        let (rule, d) = (self.rule().paper_rule()?, self.sequence().dimension());
         let Extent { energy, energy_at_least, length_squared, .. } = extent;
         let least = extent.discrete_energy_at_least;
         let between = self.between_points(rule, extent);
         let certified =
-            between.and_then(|between| strict_convexity_outward(constants, D, &between, least));
+            between.and_then(|between| strict_convexity_outward(constants, d, &between, least));
         let computed = Computed {
             rule,
             n: self.sequence().n(),
@@ -266,8 +304,8 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
             // Between two sets the gap is unknown.
             gap: extent.gap_at_least,
         };
-        let enclosure = enclose_outward(constants, D, &computed)?;
-        match between.and_then(|between| convex_excess_outward(constants, D, &between)) {
+        let enclosure = enclose_outward(constants, d, &computed)?;
+        match between.and_then(|between| convex_excess_outward(constants, d, &between)) {
             Some(excess) => {
                 let lower = Interval::point(energy_at_least) - Interval::point(excess);
                 enclosure.with_convexity(lower.lo())
@@ -287,26 +325,6 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
             greatest_difference,
             residual,
         })
-    }
-
-    fn suggest_n_by(&self, constants: Constants, tolerance: f64) -> Result<SuggestedN, BoundError> {
-        let rule = self.rule().paper_rule()?;
-        let length = self.length();
-        let proven = match self.admissible_curve() {
-            Ok(curve) => {
-                let setting = Setting::new(constants, curve.length().hi(), D)?;
-                suggest_n(setting, rule, tolerance)
-            }
-            Err(_) => None,
-        };
-        let expected = self.distance_squared_estimate().and_then(|estimate| {
-            let excess = length.value * length.value - estimate.value;
-            let noise = estimate.error + 2.0 * length.value * length.error;
-            let count = self.sequence().n().get() as f64 * (excess / tolerance).sqrt();
-            let is_known = excess > noise && count.is_finite() && count < 2_f64.powi(40);
-            NonZeroUsize::new(if is_known { count.ceil() as usize } else { 0 })
-        });
-        Ok(SuggestedN { proven, expected })
     }
 }
 

@@ -128,8 +128,8 @@ pub use tautline_grid::{
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
-    MetricError, RayleighQuotient, check_gram, check_matrix, christoffel, composition, gallery,
-    is_gram, norm_squared, quadrature,
+    MetricError, RayleighQuotient, are_gram, check_gram, check_matrix, christoffel, composition,
+    gallery, is_gram, norm_squared, quadrature,
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Entry, Estimate, Iterate, LeadingConstants, Level, Minimum,

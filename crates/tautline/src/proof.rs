@@ -10,7 +10,7 @@ use tautline_certify::{
     LocallyCertified, Progress, Watch,
 };
 use tautline_distance::Found;
-use tautline_formula::Prepared;
+use tautline_formula::{Prepare, Prepared};
 use tautline_metrics::{LocalError, LocallyBounded, Metric};
 use tautline_sets::Ball;
 
@@ -54,7 +54,7 @@ pub enum ProofError {
     Bound(#[from] BoundError),
 }
 
-impl<M: Metric<D>, const D: usize> TautLine<M, D> {
+impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// Returns a curve that certainly joins the two sets, with rigorous bounds on its energy and
     /// its length. They bound `d²` from above.
     ///
@@ -64,9 +64,12 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// [`ClosedSet::member_near`](crate::ClosedSet::member_near), if the metric is undefined on the
     /// curve, or if its formula cannot be recorded or is not known to be symmetric.
     pub fn admissible_curve(&self) -> Result<AdmissibleCurve<'_, D>, CurveError> {
-        AdmissibleCurve::new(self.metric(), self.sequence(), self.ends())
+        let formula = self.recorded().map_err(CurveError::NotRecorded)?.clone().into_any();
+        AdmissibleCurve::by_formula(&formula, self.sequence(), self.any_ends())
     }
+}
 
+impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), from the formula
     /// of the metric alone. The constants are proved on all of `R^D` if the formula is periodic.
     /// Otherwise they are proved on a ball that contains all [competitors](TautLine::competitors).

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use nalgebra::SVector;
 use tautline_certify::is_metric_at;
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule, SequenceError};
-use tautline_formula::{AnyBatches, Formula, Known, Prepare};
+use tautline_formula::{AnyBatches, Formula, Known, Prepare, RecordError};
 use tautline_metrics::Metric;
 use tautline_optimizers::{Estimate, Minimum, Stop, extrapolate};
 use tautline_scalar::ANY;
@@ -77,6 +77,11 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// Returns the formula of the metric, or `None` if it could not be recorded.
     #[must_use]
     pub fn formula(&self) -> Option<&Formula<D>> {
+        self.recorded().ok()
+    }
+
+    /// Returns the formula of the metric, or why it could not be recorded.
+    pub(crate) fn recorded(&self) -> Result<&Formula<D>, RecordError> {
         M::formula(&self.metric)
     }
 

@@ -1,13 +1,15 @@
 //! Bounds as they are printed, and claims that are refuted.
 
-use std::sync::Arc;
+use std::{ops::ControlFlow, sync::Arc};
 
 use tautline::{
-    BlackBox, Constants, Formula, PointSequence, Stop, Values,
+    BlackBox, Constants, Formula, Known, Point, PointSequence, Stop, Values,
     bounds::{Enclosure, FromAbove, FromBelow},
+    certify,
 };
 
-use super::{Bounds, GlobalMinimum, NOTHING, UsedConstants, check_claims, in_words};
+use super::{Bounds, GlobalMinimum, NOTHING, UsedConstants, in_words};
+use crate::{Given, Grid, Proofs, Request, Shape};
 
 const ENCLOSURE: Enclosure = Enclosure {
     lower: 4.0,
@@ -19,6 +21,15 @@ const ENCLOSURE: Enclosure = Enclosure {
     has_known_minimum: false,
     is_local: false,
 };
+
+/// Tests claims about a metric in the plane.
+fn check_claims(
+    claimed: Constants,
+    metric: impl Into<Known>,
+    sequence: &PointSequence<2>,
+) -> Result<(), String> {
+    super::check_claims(claimed, &metric.into(), &sequence.clone().into_any())
+}
 
 fn bounds(enclosure: Enclosure) -> Bounds {
     let constants = Constants::new(1.0, 2.0, 3.0).expect("constants");
@@ -100,8 +111,8 @@ fn bounds_that_contradict_each_other_refute_the_claims() {
 fn claims_that_are_attained_hold() {
     let sequence = PointSequence::straight([0.0, 0.0], [1.0, 1.0], 4).expect("finite");
     let check = |text: &str, c1, c2| {
-        let metric = Formula::<2>::parse(text, &[]).expect("a formula");
-        check_claims(Constants::new(c1, c2, 9.0).expect("constants"), &metric, &sequence)
+        let metric = Formula::<2>::parse(text, &[]).expect("a formula").into_any();
+        check_claims(Constants::new(c1, c2, 9.0).expect("constants"), metric, &sequence)
     };
     let dense = "[2, 1; 1, 2]";
     assert_eq!(check(dense, 1.0, 3.0), Ok(()));
@@ -130,8 +141,10 @@ fn claims_about_a_black_box_are_tested_by_its_values() {
     }
     let metric = BlackBox::<2>::new(Arc::new(Identity), 1e-3).expect("a step");
     let sequence = PointSequence::straight([0.0, 0.0], [1.0, 1.0], 4).expect("finite");
-    let check =
-        |c1, c2| check_claims(Constants::new(c1, c2, 0.0).expect("constants"), &metric, &sequence);
+    let check = |c1, c2| {
+        let claimed = Constants::new(c1, c2, 0.0).expect("constants");
+        check_claims(claimed, metric.clone().into_any(), &sequence)
+    };
     assert_eq!(check(1.0, 1.0), Ok(()));
     assert!(check(1.1, 2.0).is_err_and(|why| why.contains("the claim c1 = 1.1")));
     assert!(check(0.5, 0.9).is_err_and(|why| why.contains("the claim c2 = 0.9")));
@@ -142,8 +155,8 @@ fn claims_about_a_black_box_are_tested_by_its_values() {
 fn claims_that_fail_inside_the_curve_are_refused() {
     let sequence = PointSequence::straight([-8.0, 0.0], [8.0, 0.0], 64).expect("finite");
     let check = |text: &str, c1, c2| {
-        let metric = Formula::<2>::parse(text, &[]).expect("a formula");
-        check_claims(Constants::new(c1, c2, 9.0).expect("constants"), &metric, &sequence)
+        let metric = Formula::<2>::parse(text, &[]).expect("a formula").into_any();
+        check_claims(Constants::new(c1, c2, 9.0).expect("constants"), metric, &sequence)
     };
     let (hill, valley) = ("(1 + 3*exp(-x1^2)) I", "(1 - 0.75*exp(-x1^2)) I");
     assert_eq!([check(hill, 1.0, 4.0), check(valley, 0.25, 1.0)], [Ok(()), Ok(())]);
@@ -170,4 +183,38 @@ fn a_shorter_curve_lowers_the_upper_bound_and_may_refute_the_minimum() {
     let proved = bounds(Enclosure { assumes_global_minimum: false, ..ENCLOSURE });
     let beside = proved.clone().and_no_longer_than([1.5].into_iter());
     assert_eq!((beside.global_minimum, beside.lower), (GlobalMinimum::NotNeeded, proved.lower));
+}
+
+/// Under `H = I` the distance from the origin to a point is its norm. Claims that are attained lead to
+/// bounds that are equal up to rounding.
+#[test]
+fn claims_about_a_constant_metric_give_the_distance_in_many_dimensions() {
+    let bounds = |cost: &str, dimension: usize, c1: f64, c2: f64| {
+        let mut far = vec![0.0; dimension];
+        (far[0], far[dimension - 1]) = (3.0, 4.0);
+        let metric = Given::parse(cost, dimension, &[], &[]).expect("a formula");
+        let ends = [vec![0.0; dimension], far].map(|x| {
+            let point = Point::from_slice(&x).expect("finite");
+            [Shape::Point(point)]
+        });
+        let request = Request { grid: Grid::Chords(4), ..Request::default() };
+        let curve = metric.solve([&ends[0], &ends[1]], &request).expect("a curve");
+        let claimed = Constants::new(c1, c2, 0.0).and_then(|claimed| claimed.with_m_h(0.0));
+        let proofs = Proofs { claimed: claimed.ok(), ..Proofs::default() };
+        curve.bounds(&proofs, &|_: certify::Progress| true, &mut |_| ControlFlow::Continue(()))
+    };
+    for dimension in [7, 20, 256] {
+        let found = bounds("cost(1)", dimension, 1.0, 1.0).expect("bounds");
+        let [lower, upper] = [found.lower.value, found.upper.value];
+        // A few roundings of each chord.
+        assert!(lower <= 5.0 && lower > 5.0 - 1e-13, "{dimension}: {lower}");
+        assert!(upper >= 5.0 && upper < 5.0 + 1e-13, "{dimension}: {upper}");
+        assert_eq!(found.upper_by, "the length of the curve");
+        assert!(!found.constants.proved);
+    }
+    let near = "cost(1 + exp(-(x1 - 1.5)^2))";
+    let why = bounds(near, 20, 1.0, 2.0).expect_err("H is 4 in the middle");
+    assert!(why.contains("the claim c2 = 2 is wrong: H([0."), "{why}");
+    let why = bounds("cost(1)", 20, 1.5, 2.0).expect_err("H is 1");
+    assert!(why.contains("the claim c1 = 1.5 is wrong: H([0.0, 0.0, "), "{why}");
 }

@@ -74,12 +74,12 @@ impl Expressions {
         &mut self,
         formula: &Formula<D>,
     ) -> Option<Option<Expression>> {
-        let steps = self.steps(formula);
+        let (steps, d) = (self.steps(formula), formula.dimension());
         let zero = self.constant(0.0);
         let entry = |i: usize, j: usize| steps[formula.entry(i, j) as usize];
         let is_multiple =
-            (0..D).all(|j| entry(j, j) == entry(0, 0) && (0..j).all(|i| entry(i, j) == zero));
-        is_multiple.then(|| (D > 0).then(|| entry(0, 0)))
+            (0..d).all(|j| entry(j, j) == entry(0, 0) && (0..j).all(|i| entry(i, j) == zero));
+        is_multiple.then(|| (d > 0).then(|| entry(0, 0)))
     }
 
     /// Returns the expression of each step.

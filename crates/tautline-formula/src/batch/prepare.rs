@@ -4,7 +4,7 @@ use tautline_metrics::Metric;
 use tautline_scalar::ANY;
 
 use crate::{
-    Formula,
+    Formula, RecordError,
     batch::{AnyBatches, Known, Prepared},
 };
 
@@ -20,8 +20,16 @@ pub trait Prepare<const D: usize>: Sized {
     /// Returns the metric.
     fn metric(prepared: &Self::Prepared) -> &Self;
 
-    /// Returns the formula of the metric, or `None` if it is not known.
-    fn formula(prepared: &Self::Prepared) -> Option<&Formula<D>>;
+    /// Returns the formula of the metric.
+    ///
+    /// # Errors
+    ///
+    /// [`RecordError`] if it is not known.
+    fn formula(prepared: &Self::Prepared) -> Result<&Formula<D>, RecordError>;
+
+    /// Returns the metric for a single evaluation. A [`Metric`] is evaluated as compiled, without a
+    /// program.
+    fn plain(prepared: &Self::Prepared) -> &dyn AnyBatches;
 }
 
 impl<M: Metric<D>, const D: usize> Prepare<D> for M {
@@ -35,8 +43,12 @@ impl<M: Metric<D>, const D: usize> Prepare<D> for M {
         prepared.metric()
     }
 
-    fn formula(prepared: &Prepared<M, D>) -> Option<&Formula<D>> {
-        prepared.formula()
+    fn formula(prepared: &Prepared<M, D>) -> Result<&Formula<D>, RecordError> {
+        prepared.recorded()
+    }
+
+    fn plain(prepared: &Prepared<M, D>) -> &dyn AnyBatches {
+        prepared.plain()
     }
 }
 
@@ -51,7 +63,11 @@ impl Prepare<ANY> for Known {
         prepared
     }
 
-    fn formula(prepared: &Self) -> Option<&Formula<ANY>> {
-        prepared.formula().ok()
+    fn formula(prepared: &Self) -> Result<&Formula<ANY>, RecordError> {
+        prepared.formula()
+    }
+
+    fn plain(prepared: &Self) -> &dyn AnyBatches {
+        prepared
     }
 }

@@ -6,7 +6,7 @@ use tautline_metrics::Metric;
 use tautline_scalar::ANY;
 
 use crate::{
-    BlackBox, BlackBoxBatches, Formula,
+    BlackBox, BlackBoxBatches, Formula, RecordError,
     batch::{
         AnyBatches, Batches, Kind, Layout, Plain, contiguous, interpreted, kernel::Kernel, rows,
     },
@@ -22,7 +22,7 @@ use crate::{
 #[derive(Debug)]
 pub struct Prepared<M, const D: usize> {
     plain: Plain<M, D>,
-    formula: Option<Formula<D>>,
+    formula: Result<Formula<D>, RecordError>,
     programs: Arc<Programs>,
     /// The metric, if it is known by its values only.
     black_box: Option<BlackBoxBatches>,
@@ -42,7 +42,7 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     /// if they would not fit into a cache. The results are the same bit for bit.
     #[must_use]
     pub fn with(metric: M, instruction_set: InstructionSet, lanes: usize) -> Self {
-        let formula = Formula::record(&metric).ok();
+        let formula = Formula::record(&metric);
         let programs = Arc::new(Programs::new(instruction_set, lanes));
         Self { plain: Plain::new(metric), formula, programs, black_box: None }
     }
@@ -53,7 +53,7 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     pub fn of_black_box(metric: M, black_box: BlackBox<D>) -> Self {
         Self {
             plain: Plain::new(metric),
-            formula: None,
+            formula: Err(RecordError::BlackBox),
             programs: Arc::new(Programs::new(InstructionSet::Widest, LANES)),
             black_box: Some(BlackBoxBatches::new(black_box.into_any())),
         }
@@ -68,7 +68,17 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     /// Returns the metric's formula, or `None` if it could not be recorded.
     #[must_use]
     pub fn formula(&self) -> Option<&Formula<D>> {
-        self.formula.as_ref()
+        self.recorded().ok()
+    }
+
+    /// Returns the metric's formula, or why it could not be recorded.
+    pub(crate) fn recorded(&self) -> Result<&Formula<D>, RecordError> {
+        self.formula.as_ref().map_err(|&error| error)
+    }
+
+    /// Returns the metric as compiled.
+    pub(crate) fn plain(&self) -> &Plain<M, D> {
+        &self.plain
     }
 
     /// Returns the numbers of instructions and registers of a program, or `None` if there is none.
@@ -78,7 +88,7 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     }
 
     fn kernel(&self, kind: Kind) -> Option<&Kernel> {
-        self.programs.kernel(self.formula.as_ref()?.tape(), kind)
+        self.programs.kernel(self.formula()?.tape(), kind)
     }
 }
 
@@ -153,7 +163,7 @@ impl PreparedFormula {
     pub fn in_dimension<const D: usize>(&self) -> Option<Prepared<Formula<D>, D>> {
         let formula: Formula<D> = self.formula.clone().into_dimension()?;
         let (plain, programs) = (Plain::new(formula.clone()), Arc::clone(&self.programs));
-        Some(Prepared { plain, formula: Some(formula), programs, black_box: None })
+        Some(Prepared { plain, formula: Ok(formula), programs, black_box: None })
     }
 
     fn kernel(&self, kind: Kind) -> Option<&Kernel> {
@@ -238,7 +248,7 @@ impl<M: Metric<D>, const D: usize> AnyBatches for Prepared<M, D> {
             (None, Some(black_box)) => black_box.evaluate(kind, registers),
             // The compiler decides: the derivatives of recorded steps are not compiled.
             (None, None) if const { M::IS_RECORDED } => {
-                let tape = self.formula.as_ref().map(Formula::tape).expect("steps are a formula");
+                let tape = self.formula().map(Formula::tape).expect("steps are a formula");
                 interpreted::evaluate(tape, self.layout(kind), kind, registers);
             }
             (None, None) => self.plain.evaluate(kind, registers),

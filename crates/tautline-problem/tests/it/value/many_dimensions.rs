@@ -73,6 +73,29 @@ fn a_black_box_in_twenty_dimensions_leads_to_the_curve_of_its_formula() {
     assert_eq!(refused, Err(GivenError::BlackBoxDimension { dimension: 33 }));
 }
 
+/// The bounds are those of the plane, up to the dimension in which theorems count.
+#[test]
+fn claimed_constants_give_bounds_in_any_dimension() {
+    let bounds = |dimension: usize, c2: f64| {
+        let more =
+            format!("[solve]\nn = 64\n[certify]\nconstants = {{ c1 = 1, c2 = {c2}, l_h = 6 }}\n");
+        let question = Question::read(&file(dimension, &more)).expect("a problem");
+        question.solve(&mut |_| ()).expect("a curve")
+    };
+    let found = bounds(20, 9.0);
+    let plane = bounds(2, 9.0).bounds.expect("bounds");
+    let (length, bounds_in_20) = (found.length.value, found.bounds.expect("bounds"));
+    let [lower, upper] = [bounds_in_20.lower.value, bounds_in_20.upper.value];
+    assert!(
+        lower > 0.0 && lower <= upper && (upper / length - 1.0).abs() < 1e-12,
+        "{lower} {upper}"
+    );
+    assert!((upper / plane.upper.value - 1.0).abs() < 1e-12, "{upper} {plane:?}");
+    assert!(lower <= plane.lower.value * (1.0 + 1e-12), "{lower} {plane:?}");
+    let reason = bounds(20, 2.0).no_bounds.expect("a wrong claim");
+    assert!(reason.contains("the claim c2 = 2 is wrong: H(["), "{reason}");
+}
+
 /// What is made for each dimension says up to which one.
 #[test]
 fn what_needs_fewer_dimensions_is_refused() {
@@ -84,8 +107,8 @@ fn what_needs_fewer_dimensions_is_refused() {
             Err(Failure::NotComputed(message)) => message,
         }
     };
-    let claims = "[solve]\nn = 8\n[certify]\nconstants = { c1 = 1, c2 = 9, l_h = 6 }\n";
-    assert!(reason(claims).contains("up to 12 dimensions"), "{}", reason(claims));
+    let proved = "[solve]\nn = 8\n";
+    assert!(reason(proved).contains("up to 6 dimensions; claim c1"), "{}", reason(proved));
     let corners = |x: f64| vec![x; 20];
     let lattice = format!(
         "[solve]\nn = 8\nlattice = {{ lower = {:?}, upper = {:?}, spacing = 1 }}\n",
