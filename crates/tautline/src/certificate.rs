@@ -75,7 +75,7 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
             length_squared: length * length,
             discrete_energy: self.discrete_energy(),
             discrete_energy_at_least: self.discrete_energy(),
-            gap_at_least: if fixed { gap(point(0), point(n)) } else { 0.0 },
+            gap_at_least: if fixed { gap(&point(0), &point(n)) } else { 0.0 },
             stationarity: fixed.then(|| {
                 let (nodes, d) = (self.rule().nodes(), sequence.dimension());
                 let LinearModel { slopes, .. } =
@@ -135,7 +135,7 @@ fn norm_squared(x: &[f64]) -> f64 {
 }
 
 /// Returns a lower bound on the Euclidean distance between two points, or 0 if it overflows.
-fn gap(first: impl AsRef<[Interval]>, last: impl AsRef<[Interval]>) -> f64 {
+fn gap(first: &(impl AsRef<[Interval]> + ?Sized), last: &(impl AsRef<[Interval]> + ?Sized)) -> f64 {
     let squares = first.as_ref().iter().zip(last.as_ref()).map(|(&x, &y)| (y - x).sqr());
     let gap = squares.fold(Interval::constant(0.0), |sum, square| sum + square).sqrt().lo();
     if gap.is_finite() { gap } else { 0.0 }
