@@ -73,7 +73,8 @@ fn a_black_box_in_twenty_dimensions_leads_to_the_curve_of_its_formula() {
     assert_eq!(refused, Err(GivenError::BlackBoxDimension { dimension: 33 }));
 }
 
-/// The bounds are those of the plane, up to the dimension in which theorems count.
+/// The curve is that of the plane, and so is the upper bound. The lower one may be smaller, since theorems
+/// depend on the dimension.
 #[test]
 fn claimed_constants_give_bounds_in_any_dimension() {
     let bounds = |dimension: usize, c2: f64| {
