@@ -136,6 +136,20 @@ class Points(unittest.TestCase):
         with self.assertRaisesRegex(tl.ProblemError, r"start 0 has the shape \(2,\); expected \(m, D\)"):
             tl.solve(FLAT, [0, 0], [1, 1], starts=[0, 1])
 
+    def test_a_search_looks_as_far_as_its_scope(self):
+        # Seven hills, between which a path through a lattice finds a shorter way than the starts do.
+        hills = (
+            (-1.05, -0.27, 29.1, 0.152), (-0.96, -0.28, 7.43, 0.114), (0.04, 0.10, 5.02, 0.173),
+            (-0.34, 0.52, 23.8, 0.235), (0.81, -1.12, 9.52, 0.321), (-0.99, -0.77, 8.63, 0.160),
+            (-1.16, 0.93, 22.7, 0.133),
+        )
+        hill = "{2}*exp(-((x1 - ({0}))^2 + (x2 - ({1}))^2)/(2*{3}^2))"
+        metric = tl.Metric(f"cost(sqrt(1 + {' + '.join(hill.format(*each) for each in hills)}))", dimension=2)
+        ends = [-1.8, -0.712], [1.8, 0.731]
+        default, local = tl.solve(metric, *ends), tl.solve(metric, *ends, scope="local")
+        self.assertLess(float(default.length), 0.95 * float(local.length))
+        self.assertEqual(float(tl.solve(metric, *ends, scope="automatic").length), float(default.length))
+
     def test_a_text_is_no_metric(self):
         with self.assertRaisesRegex(tl.ProblemError, r"'cost\(2\)'; a Metric is needed"):
             tl.solve("cost(2)", [0, 0], [1, 1])

@@ -154,6 +154,7 @@ class Solving(unittest.TestCase):
             (tl.ProblemError, "radius", lambda: tl.solve(flat, [0, 0], tl.ball([3, 0], -1))),
             (tl.ProblemError, "n is 0; expected", lambda: tl.solve(flat, [0, 0], [1, 1], n=0)),
             (tl.ProblemError, "\"midpoint\" is no rule; .* 'simpson'", lambda: tl.solve(flat, [0, 0], [1, 1], rule="midpoint")),
+            (tl.ProblemError, "\"far\" is no scope; the scopes are 'automatic', 'local'", lambda: tl.solve(flat, [0, 0], [1, 1], scope="far")),
             (tl.MetricError, "", lambda: tl.solve(tl.Metric("x1 I", 1), [-1], [1])),
             (tl.ProblemError, "gap", lambda: tl.solve(flat, [0, 0], [1, 1]).certificate(2)),
             (tl.ProblemError, "dimension", lambda: tl.Metric("1 I")),
