@@ -47,9 +47,9 @@ def solve(
     `rule` is one of `RULES`, such as "trapezoidal" (the metric in the middle of each chord) or
     "left_endpoint". `starts` are polygons from which a search starts besides the automatic ones, or
     in place of them: an array of shape (m, D), a curve, or a list of such. `steps` is the largest
-    number of Newton steps of a search on one grid. By the `scope` "automatic" a search in two or three
-    dimensions also looks along a path through a coarse lattice around what the starts led to; "local"
-    stands for the starts alone. `threads` is 1 or 2. If the metric has a
+    number of Newton steps of a search on one grid. With the `scope` "automatic" a search in two or three
+    dimensions also looks along a path through a coarse lattice around what the starts led to, if the metric
+    is a formula; with "local" it uses the starts alone. `threads` is 1 or 2. If the metric has a
     `lattice`, as an image has, a second search starts from a shortest path along it, unless
     `only_these_starts`, and the shorter curve is returned. With `classes` above 1 the paths are the
     shortest ones of as many homotopy classes, ways around the peaks and holes of the metric, and
@@ -149,6 +149,7 @@ def solve_batch(
     rule: str = ...,
     steps: int | None = ...,
     threads: int | None = ...,
+    scope: str = ...,
     on_error: Literal["raise"] = ...,
 ) -> list[Curve]: ...
 @overload
@@ -161,6 +162,7 @@ def solve_batch(
     rule: str = ...,
     steps: int | None = ...,
     threads: int | None = ...,
+    scope: str = ...,
     on_error: Literal["return"],
 ) -> tuple[list[Curve | None], list[str | None]]: ...
 def solve_batch(
@@ -172,19 +174,20 @@ def solve_batch(
     rule: str = "trapezoidal",
     steps: int | None = None,
     threads: int | None = None,
+    scope: str = "automatic",
     on_error: Literal["raise", "return"] = "raise",
 ) -> list[Curve] | tuple[list[Curve | None], list[str | None]]:
     """Curves between the rows of two arrays of shape (m, D), on all processors or on `threads`.
 
-    One of them may be a single point, of shape (D,). The curves equal those of `solve` bit for bit,
-    without a search along the `lattice` of an image: `solve` may find a shorter one there.
+    One of them may be a single point, of shape (D,). The curves equal those of `solve` with the same
+    `scope` bit for bit, without a search along the `lattice` of an image: `solve` may find a shorter one there.
     Raises `ProblemError` with the row of the first problem that has no curve; with
     `on_error="return"` it returns a pair of lists in place of that, the curves and the messages, with
     None where there is no curve and no message.
     """
     if on_error not in ("raise", "return"):
         raise ProblemError(f"on_error is {on_error!r}; expected 'raise' or 'return'")
-    options = _options(metric, n, rule, steps, threads)
+    options = _options(metric, n, rule, steps, threads, scope=scope)
     curves, messages = metric.program.solve_batch(*_pairs(starts, goals), options)
     if on_error == "return":
         return curves, messages
@@ -202,15 +205,16 @@ def distance_matrix(
     n: int = 64,
     rule: str = "trapezoidal",
     threads: int | None = None,
+    scope: str = "automatic",
 ) -> NDArray[np.float64]:
     """The lengths of the curves between the rows of `a` and those of `b`, of shape (len(a), len(b)).
 
     Without `b` the rows of `a` are paired with each other: the matrix is symmetric, and each pair is
-    solved once. NaN where there is no curve. The `lattice` of an image is not searched. Warns with
+    solved once, with the `scope` of `solve`: "local" takes less time. NaN where there is no curve. The `lattice` of an image is not searched. Warns with
     `UnresolvedWarning` how many of the curves are not resolved, or longer than another local minimum that
     was met.
     """
-    options, x = _options(metric, n, rule, None, threads), finite_rows(a, "a")
+    options, x = _options(metric, n, rule, None, threads, scope=scope), finite_rows(a, "a")
     if b is None:
         i, j = np.triu_indices(len(x), 1)
         matrix = np.zeros((len(x), len(x)))

@@ -150,6 +150,15 @@ class Points(unittest.TestCase):
         self.assertLess(float(default.length), 0.95 * float(local.length))
         self.assertEqual(float(tl.solve(metric, *ends, scope="automatic").length), float(default.length))
 
+    def test_a_black_box_is_not_asked_far_beyond_the_ends(self):
+        def beside_the_axis(x):
+            if (x[:, 0] <= 0).any():
+                raise ValueError("not a point of the half-plane")
+            return np.tile(np.eye(2), (len(x), 1, 1))
+
+        metric = tl.Metric.black_box(beside_the_axis, 2)
+        self.assertAlmostEqual(float(tl.solve(metric, [0.1, 0], [1, 0]).length), 0.9)
+
     def test_a_text_is_no_metric(self):
         with self.assertRaisesRegex(tl.ProblemError, r"'cost\(2\)'; a Metric is needed"):
             tl.solve("cost(2)", [0, 0], [1, 1])

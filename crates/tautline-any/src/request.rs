@@ -56,7 +56,7 @@ pub struct Request {
     pub starts: Vec<Vec<Vec<f64>>>,
     /// Whether they replace the automatic starts.
     pub only_these_starts: bool,
-    /// How far a search looks, unless it has nodes.
+    /// How far a search looks, unless it has nodes, or starts that replace the automatic ones.
     pub scope: Scope,
     /// Nodes; a search also starts from shortest paths along them, with all of the chords. It needs their
     /// number. See [`solve_on_lattice`](Problem::solve_on_lattice).

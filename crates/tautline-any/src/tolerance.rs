@@ -60,7 +60,7 @@ pub(crate) fn refined(
             break;
         }
         options.starts = also(options.starts, starts);
-        // The first grid has been looked around.
+        // The first grid was the place to look.
         options.scope = Scope::Local;
         // Without a finer line, the coarser one misses the tolerance, and says so.
         let Ok(finer) = problem.solve_with(rule, finer, &options) else { break };

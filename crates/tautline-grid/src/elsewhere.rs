@@ -17,9 +17,13 @@ const MARGIN: f64 = 0.3;
 /// cost more than a solve.
 const STEPS: [f64; 2] = [24.0, 8.0];
 
+/// The most nodes: along each axis `(1 + 2 · 0.3) · 24 + 2` in the plane and `(1 + 2 · 0.3) · 8 + 2` in
+/// space, without fractions. A lattice of lines that are a few roundings long would have millions.
+const NODES: [usize; 2] = [40 * 40, 14 * 14 * 14];
+
 /// Returns a shortest path with at most 64 chords through a coarse lattice around some lines. Returns `None`
-/// if it runs along one of them, within a step of the lattice; if the sets or the lines leave no such path;
-/// and in other dimensions than two and three.
+/// if it runs along one of them, within a step of the lattice; if the sets or the lines leave no such path, or
+/// the lines are only a few roundings long; and in other dimensions than two and three.
 ///
 /// The lattice reaches beyond the lines on all sides by three tenths of their extent, and has 24 steps along it,
 /// 8 in space. Whether a curve along the path is shorter than the lines is not known: a path runs in a few
@@ -111,6 +115,9 @@ fn path_in<const D: usize>(
     let [lower, upper] = [corners[0].map(|x| x - margin), corners[1].map(|x| x + margin)];
     let spacing = extent / STEPS[D - 2];
     let lattice = Lattice::new(lower, upper, spacing).ok()?;
+    if lattice.nodes() > NODES[D - 2] {
+        return None;
+    }
     let (metric, ends) = BatchesIn::<D>::new(metric).zip(ends.in_dimension::<D>())?;
     let graph = LatticeGraph::in_batches(&metric, lattice);
     let path = graph.shortest(&ends, None).ok()?.sequence(n).ok()?.into_any();

@@ -39,6 +39,10 @@ impl RayleighQuotient {
     }
 
     /// Does the same, given the `d²` numbers of `H(x)` and their enclosures, column by column.
+    ///
+    /// # Panics
+    ///
+    /// If there are fewer numbers.
     #[must_use]
     pub fn extreme_of(h: &[f64], enclosed: &[Interval], d: usize) -> Option<[Self; 2]> {
         // On other matrices nalgebra would iterate forever.

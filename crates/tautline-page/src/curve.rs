@@ -16,7 +16,7 @@ pub struct Curve {
     pub error: f64,
     /// Whether the search converged to a strict local minimum.
     pub is_local_minimum: bool,
-    /// The other local minima that were found, shortest first, up to seven.
+    /// The other local minima that were found, shortest first, up to eight.
     pub others: Vec<Other>,
 }
 

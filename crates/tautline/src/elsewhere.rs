@@ -77,7 +77,9 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
             if !(found.energy < bar * (1.0 + WORTH_A_LOOK)) {
                 return None;
             }
+            let before = found.iterations;
             found = search(n, Starts::Only(vec![found.sequence]))?;
+            found.iterations += before;
         }
         if !(found.energy < minimum.energy) {
             return None;

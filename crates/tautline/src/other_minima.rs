@@ -30,7 +30,7 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// ```
     ///
     /// The ends of each are the pieces of the two sets that it joins, so that bounds on its own
-    /// distance are those of the pieces. There are at most seven; those that the search never met
+    /// distance are those of the pieces. There are at most eight; those that the search never met
     /// are missing, and those that are none on the finer grid.
     #[must_use]
     pub fn other_minima(&self) -> Vec<Self> {

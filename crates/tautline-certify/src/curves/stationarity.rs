@@ -116,20 +116,20 @@ mod tests {
     use tautline_discretizations::{PointSequence, Rule, energy_gradient};
     use tautline_metrics::{
         Metric,
-        gallery::{Constant, Shear, Sphere},
+        gallery::{Constant, Separable, Shear, Sphere},
     };
     use tautline_scalar::{Interval, Scalar};
 
     use super::Polygon;
 
     /// The enclosures contain what doubles compute, and are no wider than rounding.
-    fn check(rule: Rule, metric: &impl Metric<2>) {
+    fn check<const D: usize>(rule: Rule, metric: &impl Metric<D>) {
         let mut random = Random(seed(3));
         for n in [1, 2, 3, 17] {
-            let mut points = vec![vector![0.1, -0.3]];
+            let mut points = vec![SVector::<f64, D>::from_fn(|i, _| 0.1 - 0.4 * (i % 2) as f64)];
             for _ in 0..n {
-                let step = [0.1, 0.1].map(|size| random.between(-size, size));
-                points.push(points[points.len() - 1] + vector![step[0], step[1]]);
+                let step = [0.1; D].map(|size| random.between(-size, size));
+                points.push(points[points.len() - 1] + SVector::from(step));
             }
             let sequence = PointSequence::new(points).expect("finite");
             let (_, gradient) = energy_gradient(rule, metric, &sequence);
@@ -155,7 +155,23 @@ mod tests {
         check(Rule::TRAPEZOIDAL, &shear);
         check(Rule::LEFT_ENDPOINT, &shear);
         check(Rule::TRUE_TRAPEZOID, &shear);
-        check(Rule::LEFT_ENDPOINT, &Sphere);
+        check::<2>(Rule::LEFT_ENDPOINT, &Sphere);
+    }
+
+    /// Derivatives are taken in four directions at a time: all coordinates count, also those of the last few.
+    #[test]
+    fn residuals_in_more_than_four_dimensions_are_those_of_the_gradient() {
+        fn in_dimension<const D: usize>() {
+            for rule in [Rule::TRAPEZOIDAL, Rule::LEFT_ENDPOINT] {
+                check::<D>(rule, &Sphere);
+                let numbers = SVector::from_fn(|i, _| 0.3 + 0.05 * i as f64);
+                check::<D>(rule, &Separable::new(numbers, numbers).expect("below one"));
+            }
+        }
+        in_dimension::<4>();
+        in_dimension::<5>();
+        in_dimension::<6>();
+        in_dimension::<9>();
     }
 
     /// Under `H = I` the residual of `(0, a, 1)` is `½ · 2 · √2 · 2 |a − (1 − a)|`.

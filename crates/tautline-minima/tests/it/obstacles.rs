@@ -122,8 +122,8 @@ fn compare<M: Metric<2>>(metric: M, random: &mut Random) -> Compared {
 
 /// On at least 99 % of random problems with 3 to 10 obstacles, soft ones and hard ones, the search finds
 /// the lowest minimum that any method found, or a lower one; the misses are listed. So does a search with the
-/// default options, and a search from its starts alone misses one in twenty or more. Of the rivals' short minima, the search finds 19 of 20, and it
-/// finds more.
+/// default options. A search from its starts alone misses one in twenty or more. Of the rivals' short minima,
+/// the search finds 19 of 20, and it finds more.
 #[test]
 fn the_lowest_minimum_among_obstacles_is_found() {
     let mut random = Random(seed(1));

@@ -33,7 +33,8 @@ pub struct Minimum<const D: usize> {
     /// The signature of the Hessian at the last iterate.
     pub curvature: Curvature,
     /// The number of Newton steps of all searches, from every start and over all grids. The last
-    /// evaluation on each grid counts as one step.
+    /// evaluation on each grid counts as one step. A look [elsewhere](crate::Scope::Automatic) counts if it
+    /// finds a shorter line.
     pub iterations: usize,
     /// The number of those steps that led to this result: from one start, over all grids.
     pub own_iterations: usize,
@@ -46,7 +47,7 @@ pub struct Minimum<const D: usize> {
     /// list is empty if no search converged on that grid.
     pub local_minima: Vec<f64>,
     /// The other local minimisers that were met, lowest first, up to seven, each along another curve; after
-    /// a search along a lattice up to eight.
+    /// a search along a lattice, or elsewhere, up to eight.
     /// They stay on a coarser grid if they have the energy of one that is followed, as mirror
     /// images do, and beyond 512 chords, where only the result is followed unless one of them is
     /// lower on the finest grid.

@@ -12,7 +12,9 @@
 )]
 pub enum Scope {
     /// In two and three dimensions, also along a shortest path through a coarse lattice around what the
-    /// starts led to. Where the path runs along none of that, a search from it may lead to a shorter curve.
+    /// starts led to. If the path runs elsewhere, a search starts from it, and the shorter line is the result.
+    /// There is no such look with fewer than 16 chords, for a metric that is known by its values only, and
+    /// from [starts](crate::Starts) that replace the automatic ones.
     #[default]
     Automatic,
     /// From the starts alone.

@@ -1,7 +1,7 @@
 //! Searches that look beyond what their starts led to.
 
 use tautline::{
-    Ends, Options, Problem, Rule, Scope, Starts, TautLine, are_apart,
+    Ends, Formula, Options, Problem, Rule, Scope, Starts, TautLine, are_apart,
     gallery::{Obstacle, SoftObstacles, Valleys},
 };
 
@@ -47,6 +47,37 @@ fn a_path_through_the_hills_leads_to_a_shorter_line() {
     }
 }
 
+/// Two walls with gaps on opposite sides: the shortest way winds through both.
+fn walls<const D: usize>() -> Formula<D> {
+    let wall = |x: f64, gap: f64| {
+        format!("30*exp(-((x1 - ({x}))/0.3)^2)*(1 - exp(-((x2 - ({gap}))/0.5)^2))")
+    };
+    let text = format!("cost(1 + {} + {})", wall(-1.0, 1.5), wall(1.0, -1.5));
+    Formula::parse(&text, &[]).expect("a formula")
+}
+
+/// In space, the third coordinate plays no part: the way is that in the plane.
+#[test]
+fn a_path_in_space_leads_to_a_shorter_line_too() {
+    fn lengths<const D: usize>(n: usize) -> [f64; 2] {
+        let point = |x: f64| std::array::from_fn::<_, D, _>(|i| if i == 0 { x } else { 0.0 });
+        let ends = Ends::points(point(-2.5), point(2.5)).expect("finite");
+        let problem = Problem::new(walls::<D>(), ends);
+        [Scope::Local, Scope::Automatic].map(|scope| {
+            let options = Options { scope, ..Options::default() };
+            let line = problem.solve_with(Rule::TRAPEZOIDAL, n, &options).expect("a line");
+            line.length().value
+        })
+    }
+    for n in [32, 128] {
+        let (plane, space) = (lengths::<2>(n), lengths::<3>(n));
+        println!("{plane:?} {space:?}");
+        assert!(plane[1] < 0.5 * plane[0] && space[1] < 0.5 * space[0], "{plane:?} {space:?}");
+        // Both are minima of the same energy, found to rounding.
+        assert!((space[1] / plane[1] - 1.0).abs() < 1e-9, "{plane:?} {space:?}");
+    }
+}
+
 /// From a given start there is one line, and with few chords none would be resolved.
 #[test]
 fn given_starts_and_few_chords_keep_the_search_near() {
@@ -76,5 +107,17 @@ fn a_look_that_finds_nothing_leaves_the_line_as_it_is() {
         let [near, line] = [local(), Options::default()]
             .map(|options| problem.solve_with(Rule::TRAPEZOIDAL, n, &options).expect("a line"));
         assert_eq!(line.minimum(), near.minimum(), "N = {n}");
+    }
+}
+
+/// Lines of a few roundings would have a lattice of millions of nodes, far from the origin: they have none.
+#[test]
+fn a_line_of_a_few_roundings_is_not_looked_around() {
+    for far in [1.0, 50.0, 1e6] {
+        let ends = Ends::points([1.0, far], [1.0_f64.next_up(), far]).expect("finite");
+        let problem = Problem::new(Valleys, ends);
+        let [near, line] = [local(), Options::default()]
+            .map(|options| problem.solve_with(Rule::TRAPEZOIDAL, 64, &options).expect("a line"));
+        assert_eq!(line.minimum(), near.minimum(), "{far}");
     }
 }
