@@ -36,14 +36,14 @@ const NODES: [usize; 2] = [40 * 40, 14 * 14 * 14];
 /// use tautline_metrics::gallery::Bump;
 /// use tautline_sets::AnyEnds;
 ///
-/// // A steep hill between two points, and lines on either side of it.
+/// // A steep hill between two points, and a line below it.
 /// let hill = Prepared::<_, 2>::new(Bump::new(9.0, 0.5)?);
 /// let ends = AnyEnds::points(&[-2.0, 0.1], &[2.0, 0.1])?;
-/// let by = |y| PointSequence::from_coordinates(2, vec![-2.0, 0.1, 0.0, y, 2.0, 0.1]);
-/// let (above, below) = (by(1.0)?, by(-1.0)?);
-/// let path = path_elsewhere(&hill, &ends, &[below], 64).expect("one above the hill");
-/// assert!(path.row(32)[1] > 0.3);
-/// assert_eq!(path_elsewhere(&hill, &ends, &[above], 64), None);
+/// let below = PointSequence::from_coordinates(2, vec![-2.0, 0.1, 0.0, -1.0, 2.0, 0.1])?;
+/// let above = path_elsewhere(&hill, &ends, &[&below], 64).expect("a path above the hill");
+/// assert!(above.row(32)[1] > 0.3);
+/// // Where both are known, there is nothing new.
+/// assert_eq!(path_elsewhere(&hill, &ends, &[&below, &above], 64), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]

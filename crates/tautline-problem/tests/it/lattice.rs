@@ -1,6 +1,8 @@
-//! A lattice in the section `[solve]`.
+//! A lattice in the section `[solve]`, and how far a search looks without one.
 
-use tautline_problem::{Failure, Grid, Question};
+use tautline::{Point, Scope};
+use tautline_any::{Given, Request, Shape};
+use tautline_problem::{Answer, Failure, Grid, Question};
 
 /// A wall along `x₁ = 0` with a gap at `x₂ = 3`.
 const WALL: &str = "\
@@ -88,4 +90,39 @@ fn a_tolerance_that_is_asked_for_is_refused_too() {
     assert_eq!(question.solve(&mut |_| ()).expect("a curve").n, 256);
     let mut without = Question::read(WALL).expect("a file");
     assert!(without.set_grid(Grid::Tolerance(1e-2)).is_ok());
+}
+
+/// Seven hills, between which a path through a lattice finds a shorter way than the starts do.
+const HILLS: &str = "1 + 29.1*exp(-((x1+1.05)^2 + (x2+0.27)^2)/(2*0.152^2)) \
+    + 7.43*exp(-((x1+0.96)^2 + (x2+0.28)^2)/(2*0.114^2)) \
+    + 5.02*exp(-((x1-0.04)^2 + (x2-0.10)^2)/(2*0.173^2)) \
+    + 23.8*exp(-((x1+0.34)^2 + (x2-0.52)^2)/(2*0.235^2)) \
+    + 9.52*exp(-((x1-0.81)^2 + (x2+1.12)^2)/(2*0.321^2)) \
+    + 8.63*exp(-((x1+0.99)^2 + (x2+0.77)^2)/(2*0.160^2)) \
+    + 22.7*exp(-((x1+1.16)^2 + (x2-0.93)^2)/(2*0.133^2))";
+
+fn answer(scope: &str) -> Answer {
+    let text = format!(
+        "[metric]\ncost = \"sqrt({HILLS})\"\n[from]\npoint = [-1.8, -0.712]\n[to]\npoint = [1.8, 0.731]\n\
+         [solve]\nn = 128\n{scope}\n[certify]\nbound = false\n"
+    );
+    Question::read(&text).expect("a file").solve(&mut |_| ()).expect("a line")
+}
+
+/// The default finds the shorter way, the local search does not, and Python's request is that of the file.
+#[test]
+fn a_search_looks_as_far_as_its_scope() {
+    let [default, automatic, local] =
+        ["", "scope = \"automatic\"", "scope = \"local\""].map(|scope| answer(scope).length.value);
+    assert_eq!(default, automatic);
+    assert!(automatic < 0.95 * local, "{automatic} {local}");
+    let metric = Given::parse(&format!("cost(sqrt({HILLS}))"), 2, &[], &[]).expect("a metric");
+    let point = |x: &[f64]| [Shape::Point(Point::from_slice(x).expect("finite"))];
+    let (a, b) = (point(&[-1.8, -0.712]), point(&[1.8, 0.731]));
+    for (scope, length) in [(Scope::Automatic, automatic), (Scope::Local, local)] {
+        let grid = Grid::Chords(128);
+        let request = Request { scope, grid, ..Request::default() };
+        let curve = metric.solve([&a, &b], &request).expect("a line");
+        assert_eq!(curve.length().value, length);
+    }
 }

@@ -13,7 +13,6 @@ mod other_minima;
 mod random_certificates;
 mod regions;
 mod schema;
-mod scope;
 mod signs;
 mod sweep;
 mod tables;
