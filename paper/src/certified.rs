@@ -52,7 +52,7 @@ impl Certified {
     fn new<M: Metric<D> + 'static, const D: usize>(
         name: &'static str,
         metric: M,
-        (on, domain): (String, Domain<D>),
+        (on, domain): (String, Domain),
         constants: Constants,
         exact: [bool; 4],
     ) -> Self {
@@ -73,7 +73,7 @@ impl Certified {
 fn domain<const D: usize>(
     metric: &impl Metric<D>,
     [low, high]: [[f64; D]; 2],
-) -> Result<(String, Domain<D>), Failure> {
+) -> Result<(String, Domain), Failure> {
     let space = Domain::space(metric);
     if space.is_one_period() {
         return Ok(("a period".to_owned(), space));

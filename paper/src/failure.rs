@@ -57,7 +57,7 @@ from_libraries! {
     tautline::CertificateError,
     tautline::CertifyError,
     tautline::GraphPathError,
-    tautline::LatticeSearchError,
+    tautline::RequestError,
     tautline::LocalError,
     tautline::MetricError,
     tautline::RecordError,

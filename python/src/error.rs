@@ -1,7 +1,7 @@
 //! The exceptions.
 
 use pyo3::{PyErr, create_exception, exceptions::PyValueError};
-use tautline::{CertificateError, GraphPathError, SolveError};
+use tautline::{CertificateError, GraphPathError, RequestError, SolveError};
 use tautline_any::GivenError;
 
 create_exception!(
@@ -38,10 +38,12 @@ create_exception!(
 /// Returns the exception of an error.
 pub(crate) fn raised(error: &GivenError) -> PyErr {
     match error {
-        GivenError::Solve(SolveError::Metric(_)) => MetricError::new_err(error.to_string()),
-        GivenError::Lattice(GraphPathError::FarFromEnd { .. } | GraphPathError::NotConnected) => {
-            LatticeError::new_err(error.to_string())
+        GivenError::Request(RequestError::Solve(SolveError::Metric(_))) => {
+            MetricError::new_err(error.to_string())
         }
+        GivenError::Request(RequestError::Lattice(
+            GraphPathError::FarFromEnd { .. } | GraphPathError::NotConnected,
+        )) => LatticeError::new_err(error.to_string()),
         GivenError::Constants(_) => NotCertified::new_err(error.to_string()),
         _ => ProblemError::new_err(error.to_string()),
     }

@@ -5,14 +5,13 @@ use core::ops::ControlFlow;
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    ANY, Constants, Curvature, Integral, PointSequence, Stop, certify::Watch,
+    ANY, Constants, Curvature, Integral, PointSequence, Stop, TIE, certify::Watch,
     decimal::shortly_down, distance::Progress,
 };
 
 use crate::{
     Float, Line,
     bounds::{Proving, bounds},
-    tolerance::finer_grid,
 };
 
 /// A curve between the two sets, and bounds on their distance.
@@ -70,7 +69,7 @@ impl Answer {
             extrapolated: extrapolated(line),
             search: search(line),
             resolved: line.is_resolved(),
-            within_tolerance: tolerance.map(|tolerance| finer_grid(line, tolerance).is_none()),
+            within_tolerance: tolerance.map(|tolerance| line.is_within(tolerance)),
             bounds: None,
             no_bounds: None,
             curve: points(&minimum.sequence),
@@ -268,10 +267,6 @@ pub struct OtherMinimum {
     /// The points of its curve.
     pub curve: Vec<Vec<f64>>,
 }
-
-/// Lengths that differ by less than this fraction count as equal: on a coarser grid a curve is a
-/// little longer.
-const TIE: f64 = 1e-5;
 
 /// Returns whether a length is shorter than another one by more than a tie.
 pub(crate) fn is_shorter(length: f64, than: f64) -> bool {

@@ -3,18 +3,16 @@
 use core::ops::ControlFlow;
 
 use tautline::{
-    ANY, CertifyError, Constants, Formula, Interval, Known, LocalError, PointSequence, ProofError,
-    RayleighQuotient, RecordError, Short, Stop, TautLine, are_gram,
+    ANY, CertifyError, Constants, Interval, Known, LocalError, PointSequence, ProofError,
+    RayleighQuotient, Short, Stop, are_gram,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
     distance::{Ended, Progress},
 };
 
 use crate::{
-    BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, Line, UsedConstants,
-    certified::ended,
-    constants::too_many_coordinates,
-    dimension::{InDimension, in_proved_dimension},
+    BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, LARGEST_PROVED_DIMENSION,
+    Line, UsedConstants, certified::ended, constants::too_many_coordinates,
 };
 
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
@@ -27,9 +25,7 @@ pub(crate) fn bounds(
 ) -> Result<Bounds, String> {
     line.rule().paper_rule().map_err(|error| error.to_string())?;
     let Some(claimed) = proving.claimed else {
-        let proof = Proof { accuracy: proving.accuracy, line, others, watch, observe };
-        let found = in_proved_dimension(line.sequence().dimension(), proof);
-        return found.unwrap_or_else(|| Err(too_many_coordinates()));
+        return by_proof(proving.accuracy, line, others, watch, observe);
     };
     if proving.is_in_a_region {
         return Err(IN_A_REGION.to_owned());
@@ -63,43 +59,33 @@ fn by_claims(claimed: Constants, line: &Line, others: &[Line]) -> Result<Bounds,
     found.and_no_longer_than(lengths).without_contradiction()
 }
 
-/// Bounds by constants that are proved from the formula.
-struct Proof<'l> {
+/// Returns bounds by constants that are proved from the formula.
+fn by_proof(
     accuracy: Accuracy,
-    line: &'l Line,
-    others: &'l [Line],
-    watch: &'l dyn Watch,
-    observe: &'l mut dyn FnMut(Progress) -> ControlFlow<()>,
-}
-
-impl InDimension for Proof<'_> {
-    type Output = Result<Bounds, String>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let Self { accuracy, others, watch, observe, .. } = self;
-        let line = typed::<D>(self.line)?;
-        let proof =
-            line.prove_watched(accuracy, watch, observe).map_err(|error| no_proof(&error))?;
-        let within = proof
-            .within
-            .map(|ball| BallAnswer { centre: ball.centre().as_slice().to_vec(), radius: ball.r() });
-        let constants = UsedConstants::new(proof.constants, true, within);
-        let mut found = in_words(proof.enclosure, constants, line.minimum().is_local_minimum());
-        if proof.enclosure.from_below == FromBelow::Certificate {
-            found.certificate = proof.found.map(|found| CertificateAnswer {
-                cubes: found.proved.levels.iter().map(|(cubes, _)| cubes).sum(),
-                reached: found.ended == Ended::Reached,
-                ended: ended(found.ended),
-            });
-        }
-        found = found.after(line.minimum().stop);
-        Ok(found.and_no_longer_than(others.iter().filter_map(length_above)))
+    line: &Line,
+    others: &[Line],
+    watch: &dyn Watch,
+    observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Bounds, String> {
+    if line.sequence().dimension() > LARGEST_PROVED_DIMENSION {
+        return Err(too_many_coordinates());
     }
-}
-
-/// Returns a line in its dimension.
-fn typed<const D: usize>(line: &Line) -> Result<TautLine<Formula<D>, D>, String> {
-    line.in_dimension().ok_or_else(|| RecordError::BlackBox.to_string())
+    line.metric().formula().map_err(|error| error.to_string())?;
+    let proof = line.prove_watched(accuracy, watch, observe).map_err(|error| no_proof(&error))?;
+    let within = proof
+        .within
+        .map(|ball| BallAnswer { centre: ball.centre_slice().to_vec(), radius: ball.r() });
+    let constants = UsedConstants::new(proof.constants, true, within);
+    let mut found = in_words(proof.enclosure, constants, line.minimum().is_local_minimum());
+    if proof.enclosure.from_below == FromBelow::Certificate {
+        found.certificate = proof.found.map(|found| CertificateAnswer {
+            cubes: found.levels().iter().map(|(cubes, _)| cubes).sum(),
+            reached: found.ended() == Ended::Reached,
+            ended: ended(found.ended()),
+        });
+    }
+    found = found.after(line.minimum().stop);
+    Ok(found.and_no_longer_than(others.iter().filter_map(length_above)))
 }
 
 /// Returns a proved upper bound on the length of a line, if there is one.

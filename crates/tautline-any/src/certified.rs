@@ -5,17 +5,12 @@ use core::ops::ControlFlow;
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    CertificateError, RecordError,
-    check::{self, CheckError},
-    distance::{DistanceError, Ended, Progress, Wanted},
+    CertificateError,
+    distance::{AnyCubes, AnyFound, Ended, Progress, Wanted},
 };
 use tautline_picture::portrait::Cubes;
 
-use crate::{
-    Float, Line,
-    answer::points,
-    dimension::{InDimension, in_small_dimension},
-};
+use crate::{Float, Line, answer::points};
 
 /// Bounds on the distance, with a certificate that anybody can check.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -73,10 +68,8 @@ impl CertifiedAnswer {
         wanted: Wanted,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, CertificateError> {
-        let dimension = line.sequence().dimension();
-        let search = Search { line, wanted, observe };
-        let refused = || Err(DistanceError::Refused(CheckError::Dimension { dimension }).into());
-        match in_small_dimension(dimension, search).unwrap_or_else(refused) {
+        match line.any_certificate(wanted, observe) {
+            Ok(found) => Ok(Self::found(line, &found)),
             Err(CertificateError::Touching) => {
                 let ended = "the sets have a common point";
                 Ok(without_certificate(line, 0.0, ended))
@@ -85,48 +78,33 @@ impl CertifiedAnswer {
                 let ended = "the sets touch up to rounding, and no common point is proved";
                 Ok(without_certificate(line, upper, ended))
             }
-            found => found,
+            Err(error) => Err(error),
         }
     }
-}
 
-/// A search for a certificate.
-struct Search<'l> {
-    line: &'l Line,
-    wanted: Wanted,
-    observe: &'l mut dyn FnMut(Progress) -> ControlFlow<()>,
-}
-
-impl InDimension for Search<'_> {
-    type Output = Result<CertifiedAnswer, CertificateError>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let Self { line, wanted, observe } = self;
-        let typed = line.in_dimension::<D>().ok_or(RecordError::BlackBox)?;
-        let found = typed.certificate_with(wanted, observe)?;
-        let proved = &found.proved;
-        let levels = proved
-            .levels
-            .iter()
-            .map(|&(cubes, lower)| LevelAnswer { cubes, lower: Float::from(lower) });
-        let corridor = found.certificate.levels.iter().map(|level| level.cubes());
-        let corridor = corridor.chain([&proved.corridor]).map(plain).collect();
+    fn found(line: &Line, found: &AnyFound) -> Self {
+        let levels = found.levels().iter();
+        let levels = levels.map(|&(cubes, lower)| LevelAnswer { cubes, lower: Float::from(lower) });
+        let corridor = found.corridor();
+        let (corridor_cubes, corridor_side) =
+            (corridor.places.len() / found.dimension(), Float::from(corridor.side));
+        let plain = |AnyCubes { side, places }| Cubes { side, places };
         let others = line.other_minima();
-        Ok(CertifiedAnswer {
-            lower: Float::from(proved.lower),
-            upper: Float::from(proved.upper.unwrap_or(f64::INFINITY)),
-            gap: Float::from(proved.gap().unwrap_or(f64::INFINITY)),
-            reached: found.ended == Ended::Reached,
-            ended: ended(found.ended),
+        Self {
+            lower: Float::from(found.lower()),
+            upper: Float::from(found.upper().unwrap_or(f64::INFINITY)),
+            gap: Float::from(found.gap().unwrap_or(f64::INFINITY)),
+            reached: found.ended() == Ended::Reached,
+            ended: ended(found.ended()),
             levels: levels.collect(),
-            corridor_cubes: proved.corridor.places().len(),
-            corridor_side: Float::from(proved.corridor.side()),
+            corridor_cubes,
+            corridor_side,
             note: None,
-            certificate: found.certificate.to_string(),
+            certificate: found.certificate(),
             curve: points(line.sequence()),
             other_minima: others.iter().map(|other| points(other.sequence())).collect(),
-            corridor,
-        })
+            corridor: found.cubes().into_iter().chain([corridor]).map(plain).collect(),
+        }
     }
 }
 
@@ -148,11 +126,6 @@ fn without_certificate(line: &Line, upper: f64, ended: &'static str) -> Certifie
         other_minima: Vec::new(),
         corridor: Vec::new(),
     }
-}
-
-/// Returns cubes without their dimension.
-fn plain<const D: usize>(cubes: &check::Cubes<D>) -> Cubes {
-    Cubes { side: cubes.side(), places: cubes.places().iter().flatten().copied().collect() }
 }
 
 /// Says why a search ended.

@@ -3,14 +3,12 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    ANY, CertifyError, Domain, Formula, Quantity, RecordError, SetError, Shape,
-    certify::{Accuracy, Cell, Watch, certify_watched},
+    ANY, AnySet, CertifiedConstant, CertifyError, Domain, Formula, Quantity, RecordError, SetError,
+    Shape,
+    certify::{Accuracy, Cell, Watch, certify_by_formula},
 };
 
-use crate::{
-    Float, LARGEST_PROVED_DIMENSION,
-    dimension::{InDimension, in_proved_dimension},
-};
+use crate::{Float, LARGEST_PROVED_DIMENSION};
 
 /// The constants of a metric, and where they hold.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -98,67 +96,52 @@ pub fn constants(
     accuracy: Accuracy,
     watch: &dyn Watch,
 ) -> Result<ConstantsAnswer, ConstantsError> {
-    let prove = Prove { formula, within, accuracy, watch };
-    let found = in_proved_dimension(formula.dimension(), prove);
-    found.unwrap_or(Err(ConstantsError::TooManyCoordinates))
-}
-
-struct Prove<'f> {
-    formula: &'f Formula<ANY>,
-    within: Option<&'f Shape<ANY>>,
-    accuracy: Accuracy,
-    watch: &'f dyn Watch,
-}
-
-impl InDimension for Prove<'_> {
-    type Output = Result<ConstantsAnswer, ConstantsError>;
-
-    fn run<const D: usize>(self) -> Self::Output {
-        let Self { formula, within, accuracy, watch } = self;
-        let Some(formula) = formula.clone().into_dimension::<D>() else {
-            return Err(ConstantsError::TooManyCoordinates);
-        };
-        let (domain, region) = domain(&formula, within)?;
-        let if_it_settles = domain.is_declared_to_settle();
-        let of = |quantity| {
-            let found = certify_watched(&formula, quantity, &domain, accuracy, watch);
-            answer(quantity, found)
-        };
-        Ok(ConstantsAnswer { region, if_it_settles, constants: Quantity::ALL.map(of).into() })
+    if formula.dimension() > LARGEST_PROVED_DIMENSION {
+        return Err(ConstantsError::TooManyCoordinates);
     }
+    let (domain, region) = domain(formula, within)?;
+    let if_it_settles = domain.is_declared_to_settle();
+    let of = |quantity| {
+        let found = certify_by_formula(formula, quantity, &domain, accuracy, watch);
+        answer(quantity, found)
+    };
+    Ok(ConstantsAnswer { region, if_it_settles, constants: Quantity::ALL.map(of).into() })
 }
 
 /// What constants on all of space assume of a metric that is declared to settle.
 pub const IF_IT_SETTLES: &str = "if the metric settles within a distance of 2^100";
 
 /// Returns where constants are proved, and the same in words.
-fn domain<const D: usize>(
-    formula: &Formula<D>,
+fn domain(
+    formula: &Formula<ANY>,
     within: Option<&Shape<ANY>>,
-) -> Result<(Domain<D>, String), ConstantsError> {
+) -> Result<(Domain, String), ConstantsError> {
     let refuse = |message: String| ConstantsError::Region(message);
-    let within = within.map(|shape| shape.clone().into_dimension());
-    let within = within.transpose().map_err(|error: SetError| refuse(error.to_string()))?;
     let (domain, region) = match within {
         None => {
-            let space = Domain::space(formula);
+            let space = Domain::space_by_formula(formula);
             if space.is_all_of_space() {
                 return Ok((space, "all of space".to_owned()));
             }
-            let settled = Domain::settled_space(formula);
+            let settled = Domain::settled_space_by_formula(formula);
             return settled
                 .map(|space| (space, format!("all of space, {IF_IT_SETTLES}")))
                 .map_err(ConstantsError::NotAllOfSpace);
         }
+        Some(shape) if shape.dimension() != formula.dimension() => {
+            let (what, found) = (shape.name(), shape.dimension());
+            let other = SetError::Coordinates { what, found, dimension: formula.dimension() };
+            return Err(refuse(other.to_string()));
+        }
         Some(Shape::Ball(ball)) => {
             let (centre, r) = (ball.centre_slice(), ball.r());
             let region = format!("the ball of radius {r} about {centre:?}");
-            (Domain::ball(*ball.centre(), r), region)
+            (Domain::ball(centre, r), region)
         }
         Some(Shape::AxisBox(side)) => {
             let [low, high] = side.corner_slices();
             let region = format!("the box from {low:?} to {high:?}");
-            (Cell::new(*side.lower(), *side.upper()).map(Domain::cell), region)
+            (Cell::new(low, high).map(Domain::cell), region)
         }
         Some(shape) => {
             return Err(refuse(format!("constants hold in a ball or a box, not {}", shape.name())));
@@ -167,10 +150,7 @@ fn domain<const D: usize>(
     domain.map(|domain| (domain, region)).map_err(|error| refuse(error.to_string()))
 }
 
-fn answer<const D: usize>(
-    quantity: Quantity,
-    proved: Result<tautline::CertifiedConstant<D>, CertifyError>,
-) -> ConstantAnswer {
+fn answer(quantity: Quantity, proved: Result<CertifiedConstant, CertifyError>) -> ConstantAnswer {
     let finite = |bound: f64| bound.is_finite().then(|| Float::from(bound));
     let name = quantity.to_string();
     let bounds = match quantity {
@@ -193,7 +173,7 @@ fn answer<const D: usize>(
             proved: true,
             lower: finite(constant.lower),
             upper: finite(constant.upper),
-            at: Some(constant.at.as_slice().to_vec()),
+            at: Some(constant.at),
             ..none
         },
         Err(error) => {

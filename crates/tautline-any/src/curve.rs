@@ -13,7 +13,6 @@ use crate::{
     Bounds, CertifiedAnswer, Estimated, Line, Proofs, Search,
     answer::{extrapolated, is_shorter, search},
     bounds::bounds,
-    tolerance::finer_grid,
 };
 
 /// How much more energy another minimum may have, and be shorter.
@@ -112,8 +111,7 @@ impl Curve {
     /// extrapolation: an estimate, not a bound.
     #[must_use]
     pub fn is_within(&self, tolerance: f64) -> bool {
-        // NaN is no tolerance.
-        tolerance > 0.0 && finer_grid(&self.0, tolerance).is_none()
+        self.0.is_within(tolerance)
     }
 
     /// Returns the speeds of the chords, in `m`.

@@ -23,34 +23,18 @@ pub trait InDimension {
 /// [`LARGEST_FIXED_DIMENSION`].
 pub fn in_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
     Some(match d {
+        1 => task.run::<1>(),
+        2 => task.run::<2>(),
+        3 => task.run::<3>(),
+        4 => task.run::<4>(),
+        5 => task.run::<5>(),
+        6 => task.run::<6>(),
         7 => task.run::<7>(),
         8 => task.run::<8>(),
         9 => task.run::<9>(),
         10 => task.run::<10>(),
         11 => task.run::<11>(),
         12 => task.run::<12>(),
-        _ => return in_proved_dimension(d, task),
-    })
-}
-
-/// Does something in the dimension `d`; returns `None` if it is 0 or above
-/// [`LARGEST_PROVED_DIMENSION`].
-pub(crate) fn in_proved_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
-    Some(match d {
-        5 => task.run::<5>(),
-        6 => task.run::<6>(),
-        _ => return in_small_dimension(d, task),
-    })
-}
-
-/// Does something in the dimension `d`; returns `None` if it is 0 or above 4, the largest dimension of
-/// lattices and certificates.
-pub(crate) fn in_small_dimension<T: InDimension>(d: usize, task: T) -> Option<T::Output> {
-    Some(match d {
-        1 => task.run::<1>(),
-        2 => task.run::<2>(),
-        3 => task.run::<3>(),
-        4 => task.run::<4>(),
         _ => return None,
     })
 }

@@ -4,14 +4,13 @@ use core::ops::ControlFlow::{Break, Continue};
 use std::sync::Arc;
 
 use tautline::{
-    ANY, AnyBatches, AnySet, BlackBox, Formula, Known, Problem, SolveError, Table, Values,
-    certify::Watch, solve_all,
+    ANY, AnyBatches, AnySet, BlackBox, Formula, Grid, Known, Problem, Request, RequestError,
+    SolveError, Table, Values, certify::Watch, solve_all,
 };
 
 use crate::{
-    ConstantsAnswer, ConstantsError, Curve, GivenError, Grid, LARGEST_DIMENSION, Least, Proofs,
-    Region, Request, Shape, constants::constants, ends::ends, least_entry::least_entry,
-    region::avoiding,
+    ConstantsAnswer, ConstantsError, Curve, GivenError, LARGEST_DIMENSION, Least, Proofs, Region,
+    Shape, constants::constants, ends::ends, least_entry::least_entry, region::avoiding,
 };
 
 /// A metric on `R^d`, where `d` is known when the program runs. Its programs are derived once, and
@@ -170,7 +169,7 @@ impl Given {
         goes_on: &dyn Fn() -> bool,
     ) -> Found {
         let go_on = || if goes_on() { Continue(()) } else { Break(()) };
-        let line = request.line(&self.problem(ends)?, &mut |_| go_on())?;
+        let line = self.problem(ends)?.answer_watched(request, &mut |_| go_on())?;
         Ok(Arc::new(line.into()))
     }
 
@@ -183,7 +182,7 @@ impl Given {
         };
         let options = match request.options(self.dimension()) {
             Ok(options) => options,
-            Err(error) => return vec![Err(error); ends.len()],
+            Err(error) => return vec![Err(error.into()); ends.len()],
         };
         let problems: Vec<_> = ends.iter().map(|&ends| self.problem(ends)).collect();
         let posed: Vec<_> =
@@ -191,8 +190,8 @@ impl Given {
         let mut solved = solve_all(&posed, request.rule, n, &options).into_iter();
         let next = |problem: Result<_, _>| {
             problem.and_then(|_| {
-                let line = solved.next().unwrap_or(Err(SolveError::NoStart))?;
-                Ok(Arc::new(Curve::from(line)))
+                let line = solved.next().unwrap_or(Err(SolveError::NoStart));
+                Ok(Arc::new(Curve::from(line.map_err(RequestError::Solve)?)))
             })
         };
         problems.into_iter().map(next).collect()
@@ -206,7 +205,8 @@ impl Given {
             pieces.iter().try_for_each(|shape| check_coordinates(shape, self.dimension()))?;
         }
         let ends = ends(from.to_vec(), to.to_vec())?;
-        Ok(Problem::with_known(Arc::clone(&self.metric), ends)?)
+        let problem = Problem::with_known(Arc::clone(&self.metric), ends);
+        Ok(problem.map_err(RequestError::Solve)?)
     }
 }
 

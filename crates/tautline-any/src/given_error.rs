@@ -1,11 +1,8 @@
 //! `GivenError`: why a problem that was given as values has no curve.
 
-use tautline::{
-    ANY, BlackBox, GraphPathError, LatticeSearchError, SequenceError, SetError, SolveError,
-    TextError,
-};
+use tautline::{ANY, BlackBox, RequestError, SetError, TextError};
 
-use crate::{ConstantsError, LARGEST_DIMENSION, LEAST_TOLERANCE};
+use crate::{ConstantsError, LARGEST_DIMENSION};
 
 /// Why a problem has no curve.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -48,20 +45,6 @@ pub enum GivenError {
     /// Both sets are unbounded, or members of a union differ in dimension.
     #[error(transparent)]
     Set(#[from] SetError),
-    /// A start is no sequence of points.
-    #[error("a start: {0}")]
-    Start(#[from] SequenceError),
-    /// The tolerance is less than [`LEAST_TOLERANCE`], or not less than 1.
-    #[error(
-        "the tolerance is {tolerance}; it must be at least {LEAST_TOLERANCE:e} and less than 1"
-    )]
-    Tolerance {
-        /// The relative error of the length that was wanted.
-        tolerance: f64,
-    },
-    /// A lattice was given besides a tolerance.
-    #[error("a lattice besides a tolerance: a search along a lattice has a number of chords")]
-    LatticeAndTolerance,
     /// The step of differences is not positive and finite.
     #[error("the step of differences is {step}; it must be positive and finite")]
     Step {
@@ -86,19 +69,7 @@ pub enum GivenError {
     /// No constants were sought.
     #[error(transparent)]
     Constants(#[from] ConstantsError),
-    /// A lattice, or a path along it, is not there.
+    /// The request has no curve.
     #[error(transparent)]
-    Lattice(#[from] GraphPathError),
-    /// Nothing was found.
-    #[error(transparent)]
-    Solve(#[from] SolveError),
-}
-
-impl From<LatticeSearchError> for GivenError {
-    fn from(error: LatticeSearchError) -> Self {
-        match error {
-            LatticeSearchError::Path(error) => error.into(),
-            LatticeSearchError::Solve(error) => error.into(),
-        }
-    }
+    Request(#[from] RequestError),
 }

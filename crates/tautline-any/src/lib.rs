@@ -1,8 +1,7 @@
 //! Problems, curves, bounds and certificates in a dimension that is known when the program runs.
 //!
-//! Problem files, the command and Python stand on this crate. [`in_dimension`] and its kin list the
-//! dimensions for which proofs, certificates, lattices, audits and the gallery are compiled; everything else
-//! is compiled once.
+//! Problem files, the command and Python stand on this crate, which is compiled once for all dimensions.
+//! [`in_dimension`] lists those for which audits and the gallery are compiled.
 //!
 //! ```
 //! use tautline::{Ball, HalfSpace};
@@ -28,9 +27,8 @@ mod float;
 mod given;
 mod given_error;
 mod least_entry;
+mod proofs;
 mod region;
-mod request;
-mod tolerance;
 
 pub use answer::{
     Answer, BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, OtherMinimum, Search,
@@ -50,10 +48,12 @@ pub use float::Float;
 pub use given::{Found, Given};
 pub use given_error::GivenError;
 pub use least_entry::{Least, least_at, least_entry};
+pub use proofs::{ACCURACY, Proofs, default_boxes};
 pub use region::{Region, distance, factor};
-pub use request::{ACCURACY, CHORDS, Grid, LEAST_TOLERANCE, Nodes, Proofs, Request, default_boxes};
 
-pub use tautline::{TextError, Values};
+pub use tautline::{
+    CHORDS, Grid, LEAST_TOLERANCE, Nodes, Request, RequestError, TextError, Values,
+};
 
 /// A set in a dimension that is known when the program runs.
 pub type Shape = tautline::Shape<{ tautline::ANY }>;

@@ -77,7 +77,7 @@ fn period<const D: usize>(formula: &Formula<D>, around: Option<&Region<D>>) -> O
     if !space.is_one_period() || sides.iter().all(|side| side.width() == 0.0) {
         return None;
     }
-    let end = |share: f64, side: fn(usize, &[tautline::Interval; D]) -> f64, other: f64| {
+    let end = |share: f64, side: fn(usize, &[tautline::Interval]) -> f64, other: f64| {
         SVector::<f64, D>::from_fn(|i, _| {
             if sides[i].width() > 0.0 {
                 return side(i, sides);

@@ -1,7 +1,7 @@
 //! `Certified`: a metric with constants proved from its formula.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::{AnyMetric, Formula};
+use tautline_formula::Formula;
 use tautline_metrics::{Bounded, Constants, Metric};
 use tautline_scalar::Scalar;
 
@@ -46,9 +46,8 @@ impl<M: Metric<D>, const D: usize> Certified<M, D> {
     /// [`LocallyCertified`](crate::LocallyCertified). Otherwise the errors of
     /// [`CertifiedConstants::new`].
     pub fn new(metric: M, accuracy: Accuracy) -> Result<Self, CertifyError> {
-        AnyMetric::new(&metric)
-            .formula()
-            .and_then(Formula::symmetric)
+        Formula::record(&metric)
+            .and_then(|formula| formula.symmetric().map(|_| ()))
             .map_err(CertifyError::NotRecorded)?;
         let space = Domain::space(&metric);
         if !space.is_all_of_space() {

@@ -68,6 +68,16 @@ pub enum CertifyError {
     /// The dimension is 0.
     #[error("D = 0: there is no dimension")]
     NoDimension,
+    /// A point or a domain lies in another space.
+    #[error("{what} with {found} coordinates in {dimension} dimensions")]
+    Coordinates {
+        /// What it is.
+        what: &'static str,
+        /// The number of its coordinates.
+        found: usize,
+        /// The dimension.
+        dimension: usize,
+    },
     /// At a point of the domain the formula, evaluated in intervals, may be undefined: a root of a
     /// number that may be negative, for example, or the tangent of a number beyond `2³⁸`.
     #[error("the metric may be undefined at {point:?}")]
@@ -103,6 +113,18 @@ pub enum CertifyError {
     /// The bounds do not form the constants of a metric; for example, one of them overflows.
     #[error(transparent)]
     Hypothesis(#[from] HypothesisError),
+}
+
+impl CertifyError {
+    /// Refuses a number of coordinates that is not the dimension.
+    pub(crate) fn check_coordinates(
+        what: &'static str,
+        found: usize,
+        dimension: usize,
+    ) -> Result<(), Self> {
+        let other = Self::Coordinates { what, found, dimension };
+        if found == dimension { Ok(()) } else { Err(other) }
+    }
 }
 
 /// Says what is known of a constant.

@@ -3,26 +3,26 @@
 #[cfg(test)]
 mod tests;
 
-use nalgebra::SVector;
+use nalgebra::DVector;
 use num_traits::{One, Zero};
-use tautline_formula::{AnyMetric, Formula};
+use tautline_formula::Formula;
 use tautline_metrics::Metric;
-use tautline_scalar::{Interval, Jet2, Scalar};
+use tautline_scalar::{ANY, Interval, Scalar};
 
 use crate::{
     Cell, CertifyError,
-    constants::lifted::is_bounded,
+    constants::{Expansion, Order, is_bounded},
     formula::{Along, Lift, dependence, is_radial, superfluous},
     patch::{Patch, Point, Region},
 };
 
 /// A convex compact set on which constants are proved, and the scope in which they then hold.
 ///
-/// On a convex set the largest `‖DH‖` is the Lipschitz constant of `H`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Domain<const D: usize> {
-    cell: Cell<D>,
-    ball: Option<(SVector<f64, D>, f64)>,
+/// On a convex set the largest `‖DH‖` is the Lipschitz constant of `H`. The dimension is a value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Domain {
+    cell: Cell,
+    ball: Option<(DVector<f64>, f64)>,
     scope: Scope,
 }
 
@@ -42,7 +42,7 @@ enum Scope {
     SettledSpace,
 }
 
-impl<const D: usize> Domain<D> {
+impl Domain {
     /// How far [`Domain::space`] reaches where a metric is neither constant nor periodic: `2¹⁰⁰ ℓ`.
     ///
     /// At this reach tenth powers of coordinates do not overflow. They remain negligible when
@@ -51,7 +51,7 @@ impl<const D: usize> Domain<D> {
 
     /// Returns the domain that consists of a box.
     #[must_use]
-    pub fn cell(cell: Cell<D>) -> Self {
+    pub fn cell(cell: Cell) -> Self {
         Self { cell, ball: None, scope: Scope::Region }
     }
 
@@ -61,20 +61,19 @@ impl<const D: usize> Domain<D> {
     ///
     /// [`CertifyError::NotARadius`] if the radius is negative or not finite, and
     /// [`CertifyError::NotASide`] if the centre is not finite.
-    pub fn ball(centre: impl Into<SVector<f64, D>>, radius: f64) -> Result<Self, CertifyError> {
-        let centre = centre.into();
+    pub fn ball(centre: impl AsRef<[f64]>, radius: f64) -> Result<Self, CertifyError> {
+        let centre = DVector::from_column_slice(centre.as_ref());
         if !(radius >= 0.0 && radius.is_finite()) {
             return Err(CertifyError::NotARadius { radius });
         }
         // The box reaches one double farther, since the sums are rounded. For radius 0 it does not:
         // nothing is rounded, and a derivative may vanish at the centre only.
         let cell = if radius == 0.0 {
-            Cell::new(centre, centre)?
+            Cell::new(centre.as_slice(), centre.as_slice())?
         } else {
-            Cell::new(
-                centre.map(|c| (c - radius).next_down()),
-                centre.map(|c| (c + radius).next_up()),
-            )?
+            let below = centre.map(|c| (c - radius).next_down());
+            let above = centre.map(|c| (c + radius).next_up());
+            Cell::new(below.as_slice(), above.as_slice())?
         };
         Ok(Self { cell, ball: Some((centre, radius)), scope: Scope::Region })
     }
@@ -105,45 +104,47 @@ impl<const D: usize> Domain<D> {
     /// use tautline_formula::Formula;
     /// use tautline_metrics::gallery::{Sphere, Valleys};
     ///
-    /// let valleys = Domain::<2>::space(&Valleys);
-    /// let [x1, x2] = valleys.bounding_cell().sides();
+    /// let valleys = Domain::space::<2>(&Valleys);
+    /// let [x1, x2] = valleys.bounding_cell().sides() else { unreachable!() };
     /// assert!(valleys.is_all_of_space());
     /// assert!(x1.lo() == 0.0 && 6.28 < x1.hi() && x1.hi() < 6.29 && x2.width() == 0.0);
     ///
     /// let walls = Formula::<2>::parse("4 + tanh(x1) + sin(x1 + 0.3*x2) I", &[])?;
     /// assert!(Domain::space(&walls).is_all_of_space());
-    /// assert!(!Domain::<2>::space(&Sphere).is_all_of_space());
+    /// assert!(!Domain::space::<2>(&Sphere).is_all_of_space());
     /// # Ok::<(), tautline_formula::TextError>(())
     /// ```
     #[must_use]
-    pub fn space(metric: &impl Metric<D>) -> Self {
-        let metric = &AnyMetric::new(metric);
-        let along = along(metric);
-        let sides = along.map(|along| match along {
-            Along::Constant => Interval::zero(),
-            // 2π is enclosed as 8 arctan 1.
-            Along::Periodic(wave_number) => {
-                let period = Interval::constant(1.0).atan() * 8.0 / wave_number;
-                Interval::zero().hull(period)
-            }
-            Along::Unknown => Interval::point(-Self::REACH).hull(Interval::point(Self::REACH)),
-        });
-        let corner = |end: fn(Interval) -> f64| SVector::from(sides.map(end));
-        // For the smallest wave numbers, the period overflows.
-        let Ok(cell) = Cell::new(corner(Interval::lo), corner(Interval::hi)) else {
-            let far = SVector::from_element(Self::REACH);
-            let cell = Cell::new(-far, far).expect("finite");
-            return Self { cell, ball: None, scope: Scope::Region };
+    pub fn space<const D: usize>(metric: &impl Metric<D>) -> Self {
+        match Formula::record(metric) {
+            Ok(formula) => Self::space_by_formula(&formula.into_any()),
+            Err(_) => Self::within_reach(D),
+        }
+    }
+
+    /// Returns the [space](Domain::space) of a formula, in a dimension that is a value.
+    #[must_use]
+    pub fn space_by_formula(formula: &Formula<ANY>) -> Self {
+        let along = along(formula);
+        let Some(cell) = representative(&along) else {
+            return Self::within_reach(formula.dimension());
         };
         let scope = if along.iter().all(|along| *along != Along::Unknown) {
             Scope::Space
         } else {
-            match lift(metric, &along).filter(is_bounded) {
+            match lift(formula, &along).filter(is_bounded) {
                 Some(lift) => Scope::Lifted { sharp: lift.is_sharp() },
                 None => Scope::Region,
             }
         };
         Self { cell, ball: None, scope }
+    }
+
+    /// Returns the box of which a metric shows nothing beyond.
+    fn within_reach(d: usize) -> Self {
+        let far = vec![Self::REACH; d];
+        let near: Vec<_> = far.iter().map(|far| -far).collect();
+        Self { cell: Cell::new(near, far).expect("finite"), ball: None, scope: Scope::Region }
     }
 
     /// Returns [`space`](Domain::space) as all of `R^D`, for a metric that you declare to settle:
@@ -159,20 +160,29 @@ impl<const D: usize> Domain<D> {
     ///
     /// [`CertifyError::NotSettled`] with the coordinate along which the check fails;
     /// [`CertifyError::NotRecorded`] if the formula cannot be recorded or is not known to be symmetric.
-    pub fn settled_space(metric: &impl Metric<D>) -> Result<Self, CertifyError> {
-        let metric = &AnyMetric::new(metric);
-        metric.formula().and_then(Formula::symmetric).map_err(CertifyError::NotRecorded)?;
-        let space = Self::space(metric);
+    pub fn settled_space<const D: usize>(metric: &impl Metric<D>) -> Result<Self, CertifyError> {
+        let formula = Formula::record(metric).map_err(CertifyError::NotRecorded)?;
+        Self::settled_space_by_formula(&formula.into_any())
+    }
+
+    /// Returns the [settled space](Domain::settled_space) of a formula, in a dimension that is a value.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`settled_space`](Domain::settled_space).
+    pub fn settled_space_by_formula(formula: &Formula<ANY>) -> Result<Self, CertifyError> {
+        formula.symmetric().map_err(CertifyError::NotRecorded)?;
+        let space = Self::space_by_formula(formula);
         if space.is_all_of_space() {
             return Ok(space);
         }
-        let far = |side: &Interval| side.hi() == Self::REACH;
-        for coordinate in (0..D).filter(|&k| far(&space.cell.sides()[k])) {
+        let sides = space.cell.sides();
+        for coordinate in (0..sides.len()).filter(|&k| sides[k].hi() == Self::REACH) {
             for sign in [1.0, -1.0] {
-                let mut shell = *space.cell.sides();
+                let mut shell = sides.to_vec();
                 shell[coordinate] =
                     (Interval::point(0.5).hull(Interval::one())) * (sign * Self::REACH);
-                let change = relative_change(metric, &shell, coordinate);
+                let change = relative_change(formula, &shell, coordinate);
                 if !(change <= 1e-9) {
                     return Err(CertifyError::NotSettled { coordinate, change });
                 }
@@ -181,10 +191,16 @@ impl<const D: usize> Domain<D> {
         Ok(Self { scope: Scope::SettledSpace, ..space })
     }
 
+    /// Returns the dimension.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.cell.dimension()
+    }
+
     /// Returns the bounding box, which is the domain itself unless the domain is a ball or, for some
     /// metrics, [all of space](Domain::space).
     #[must_use]
-    pub fn bounding_cell(&self) -> &Cell<D> {
+    pub fn bounding_cell(&self) -> &Cell {
         &self.cell
     }
 
@@ -219,69 +235,90 @@ impl<const D: usize> Domain<D> {
         self.scope != Scope::Lifted { sharp: false }
     }
 
-    /// Returns whether constants of `metric` on the domain hold on all of `R^D`. The domain may have
-    /// been made for another metric.
-    pub(crate) fn represents_space_for(&self, metric: &impl Metric<D>) -> bool {
+    /// Returns whether constants of a formula on the domain hold on all of `R^D`. The domain may have
+    /// been made for another one.
+    pub(crate) fn represents_space_for(&self, formula: &Formula<ANY>) -> bool {
         match self.scope {
             Scope::Region => false,
-            Scope::Space | Scope::Lifted { .. } => *self == Self::space(metric),
-            Scope::SettledSpace => Self::settled_space(metric).is_ok_and(|space| *self == space),
+            Scope::Space | Scope::Lifted { .. } => *self == Self::space_by_formula(formula),
+            Scope::SettledSpace => {
+                Self::settled_space_by_formula(formula).is_ok_and(|space| *self == space)
+            }
         }
     }
 
-    /// Returns the lifted formula in whose variables the domain is all of space for `metric`.
-    pub(crate) fn lift(&self, metric: &AnyMetric<'_, D>) -> Option<Lift<D>> {
+    /// Returns the lifted formula in whose variables the domain is all of space for a formula.
+    pub(crate) fn lift(&self, formula: &Formula<ANY>) -> Option<Lift> {
         let is_lifted =
-            matches!(self.scope, Scope::Lifted { .. }) && self.represents_space_for(metric);
-        is_lifted.then(|| lift(metric, &along(metric))).flatten()
+            matches!(self.scope, Scope::Lifted { .. }) && self.represents_space_for(formula);
+        is_lifted.then(|| lift(formula, &along(formula))).flatten()
     }
 }
 
-impl<const D: usize> Region for Domain<D> {
+impl Region for Domain {
     fn patches(&self) -> Vec<Patch> {
         vec![Patch { sides: self.cell.sides().to_vec(), chart: 0 }]
     }
 
     fn misses(&self, patch: &Patch) -> bool {
-        self.ball.is_some_and(|(centre, radius)| {
-            let nearest = distance_squared(&nearest(patch, &centre), &centre);
-            nearest.lo() > Interval::point(radius).sqr().hi()
+        self.ball.as_ref().is_some_and(|(centre, radius)| {
+            let nearest = distance_squared(&nearest(patch, centre), centre);
+            nearest.lo() > Interval::point(*radius).sqr().hi()
         })
     }
 
     fn point_in(&self, patch: &Patch) -> Option<Point> {
         let middle = patch.middle();
-        let Some((centre, radius)) = self.ball else { return Some(middle) };
-        let inside = |x: &SVector<f64, D>| {
-            distance_squared(x, &centre).hi() <= Interval::point(radius).sqr().lo()
+        let Some((centre, radius)) = &self.ball else { return Some(middle) };
+        let inside = |x: &DVector<f64>| {
+            distance_squared(x, centre).hi() <= Interval::point(*radius).sqr().lo()
         };
-        let x = SVector::from_column_slice(&middle.at);
+        let x = DVector::from_column_slice(&middle.at);
         if inside(&x) {
             return Some(middle);
         }
         // The point on the ray through the midpoint that lies on or just inside the sphere, then
         // clamped to the box.
         let away = x - centre;
-        let pulled = centre + away * (radius / away.norm() * (1.0 - 4.0 * f64::EPSILON));
-        let found = [pulled, centre].map(|x| nearest(patch, &x)).into_iter().find(|x| inside(x))?;
-        Some(Point { at: found.iter().copied().collect(), chart: patch.chart })
+        let share = radius / away.norm() * (1.0 - 4.0 * f64::EPSILON);
+        let pulled = centre + away * share;
+        let candidates = [&pulled, centre].map(|x| nearest(patch, x));
+        let found = candidates.into_iter().find(|x| inside(x))?;
+        Some(Point { at: found.as_slice().to_vec(), chart: patch.chart })
     }
 }
 
 /// Returns the point of the box nearest to `x`, both in `ℓ`.
-fn nearest<const D: usize>(patch: &Patch, x: &SVector<f64, D>) -> SVector<f64, D> {
-    SVector::from_fn(|i, _| x[i].clamp(patch.sides[i].lo(), patch.sides[i].hi()))
+fn nearest(patch: &Patch, x: &DVector<f64>) -> DVector<f64> {
+    DVector::from_fn(x.len(), |i, _| x[i].clamp(patch.sides[i].lo(), patch.sides[i].hi()))
+}
+
+/// Returns a box of which all of space is the copies, as far as the dependence on each coordinate is known;
+/// `None` if a period overflows.
+fn representative(along: &[Along]) -> Option<Cell> {
+    let side = |along: &Along| match *along {
+        Along::Constant => Interval::zero(),
+        // 2π is enclosed as 8 arctan 1.
+        Along::Periodic(wave_number) => {
+            let period = Interval::constant(1.0).atan() * 8.0 / wave_number;
+            Interval::zero().hull(period)
+        }
+        Along::Unknown => Interval::point(-Domain::REACH).hull(Interval::point(Domain::REACH)),
+    };
+    let sides: Vec<_> = along.iter().map(side).collect();
+    let corner =
+        |end: fn(Interval) -> f64| -> Vec<f64> { sides.iter().map(|&side| end(side)).collect() };
+    Cell::new(corner(Interval::lo), corner(Interval::hi)).ok()
 }
 
 /// Returns the lifted formula, if it has few variables.
-fn lift<const D: usize>(metric: &AnyMetric<'_, D>, along: &[Along; D]) -> Option<Lift<D>> {
-    Lift::new(metric.formula().ok()?, along.map(|along| along == Along::Constant))
+fn lift(formula: &Formula<ANY>, along: &[Along]) -> Option<Lift> {
+    Lift::new(formula, along.iter().map(|along| *along == Along::Constant).collect())
 }
 
 /// Returns how the metric depends on each coordinate, up to motions that leave the constants
 /// unchanged.
-fn along<const D: usize>(metric: &AnyMetric<'_, D>) -> [Along; D] {
-    let Ok(formula) = metric.formula() else { return [Along::Unknown; D] };
+fn along(formula: &Formula<ANY>) -> Vec<Along> {
     let mut along = dependence(formula);
     if is_radial(formula) {
         // A ray suffices: the constants do not depend on the direction.
@@ -297,19 +334,15 @@ fn along<const D: usize>(metric: &AnyMetric<'_, D>) -> [Along; D] {
 
 /// Returns the largest of `R |∂ₖHᵢⱼ|` and `R² |∂ₖ∂ₗHᵢⱼ|` on a box, for a coordinate `k` and all `l`,
 /// divided by the least diagonal entry, where `R` is the reach.
-fn relative_change<const D: usize>(
-    metric: &impl Metric<D>,
-    sides: &[Interval; D],
-    k: usize,
-) -> f64 {
-    let reach = Interval::point(Domain::<D>::REACH);
-    let gram = metric.gram(&SVector::from(Jet2::variables(sides)));
-    let least = (0..D).map(|i| gram[(i, i)].value()).reduce(Interval::hull);
+fn relative_change(formula: &Formula<ANY>, sides: &[Interval], k: usize) -> f64 {
+    let (reach, d) = (Interval::point(Domain::REACH), sides.len());
+    let gram = Expansion::of(formula, sides, Order::Second);
+    let least = (0..d).map(|i| gram.value(i, i)).reduce(Interval::hull);
     let mut most = Interval::zero();
-    for entry in gram.iter() {
-        most = most.hull(entry.first(k) * reach);
-        for l in 0..D {
-            most = most.hull(entry.second(k, l) * reach.sqr());
+    for (i, j) in (0..d).flat_map(|j| (0..=j).map(move |i| (i, j))) {
+        most = most.hull(gram.first(k, i, j) * reach);
+        for l in 0..d {
+            most = most.hull(gram.second(k, l, i, j) * reach.sqr());
         }
     }
     match least {
@@ -318,7 +351,7 @@ fn relative_change<const D: usize>(
     }
 }
 
-fn distance_squared<const D: usize>(x: &SVector<f64, D>, y: &SVector<f64, D>) -> Interval {
+fn distance_squared(x: &DVector<f64>, y: &DVector<f64>) -> Interval {
     x.iter().zip(y).fold(Interval::zero(), |sum, (&x, &y)| {
         sum + (Interval::point(x) - Interval::point(y)).sqr()
     })

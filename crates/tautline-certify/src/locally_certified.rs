@@ -1,10 +1,14 @@
 //! `LocallyCertified`: a metric with constants on balls that are proved from its formula.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_formula::Formula;
 use tautline_metrics::{Constants, LocalError, LocallyBounded, Metric};
-use tautline_scalar::Scalar;
+use tautline_scalar::{ANY, Scalar};
 
-use crate::{Accuracy, CertifiedConstants, Domain, Watch, progress::unwatched};
+use crate::{
+    Accuracy, CertifiedConstants, CertifyError, Domain, Watch, constants::recorded,
+    progress::unwatched,
+};
 
 /// A metric whose constants on a ball are proved from its formula on demand. The competitors of a
 /// computed line need only these constants, and the metric may have none on all of `R^D`.
@@ -63,17 +67,36 @@ impl<M> LocallyCertified<M> {
     where
         M: Metric<D>,
     {
-        LocalError::check_ball(centre, radius)?;
-        let proved = Domain::ball(*centre, radius).and_then(|ball| {
-            let (metric, accuracy) = (&self.metric, self.accuracy);
-            CertifiedConstants::within_budget_watched(metric, &ball, accuracy, watch)?.constants()
-        });
-        // The constants hold only on the ball, even if the formula shows more.
-        proved.map(Constants::on_a_region).map_err(|why| {
-            let budget_spent = matches!(why, crate::CertifyError::BudgetSpent { .. });
-            LocalError::NotProved { radius, reason: why.to_string(), budget_spent }
-        })
+        LocalError::check_ball(centre.as_slice(), radius)?;
+        let formula = recorded(&self.metric).map_err(|why| not_proved(radius, &why))?;
+        constants_within(&formula, centre.as_slice(), radius, self.accuracy, watch)
     }
+}
+
+/// Proves constants on a ball from the formula, in a dimension that is a value, and tells `watch` of the
+/// progress.
+///
+/// # Errors
+///
+/// Those of [`LocallyCertified::constants_within_watched`].
+pub fn constants_within(
+    formula: &Formula<ANY>,
+    centre: &[f64],
+    radius: f64,
+    accuracy: Accuracy,
+    watch: &dyn Watch,
+) -> Result<Constants, LocalError> {
+    LocalError::check_ball(centre, radius)?;
+    let proved = Domain::ball(centre, radius).and_then(|ball| {
+        CertifiedConstants::within_budget_by_formula(formula, &ball, accuracy, watch)?.constants()
+    });
+    // The constants hold only on the ball, even if the formula shows more.
+    proved.map(Constants::on_a_region).map_err(|why| not_proved(radius, &why))
+}
+
+fn not_proved(radius: f64, why: &CertifyError) -> LocalError {
+    let budget_spent = matches!(why, CertifyError::BudgetSpent { .. });
+    LocalError::NotProved { radius, reason: why.to_string(), budget_spent }
 }
 
 impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {

@@ -22,17 +22,20 @@ pub struct Progress {
 ///
 /// ```
 /// use std::sync::atomic::{AtomicBool, Ordering};
-/// use tautline_certify::{Accuracy, CertifyError, Domain, Progress, Quantity, certify_watched};
+/// use tautline_certify::{Accuracy, CertifyError, Domain, Progress, Quantity, certify_by_formula};
+/// use tautline_formula::Formula;
 /// use tautline_metrics::gallery::Valleys;
 ///
 /// let stop = AtomicBool::new(true);
 /// let watch = |_: Progress| !stop.load(Ordering::Relaxed);
-/// let space = Domain::<2>::space(&Valleys);
+/// let valleys = Formula::<2>::record(&Valleys)?.into_any();
+/// let space = Domain::space_by_formula(&valleys);
 /// let accuracy = Accuracy::default();
-/// let found = certify_watched(&Valleys, Quantity::LH, &space, accuracy, &watch);
+/// let found = certify_by_formula(&valleys, Quantity::LH, &space, accuracy, &watch);
 /// // What is known when the search ends is valid.
 /// let Err(CertifyError::BudgetSpent { upper, .. }) = found else { panic!("{found:?}") };
 /// assert!(upper >= 4.40);
+/// # Ok::<(), tautline_formula::RecordError>(())
 /// ```
 pub trait Watch: Sync {
     /// Is called after every round of boxes. The search goes on if it returns true; otherwise it

@@ -6,9 +6,8 @@ use tautline_sets::Shape;
 
 use crate::{
     CheckError, Cubes, Level, Place, Region,
-    polygon::length_within,
     region::MOST,
-    sweep::Sweep,
+    steps::{self, Lengths},
     work::{self, UNLIMITED, Work, lines},
 };
 
@@ -193,7 +192,7 @@ impl<'c, const D: usize> Chain<'c, D> {
         if let Some((row, column)) = differ {
             return Err(CheckError::Halves { row, column });
         }
-        region.prove_within(formula, sets.each_ref(), hi, &work)?;
+        steps::prove_region(region, formula, sets.each_ref(), hi, &work)?;
         Ok(Self { formula, sets, hi, region, work, lower: 0.0, kept: None, levels: Vec::new() })
     }
 
@@ -216,7 +215,7 @@ impl<'c, const D: usize> Chain<'c, D> {
     ///
     /// As [`length_above`](crate::length_above).
     pub fn length_above(&self, points: &[SVector<f64, D>]) -> Result<f64, CheckError> {
-        length_within(self.formula, self.sets.each_ref(), points, &self.work)
+        steps::length(self.formula, self.sets.each_ref(), points, &self.work)
     }
 
     /// Returns whether no curve shorter than `hi` is left, so that more levels prove no more.
@@ -251,7 +250,7 @@ impl<'c, const D: usize> Chain<'c, D> {
         match &self.kept {
             None => {
                 let limits = (exponent, most, work);
-                self.region.required_within(self.sets.each_ref(), self.hi, limits)
+                steps::required(self.region, self.sets.each_ref(), self.hi, limits)
             }
             Some(kept) if exponent == kept.exponent() => Ok(kept.clone()),
             Some(kept) if exponent == kept.exponent() - 1 => kept.halved(),
@@ -281,12 +280,10 @@ impl<'c, const D: usize> Chain<'c, D> {
         if cubes.places().is_empty() {
             return Err(CheckError::Empty);
         }
+        let lengths = Lengths { hi: self.hi, keep: self.hi.max(keep) };
+        let first = self.kept.is_none().then_some(self.region);
         let sets = self.sets.each_ref();
-        let sweep = Sweep::new(self.formula, sets, level, &self.work)?;
-        if self.kept.is_none() {
-            self.region.prove_exit(sets, self.hi, &sweep)?;
-        }
-        let swept = sweep.shorter_than(self.hi.max(keep))?;
+        let swept = steps::sweep(self.formula, sets, level, lengths, first, &self.work)?;
         let kept: Vec<Place<D>> = swept.kept;
         self.lower = self.lower.max(swept.lower.min(self.hi));
         self.kept = Some(Cubes::new(cubes.exponent(), kept)?);

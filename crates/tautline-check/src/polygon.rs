@@ -9,6 +9,7 @@ use tautline_sets::Shape;
 use crate::{
     CheckError,
     rounding::{add_up, mul_up, sqrt_up},
+    steps,
     vertex_test::{Decomposed, symmetric},
     work::{UNLIMITED, Work},
 };
@@ -35,7 +36,7 @@ pub fn length_above<const D: usize>(
     if let Some((row, column)) = formula.unequal_halves() {
         return Err(CheckError::Halves { row, column });
     }
-    length_within(formula, sets, points, &UNLIMITED)
+    steps::length(formula, sets, points, &UNLIMITED)
 }
 
 /// Does the same, for no more than this work.

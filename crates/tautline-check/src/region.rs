@@ -10,6 +10,7 @@ use crate::{
     lattice::{self, halves},
     rounding::{add_down, div_up, mul_down, sqrt_down},
     set::{Piece, Spot, bounding_box, distance_below},
+    steps,
     sweep::Sweep,
     vertex_test::{Decomposed, gram},
     work::{UNLIMITED, Work},
@@ -66,7 +67,7 @@ impl Region {
         if let Some((row, column)) = formula.unequal_halves() {
             return Err(CheckError::Halves { row, column });
         }
-        self.prove_within(formula, sets, hi, &UNLIMITED)
+        steps::prove_region(*self, formula, sets, hi, &UNLIMITED)
     }
 
     /// Does the same, for no more than this work.
@@ -99,7 +100,7 @@ impl Region {
         hi: f64,
         exponent: i32,
     ) -> Result<Cubes<D>, CheckError> {
-        self.required_within(sets, hi, (exponent, MOST, &UNLIMITED))
+        steps::required(*self, sets, hi, (exponent, MOST, &UNLIMITED))
     }
 
     /// Does the same, given the exponent, if there are no more than so many cubes.

@@ -2,7 +2,6 @@
 //! meet.
 
 use nalgebra::{SMatrix, SVector};
-use rayon::prelude::*;
 use tautline_formula::Formula;
 use tautline_scalar::Interval;
 use tautline_sets::Shape;
@@ -12,6 +11,7 @@ use crate::{
     kuhn::{Simplex, simplices},
     lattice::{self, numbers},
     level_sets::{Growth, LevelSets, least_sum},
+    parallel::{in_chunks, in_parallel},
     quadratic::{Bernstein, gradient},
     rounding::mul_up,
     set::{Piece, Spot, distance_below},
@@ -74,17 +74,16 @@ impl<'l, const D: usize> Sweep<'l, D> {
         work.spend_cubes::<D>(cubes.places().len())?;
         let corners = cubes.corners();
         let exponent = cubes.exponent();
-        let grams: Vec<SMatrix<Interval, D, D>> = corners
-            .par_iter()
-            .map(|place| {
+        let grams: Vec<SMatrix<Interval, D, D>> = in_chunks(corners.len(), &|range| {
+            let gram_at = |place: &Place<D>| {
                 work.go_on()?;
                 Ok(gram(formula, &lattice::point(exponent, place).map(Interval::point)))
-            })
-            .collect::<Result<_, CheckError>>()?;
-        let tested = cubes
-            .places()
-            .par_iter()
-            .map_init(Scratch::default, |scratch, place| {
+            };
+            corners[range].iter().map(gram_at).collect::<Result<_, CheckError>>()
+        })?;
+        let tested = in_chunks(cubes.places().len(), &|range| {
+            let (mut scratch, mut found) = (Scratch::default(), Vec::new());
+            for place in &cubes.places()[range] {
                 work.go_on()?;
                 let shift = shift(formula, exponent, place);
                 numbers(&corners, place, 1, &mut scratch.numbers);
@@ -98,14 +97,15 @@ impl<'l, const D: usize> Sweep<'l, D> {
                 }
                 let values = scratch.values(level, place);
                 let test = |simplex| tested(simplex, &values, &decomposed, 1.0 / cubes.side());
-                Ok(simplices.iter().map(test).collect())
-            })
-            .collect::<Result<Vec<Vec<Tested>>, CheckError>>()?;
+                found.extend(simplices.iter().map(test));
+            }
+            Ok::<_, CheckError>(found)
+        })?;
         let meetings = [
             meetings(&simplices, (sets[0], 0), level, work)?,
             meetings(&simplices, (sets[1], 1), level, work)?,
         ];
-        Ok(Self { level, work, simplices, tested: tested.concat(), meetings })
+        Ok(Self { level, work, simplices, tested, meetings })
     }
 
     /// Returns a lower bound on the length of the curves from set to set that stay in the cubes and
@@ -123,15 +123,10 @@ impl<'l, const D: usize> Sweep<'l, D> {
                 LevelSets::new(left.map(|(tested, _)| tested.growths[i]), start[i], end[i])
             });
             lower = lower.max(sets[0].below(end[0])).max(sets[1].below(end[1]));
-            let dropped: Vec<bool> = self
-                .tested
-                .par_iter()
-                .zip(&kept)
-                .map(|(tested, &kept)| {
-                    let ranges = tested.growths.map(|growth| growth.range);
-                    kept && least_sum([&sets[0], &sets[1]], ranges, tested.sum) >= hi
-                })
-                .collect();
+            let dropped = in_parallel(kept.len(), &|k| {
+                let ranges = self.tested[k].growths.map(|growth| growth.range);
+                kept[k] && least_sum([&sets[0], &sets[1]], ranges, self.tested[k].sum) >= hi
+            });
             let changed = dropped.contains(&true);
             for (kept, dropped) in kept.iter_mut().zip(dropped) {
                 *kept &= !dropped;
@@ -271,12 +266,13 @@ fn meetings<const D: usize>(
 ) -> Result<Vec<Meeting>, CheckError> {
     let pieces = pieces_of(set);
     let cubes = level.cubes();
-    let of_cube = |scratch: &mut Scratch, (n, place): (usize, &Place<D>)| {
+    let of_cube = |scratch: &mut Scratch, n: usize| {
         work.go_on()?;
+        let place = &cubes.places()[n];
         let cube = lattice::cube(cubes.exponent(), place);
         let near: Vec<_> = near(&pieces, &cube).collect();
         if near.is_empty() {
-            return Ok(Vec::new());
+            return Ok::<_, CheckError>(Vec::new());
         }
         near.iter().try_for_each(|(shape, _)| work.spend_meeting(shape))?;
         let low = lattice::point(cubes.exponent(), place);
@@ -298,9 +294,13 @@ fn meetings<const D: usize>(
         }
         Ok(meetings)
     };
-    let places = cubes.places().par_iter().enumerate();
-    let found = places.map_init(Scratch::default, of_cube);
-    Ok(found.collect::<Result<Vec<Vec<Meeting>>, CheckError>>()?.concat())
+    in_chunks(cubes.places().len(), &|range| {
+        let (mut scratch, mut found) = (Scratch::default(), Vec::new());
+        for n in range {
+            found.extend(of_cube(&mut scratch, n)?);
+        }
+        Ok(found)
+    })
 }
 
 /// Memory for one cube.

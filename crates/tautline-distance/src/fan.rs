@@ -11,7 +11,7 @@
 use std::collections::BTreeSet;
 
 use nalgebra::{SMatrix, SVector};
-use rayon::prelude::*;
+use tautline_check::in_parallel;
 use tautline_formula::Formula;
 use tautline_sets::Shape;
 
@@ -165,7 +165,8 @@ impl<const D: usize> Fan<D> {
         };
         // Without the geodesic there is no fan; without another ray there is a gap.
         let mut rays = vec![(SVector::zeros(), ray(&SVector::zeros())?)];
-        rays.par_extend(lattice.par_iter().filter_map(|at| Some((*at, ray(at)?))));
+        let others = in_parallel(lattice.len(), &|k| ray(&lattice[k]));
+        rays.extend(lattice.iter().zip(others).filter_map(|(at, ray)| Some((*at, ray?))));
         let charts = charts(&rays, steps)?;
         Some(Self { rays, charts, spacing })
     }
@@ -321,9 +322,8 @@ impl<const D: usize> Pencil<D> {
         points: &[SVector<f64, D>],
         (reach, steps): (f64, usize),
     ) -> Rays<D> {
-        let of_points = points.par_iter().map(|x| self.fans[end].coordinates(x));
-        let of_points: Vec<Coordinates<D>> =
-            of_points.filter(|at| at.iter().all(|c| c.is_finite())).collect();
+        let mut of_points = in_parallel(points.len(), &|k| self.fans[end].coordinates(&points[k]));
+        of_points.retain(|at| at.iter().all(|c| c.is_finite()));
         let largest = of_points.iter().fold(SVector::repeat(0.0), |most: Coordinates<D>, at| {
             most.zip_map(at, |most, c| most.max(c.abs()))
         });

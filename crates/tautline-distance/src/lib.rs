@@ -7,7 +7,9 @@
 //! `serde`, off by default: [`Wanted`] and [`Ended`] are written and read by the names of their fields
 //! and variants. A certificate has a format of its own.
 
+mod any;
 mod calibration;
+mod contact;
 mod error;
 mod fan;
 mod first_level;
@@ -24,6 +26,7 @@ mod search;
 mod seed;
 mod tubes;
 
+pub use any::{AnyCubes, AnyFound, search_any, shortest_chord};
 pub use error::DistanceError;
 pub use found::{Ended, Found, Progress, Wanted};
 pub use search::search;

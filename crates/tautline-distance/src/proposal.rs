@@ -3,8 +3,7 @@
 use std::collections::HashMap;
 
 use nalgebra::SVector;
-use rayon::prelude::*;
-use tautline_check::{Cubes, Place};
+use tautline_check::{Cubes, Place, in_parallel};
 use tautline_sets::Shape;
 
 use crate::{
@@ -127,7 +126,9 @@ impl<const D: usize> Search<'_, D> {
                 Source::Fans => self.wide_fans(side, &points, &pencil_of)?,
                 _ => Vec::new(),
             };
-            let of_some = |(chunk, points): (usize, &[SVector<f64, D>])| -> Vec<f64> {
+            let of_some = |chunk: usize| -> Vec<f64> {
+                let rest = &points[chunk * CHUNK..];
+                let points = &rest[..CHUNK.min(rest.len())];
                 let narrow = self.pencils.iter().map(|(_, pencil)| &pencil.fans[side]);
                 let mut values: Vec<Walk<'_, D>> = match source {
                     Source::Fans => wide.iter().map(|fan| Box::new(fan.walk()) as _).collect(),
@@ -142,8 +143,7 @@ impl<const D: usize> Search<'_, D> {
                 };
                 points.iter().enumerate().map(value).collect()
             };
-            let values = points.par_chunks(CHUNK).enumerate().map(of_some);
-            Some(values.collect::<Vec<_>>().concat())
+            Some(in_parallel(points.len().div_ceil(CHUNK), &of_some).concat())
         };
         Some([of_side(0)?, of_side(1)?])
     }
@@ -214,8 +214,8 @@ impl<const D: usize> Search<'_, D> {
         let set = &self.sets[side];
         let is_point = matches!(set, Shape::Point(_));
         if source == Source::March || !is_point {
-            let value = |x: &SVector<f64, D>| seed(self.formula, set, band, x);
-            return points.par_iter().map(|x| value(x).unwrap_or(f64::INFINITY)).collect();
+            let value = |k: usize| seed(self.formula, set, band, &points[k]);
+            return in_parallel(points.len(), &|k| value(k).unwrap_or(f64::INFINITY));
         }
         // Everything behind a front a little beyond the point.
         let end = if side == 0 { self.curve[0] } else { self.curve[self.curve.len() - 1] };
@@ -226,15 +226,16 @@ impl<const D: usize> Search<'_, D> {
             let is_behind = |x: &SVector<f64, D>| {
                 (x - end).norm() <= reach && pencil.fans[side].value_near(x) <= front
             };
-            let behind: Vec<SVector<f64, D>> =
-                points.par_iter().filter(|x| is_behind(x)).copied().collect();
+            let are_behind = in_parallel(points.len(), &|k| is_behind(&points[k]));
+            let behind = points.iter().zip(&are_behind).filter(|&(_, &is_behind)| is_behind);
+            let behind: Vec<SVector<f64, D>> = behind.map(|(x, _)| *x).collect();
             let rays = pencil.covering(side, rings(D), &behind, (2.0 * front, SHORT));
             let wide = Fan::new(self.formula, &self.sets[side], geodesic, side, &rays);
             let fan = wide.as_ref().unwrap_or(&pencil.fans[side]);
-            let value = |x: &SVector<f64, D>| {
-                if is_behind(x) { fan.value(x) } else { f64::INFINITY }
+            let value = |k: usize| {
+                if are_behind[k] { fan.value(&points[k]) } else { f64::INFINITY }
             };
-            let values: Vec<f64> = points.par_iter().map(value).collect();
+            let values = in_parallel(points.len(), &value);
             for (seed, value) in seeds.iter_mut().zip(values) {
                 // Without a value a node is no seed.
                 if value < *seed {

@@ -3,15 +3,13 @@
 use std::ops::ControlFlow;
 
 use nalgebra::SVector;
-use rayon::prelude::*;
-use tautline_check::{
-    Certificate, Chain, CheckError, Cubes, LARGEST_DIMENSION, Level, length_above,
-};
+use tautline_check::{Certificate, Chain, CheckError, Cubes, Level, in_parallel, length_above};
 use tautline_formula::Formula;
 use tautline_sets::Shape;
 
 use crate::{
     DistanceError, Ended, Found, Progress, Wanted,
+    any::search_any,
     fan::Pencil,
     geodesic::Geodesic,
     inside::inside,
@@ -97,9 +95,21 @@ pub fn search<const D: usize>(
     wanted: Wanted,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Found<D>, DistanceError> {
-    if !(1..=LARGEST_DIMENSION).contains(&D) {
-        return Err(DistanceError::Refused(CheckError::Dimension { dimension: D }));
-    }
+    let sets = sets.each_ref().map(|set| set.clone().into_any());
+    let coordinates = |curve: &Vec<SVector<f64, D>>| curve.iter().flatten().copied().collect();
+    let curves: Vec<Vec<f64>> = curves.iter().map(coordinates).collect();
+    let found = search_any(&formula.clone().into_any(), &sets, &curves, wanted, observe)?;
+    found.into_dimension().ok_or(DistanceError::Refused(CheckError::Dimension { dimension: D }))
+}
+
+/// Searches in one dimension.
+pub(crate) fn search_in<const D: usize>(
+    formula: &Formula<D>,
+    sets: &[Shape<D>; 2],
+    curves: &[Vec<SVector<f64, D>>],
+    wanted: Wanted,
+    observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Found<D>, DistanceError> {
     if !(wanted.gap > 0.0 && wanted.gap < 1.0) {
         return Err(DistanceError::Gap { gap: wanted.gap });
     }
@@ -113,7 +123,7 @@ pub fn search<const D: usize>(
         let sets = [sets[1].clone(), sets[0].clone()];
         let turned = |curve: &Vec<SVector<f64, D>>| curve.iter().rev().copied().collect();
         let curves: Vec<Vec<SVector<f64, D>>> = curves.iter().map(turned).collect();
-        return search(formula, &sets, &curves, wanted, observe);
+        return search_in(formula, &sets, &curves, wanted, observe);
     }
     let mut curve = curves.first().filter(|curve| curve.len() > 1).cloned().unwrap_or_default();
     if let [first, .., last] = &mut curve[..] {
@@ -223,7 +233,8 @@ impl<const D: usize> Search<'_, D> {
                 let place = at.position().map(|x| (x / cubes.side()).floor() as i32);
                 cubes.contains(&place.into())
             }
-            _ => centres.par_iter().any(|x| distance(piece, x) <= reach),
+            _ => in_parallel(centres.len(), &|k| distance(piece, &centres[k]) <= reach)
+                .contains(&true),
         };
         [0, 1].into_iter().any(|side| {
             let pieces = self.sets[side].pieces();

@@ -137,8 +137,18 @@ impl<const D: usize> Formula<D> {
     /// If `x` has fewer coordinates than the space.
     #[must_use]
     pub fn gram_at<S: Scalar>(&self, x: &[S]) -> Vec<S> {
-        let values = self.tape().values(x);
+        let values = self.values_at(x);
         self.entries.iter().map(|&entry| values[entry as usize]).collect()
+    }
+
+    /// Returns the values of all steps at `x`.
+    ///
+    /// # Panics
+    ///
+    /// If `x` has fewer coordinates than the space.
+    #[must_use]
+    pub fn values_at<S: Scalar>(&self, x: &[S]) -> Vec<S> {
+        self.tape().values(x)
     }
 
     /// Returns the steps.

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-use tautline_scalar::Scalar;
+use tautline_scalar::{Scalar, elementary};
 
 /// The place of a step on its tape. A step reads only earlier steps.
 pub type Step = u32;
@@ -132,6 +132,28 @@ functions! {
     Tanh tanh "tanh";
 }
 
+impl Function {
+    /// Returns the value at `x`, and the first and the second derivative there.
+    #[must_use]
+    pub fn expanded<S: Scalar>(self, x: S) -> [S; 3] {
+        match self {
+            Function::Neg => [-x, -S::one(), S::zero()],
+            Function::Sqr => elementary::sqr(x),
+            Function::Recip => elementary::recip(x),
+            Function::Sqrt => elementary::sqrt(x),
+            Function::Exp => elementary::exp(x),
+            Function::Ln => elementary::ln(x),
+            Function::Sin => Pair::SinCos.expanded(x)[0],
+            Function::Cos => Pair::SinCos.expanded(x)[1],
+            Function::Tan => elementary::tan(x),
+            Function::Atan => elementary::atan(x),
+            Function::Sinh => Pair::SinhCosh.expanded(x)[0],
+            Function::Cosh => Pair::SinhCosh.expanded(x)[1],
+            Function::Tanh => elementary::tanh(x),
+        }
+    }
+}
+
 /// Two functions of one number, evaluated together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pair {
@@ -148,6 +170,15 @@ impl Pair {
         match self {
             Pair::SinCos => [Function::Sin, Function::Cos],
             Pair::SinhCosh => [Function::Sinh, Function::Cosh],
+        }
+    }
+
+    /// Returns the values at `x`, each with the first and the second derivative.
+    #[must_use]
+    pub fn expanded<S: Scalar>(self, x: S) -> [[S; 3]; 2] {
+        match self {
+            Pair::SinCos => elementary::sin_cos(x),
+            Pair::SinhCosh => elementary::sinh_cosh(x),
         }
     }
 }

@@ -49,6 +49,16 @@ pub enum GraphPathError {
         /// How many there would be.
         nodes: f64,
     },
+    /// A corner, a spacing or an end lies in another dimension than the metric.
+    #[error("{what} has {found} coordinates in {dimension} dimensions")]
+    Coordinates {
+        /// What has them.
+        what: &'static str,
+        /// The number of coordinates.
+        found: usize,
+        /// The dimension.
+        dimension: usize,
+    },
     /// Lattices have one to four dimensions.
     #[error("a lattice in dimension {dimension}; at most {LARGEST_DIMENSION} are possible")]
     Dimension {

@@ -100,10 +100,7 @@ impl LocalError {
     ///
     /// [`LocalError::NotACentre`] if the centre is not finite; [`LocalError::NotARadius`] if the
     /// radius is negative or NaN.
-    pub fn check_ball<const D: usize>(
-        centre: &SVector<f64, D>,
-        radius: f64,
-    ) -> Result<(), LocalError> {
+    pub fn check_ball(centre: &[f64], radius: f64) -> Result<(), LocalError> {
         if let Some((index, &value)) = centre.iter().enumerate().find(|(_, x)| !x.is_finite()) {
             return Err(LocalError::NotACentre { index, value });
         }
@@ -116,7 +113,7 @@ pub(crate) fn norms_within<const D: usize>(
     centre: &SVector<f64, D>,
     radius: f64,
 ) -> Result<[f64; 2], LocalError> {
-    LocalError::check_ball(centre, radius)?;
+    LocalError::check_ball(centre.as_slice(), radius)?;
     let away = centre.norm();
     Ok([(away - radius).max(0.0), away + radius])
 }

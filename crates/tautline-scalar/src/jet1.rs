@@ -5,7 +5,7 @@ use std::{
     sync::Arc,
 };
 
-use crate::{Scalar, Table, operators::jet, table::raised};
+use crate::{Scalar, Table, elementary, operators::jet, table::raised};
 
 /// A first-order Taylor expansion `v + Σ gᵢ dxᵢ` in `D` variables.
 ///
@@ -60,7 +60,7 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
 
     /// Returns `f ∘ self`, where `f` has the given value and derivative at the value of `self`.
     #[inline]
-    fn chain(self, value: T, first: T, _second: T) -> Self {
+    fn chain(self, [value, first, _]: [T; 3]) -> Self {
         Self { value, first: self.first.map(|g| g * first) }
     }
 }

@@ -5,7 +5,7 @@ use std::{
     sync::Arc,
 };
 
-use crate::{Scalar, Table, operators::jet, table::raised};
+use crate::{Scalar, Table, elementary, operators::jet, table::raised};
 
 /// A second-order Taylor expansion `v + Σ gᵢ dxᵢ + ½ Σ hᵢⱼ dxᵢ dxⱼ` in `D` variables.
 ///
@@ -107,7 +107,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
 
     /// Returns `f ∘ self`, where `f` has the given value and derivatives at the value of `self`.
     #[inline]
-    fn chain(self, value: T, first: T, second: T) -> Self {
+    fn chain(self, [value, first, second]: [T; 3]) -> Self {
         let g = self.first;
         Self {
             value,

@@ -76,6 +76,7 @@
 
 mod any;
 pub mod decimal;
+pub mod elementary;
 #[cfg(test)]
 mod exact_decimal;
 mod f64_on_the_left;

@@ -55,8 +55,8 @@ macro_rules! operators_follow {
 
 /// Implements [`Scalar`](crate::Scalar), its operators and the accessors of value and gradient for
 /// a jet type. The type must have the fields `value` and `first`, `×` and `÷` with itself,
-/// `constant_part(T)`, `map(f: T → T)`, `zip(&other, f: (&mut T, T))` and `chain(f, f′, f″)`. Each
-/// elementary function is one line of the chain rule.
+/// `constant_part(T)`, `map(f: T → T)`, `zip(&other, f: (&mut T, T))` and the chain rule
+/// `chain([f, f′, f″])`.
 macro_rules! jet {
     ($jet:ident) => {
         jet!(@sum $jet, Add add AddAssign add_assign);
@@ -119,102 +119,60 @@ macro_rules! jet {
 
             #[inline]
             fn sqr(self) -> Self {
-                let x = self.value();
-                self.chain(x.sqr(), x * 2.0, T::constant(2.0))
+                self.chain(elementary::sqr(self.value))
             }
 
             #[inline]
             fn powi(self, n: i32) -> Self {
-                let x = self.value();
-                match n {
-                    // The general case would compute n xⁿ⁻¹ as 0 · ∞ at x = 0. `chain` multiplies
-                    // by these zeros, so what is undefined stays undefined.
-                    0 => self.chain(x.powi(0), T::zero(), T::zero()),
-                    1 => self,
-                    2 => self.sqr(),
-                    // Here n − 2 overflows.
-                    ..=-2_147_483_647 => {
-                        let (power, k) = (x.powi(n), f64::from(n));
-                        let first = power / x * k;
-                        self.chain(power, first, first / x * (k - 1.0))
-                    }
-                    // Here n (n − 1) has at most 53 bits.
-                    -67_108_863..=67_108_864 => {
-                        let k = f64::from(n);
-                        self.chain(x.powi(n), x.powi(n - 1) * k, x.powi(n - 2) * (k * (k - 1.0)))
-                    }
-                    // Here it is rounded, so intervals must enclose it.
-                    _ => {
-                        let k = f64::from(n);
-                        let bend = T::constant(k) * (k - 1.0);
-                        self.chain(x.powi(n), x.powi(n - 1) * k, x.powi(n - 2) * bend)
-                    }
-                }
+                // `chain` multiplies by the zeros of n = 0, so what is undefined stays undefined.
+                if n == 1 { self } else { self.chain(elementary::powi(self.value, n)) }
             }
 
             #[inline]
             fn recip(self) -> Self {
-                let r = self.value().recip();
-                self.chain(r, -r.sqr(), r.sqr() * r * 2.0)
+                self.chain(elementary::recip(self.value))
             }
 
             #[inline]
             fn sqrt(self) -> Self {
-                let x = self.value();
-                let s = x.sqrt();
-                let first = s.recip() * 0.5;
-                self.chain(s, first, -first / x * 0.5)
+                self.chain(elementary::sqrt(self.value))
             }
 
             #[inline]
             fn exp(self) -> Self {
-                let e = self.value().exp();
-                self.chain(e, e, e)
+                self.chain(elementary::exp(self.value))
             }
 
             #[inline]
             fn ln(self) -> Self {
-                let x = self.value();
-                let first = x.recip();
-                // ln x is NaN for x < 0, though 1/x is not. The derivatives must be NaN too.
-                let inside = x.ln() * 0.0;
-                self.chain(x.ln(), first + inside, -first.sqr() + inside)
+                self.chain(elementary::ln(self.value))
             }
 
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                let (s, c) = self.value().sin_cos();
-                (self.chain(s, c, -s), self.chain(c, -s, -c))
+                let [sin, cos] = elementary::sin_cos(self.value);
+                (self.chain(sin), self.chain(cos))
             }
 
             #[inline]
             fn tan(self) -> Self {
-                let t = self.value().tan();
-                let first = t.sqr() + 1.0;
-                self.chain(t, first, t * first * 2.0)
+                self.chain(elementary::tan(self.value))
             }
 
             #[inline]
             fn atan(self) -> Self {
-                let x = self.value();
-                let first = (x.sqr() + 1.0).recip();
-                self.chain(x.atan(), first, -x * first.sqr() * 2.0)
+                self.chain(elementary::atan(self.value))
             }
 
             #[inline]
             fn sinh_cosh(self) -> (Self, Self) {
-                let (s, c) = self.value().sinh_cosh();
-                (self.chain(s, c, s), self.chain(c, s, c))
+                let [sinh, cosh] = elementary::sinh_cosh(self.value);
+                (self.chain(sinh), self.chain(cosh))
             }
 
             #[inline]
             fn tanh(self) -> Self {
-                let x = self.value();
-                let t = x.tanh();
-                // The derivative is 1/cosh², not 1 − tanh², which cancels where tanh is close to
-                // ±1.
-                let first = x.cosh().sqr().recip();
-                self.chain(t, first, -t * first * 2.0)
+                self.chain(elementary::tanh(self.value))
             }
 
             /// Taylor's formula to second order, which is exact for jets.

@@ -2,15 +2,16 @@
 
 use std::{ops::ControlFlow, sync::Arc};
 
-use nalgebra::SVector;
 use tautline_bounds::{Enclosure, FromBelow};
-use tautline_check::{CheckError, length_above};
+use tautline_check::{CheckError, LARGEST_DIMENSION};
 use tautline_discretizations::Rule;
-use tautline_distance::{DistanceError, Found, Progress, Wanted, search};
-use tautline_formula::{Formula, RecordError};
+use tautline_distance::{
+    AnyFound, DistanceError, Found, Progress, Wanted, search_any, shortest_chord,
+};
+use tautline_formula::{Prepare, RecordError};
 use tautline_metrics::Metric;
 use tautline_optimizers::{Options, SolveError, Starts, Stop, Workspace, minimise_any};
-use tautline_sets::Shape;
+use tautline_sets::{AnySet, Shape};
 
 use crate::TautLine;
 
@@ -115,40 +116,55 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         wanted: Wanted,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Found<D>, CertificateError> {
+        let found = self.any_certificate(wanted, observe)?;
+        Ok(found
+            .into_dimension()
+            .ok_or(DistanceError::Refused(CheckError::Dimension { dimension: D }))?)
+    }
+}
+
+impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
+    /// Does the same as [`certificate_with`](TautLine::certificate_with). The certificate lies in a
+    /// dimension that is a value.
+    ///
+    /// # Errors
+    ///
+    /// [`CertificateError`].
+    pub fn any_certificate(
+        &self,
+        wanted: Wanted,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<AnyFound, CertificateError> {
         if !(wanted.gap > 0.0 && wanted.gap < 1.0) {
             return Err(CertificateError::Gap { gap: wanted.gap });
         }
-        if self.common_point().is_some() {
+        if self.proved_contact().is_some() {
             return Err(CertificateError::Touching);
         }
-        // The compiler decides.
-        if const { D == 0 || D > tautline_check::LARGEST_DIMENSION } {
-            let dimension = CheckError::Dimension { dimension: D };
-            return Err(DistanceError::Refused(dimension).into());
+        let dimension = self.any_ends().dimension();
+        if dimension > LARGEST_DIMENSION {
+            return Err(DistanceError::Refused(CheckError::Dimension { dimension }).into());
         }
-        let formula = match self.formula() {
-            Some(formula) => formula.clone(),
-            None => Formula::record(self.metric())?,
-        };
+        let formula = self.recorded()?.clone().into_any();
         formula.symmetric()?;
-        let shape = |end, set: &Arc<dyn tautline_sets::ClosedSet<D>>| {
-            let shape = set.shape().and_then(tautline_sets::Shape::into_elementary);
+        let shape = |end, set: &Arc<dyn AnySet>| {
+            let shape = set.shape().and_then(Shape::into_elementary);
             shape.ok_or(CertificateError::NoShape { end })
         };
-        let sets = [shape("first", self.ends().first())?, shape("second", self.ends().second())?];
+        let ends = self.any_ends();
+        let sets = [shape("first", ends.first())?, shape("second", ends.second())?];
         if self.minimum().stop == Stop::EndsTouch {
-            let (curve, upper) = self.between_members(&formula, &sets)?;
+            let (chord, upper) = shortest_chord(&formula, &sets, self.end_points())?;
             // A chord without length is a common point.
             if upper == 0.0 {
                 return Err(CertificateError::Touching);
             }
             // Under a metric with a large scale there may be cubes that are small enough.
-            let found = search(&formula, &sets, &[curve], wanted, observe);
+            let found = search_any(&formula, &sets, &[chord], wanted, observe);
             return found.map_err(|_| CertificateError::NearlyTouching { upper });
         }
         let length = self.length().value;
-        let mut curves: Vec<(f64, Vec<SVector<f64, D>>)> =
-            vec![(length, self.refined(wanted.gap)?)];
+        let mut curves: Vec<(f64, Vec<f64>)> = vec![(length, self.refined(wanted.gap)?)];
         for other in self.other_minima() {
             let length = other.length().value;
             if length < NEARLY * self.length().value {
@@ -157,34 +173,7 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
             }
         }
         let curves: Vec<_> = curves.into_iter().map(|(_, curve)| curve).collect();
-        Ok(search(&formula, &sets, &curves, wanted, observe)?)
-    }
-
-    /// Returns a chord from a member of the first set to one of the second next to the ends of this line,
-    /// and its proved length.
-    fn between_members(
-        &self,
-        formula: &Formula<D>,
-        [first, second]: &[Shape<D>; 2],
-    ) -> Result<(Vec<SVector<f64, D>>, f64), CertificateError> {
-        let ends = [self.sequence().first(), self.sequence().last()];
-        let pairs = ends.into_iter().flat_map(|x| {
-            let (a, b) = (first.proved_member(x), second.proved_member(x));
-            let there = a.and_then(|a| Some([a, second.proved_member(&a)?]));
-            let back = b.and_then(|b| Some([first.proved_member(&b)?, b]));
-            [there, back, a.zip(b).map(|(a, b)| [a, b])]
-        });
-        let (mut curves, mut reason) = (Vec::new(), CheckError::CurveEnd { end: "first" });
-        for pair in pairs.flatten() {
-            match length_above(formula, [first, second], &pair) {
-                Ok(length) => curves.push((pair.to_vec(), length)),
-                Err(error) => reason = error,
-            }
-        }
-        // An infinite length is no bound.
-        let finite = curves.into_iter().filter(|(_, length)| length.is_finite());
-        let shortest = finite.min_by(|(_, a), (_, b)| a.total_cmp(b));
-        shortest.ok_or_else(|| DistanceError::Curve(reason).into())
+        Ok(search_any(&formula, &sets, &curves, wanted, observe)?)
     }
 
     /// Searches for a certificate that proves about as much as this enclosure does under the
@@ -194,24 +183,25 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         &self,
         enclosure: &Enclosure,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Option<Found<D>> {
+    ) -> Option<AnyFound> {
         let gap = 1.0 - (enclosure.lower / enclosure.upper).sqrt();
         let is_trivial = matches!(enclosure.from_below, FromBelow::Nothing | FromBelow::Euclidean);
         if !(enclosure.assumes_global_minimum || is_trivial && gap > GAP_IN_SPACE) {
             return None;
         }
         let [least, most] = GAPS_IN_THE_PLANE;
-        let gap = if D <= 2 { gap.clamp(least, most) } else { GAP_IN_SPACE };
-        self.certificate_with(Wanted { gap, cubes: MOST_CUBES }, observe).ok()
+        let is_flat = self.any_ends().dimension() <= 2;
+        let gap = if is_flat { gap.clamp(least, most) } else { GAP_IN_SPACE };
+        self.any_certificate(Wanted { gap, cubes: MOST_CUBES }, observe).ok()
     }
 
-    /// Returns the points of this line, or of a finer one from the same start, if this one is too long
-    /// for the gap.
-    fn refined(&self, gap: f64) -> Result<Vec<SVector<f64, D>>, SolveError> {
+    /// Returns the coordinates of the points of this line, or of a finer one from the same start, if this one
+    /// is too long for the gap.
+    fn refined(&self, gap: f64) -> Result<Vec<f64>, SolveError> {
         let n = self.sequence().n().get();
         let square = self.length().value.powi(2);
         if !(square > 0.0) {
-            return Ok(self.sequence().points().to_vec());
+            return Ok(self.sequence().coordinates().to_vec());
         }
         // The excess of a polygon falls like N⁻². Without an estimate it is about N⁻².
         let excess = match self.distance_squared_estimate() {
@@ -221,7 +211,7 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         let factor = (0.5 * excess / (OF_THE_POLYGON * gap)).sqrt();
         let finer = (n as f64 * factor).ceil().min(MOST_CHORDS as f64) as usize;
         if finer <= n {
-            return Ok(self.sequence().points().to_vec());
+            return Ok(self.sequence().coordinates().to_vec());
         }
         let starts = Starts::Only(vec![self.sequence().clone()]);
         let options = Options { starts, ..Options::default() };
@@ -229,6 +219,6 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         let (metric, ends) = (&**self.prepared(), self.any_ends());
         let found =
             minimise_any(&mut workspace, metric, ends, Rule::TRAPEZOIDAL, finer, &options, None)?;
-        Ok(found.sequence.points().to_vec())
+        Ok(found.sequence.coordinates().to_vec())
     }
 }

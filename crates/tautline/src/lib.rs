@@ -93,17 +93,21 @@ mod lattice_search;
 mod other_minima;
 mod problem;
 mod proof;
+mod request;
 mod taut_line;
+mod tolerance;
 
 pub use batch::solve_all;
 pub use certificate::SuggestedN;
 pub use certified_distance::CertificateError;
 pub use competitors::Competitors;
 pub use conventions::Convention;
-pub use lattice_search::{LatticeSearchError, lattice_starts};
+pub use other_minima::TIE;
 pub use problem::Problem;
 pub use proof::{Proof, ProofError};
+pub use request::{CHORDS, Grid, Request, RequestError};
 pub use taut_line::TautLine;
+pub use tolerance::LEAST_TOLERANCE;
 
 pub use tautline_bounds as bounds;
 pub use tautline_certify::{
@@ -123,8 +127,8 @@ pub use tautline_formula::{
     spline::{Spline, SplineError},
 };
 pub use tautline_grid::{
-    self as grid, ClassPath, GraphPathError, Lattice, LatticeGraph, LatticePath, Punctures, Word,
-    class_paths, equal_chords, graph_path,
+    self as grid, ClassPath, GraphPathError, Lattice, LatticeGraph, LatticePath, Nodes, Punctures,
+    Word, class_paths, equal_chords, graph_path,
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,

@@ -13,7 +13,17 @@ use crate::TautLine;
 /// to.
 const FINEST: usize = 512;
 
+/// Lengths that differ by less than this fraction count as equal: on a coarser grid a curve is a
+/// little longer.
+pub const TIE: f64 = 1e-5;
+
 impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
+    /// Returns whether this line is shorter than another one by more than a [tie](TIE).
+    #[must_use]
+    pub fn is_shorter_than(&self, other: &Self) -> bool {
+        self.length().value <= other.length().value * (1.0 - TIE)
+    }
+
     /// Returns the [other local minima](tautline_optimizers::Minimum::others) of the search as
     /// lines of their own, shortest first. Each is solved again from where the search left it, with
     /// `N` chords or 512, whichever is less, and with the default number of steps and threads.

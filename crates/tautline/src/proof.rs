@@ -1,20 +1,21 @@
 //! `Proof`: bounds on `d²` that follow from the formula of the metric alone.
 
-use std::{ops::ControlFlow, sync::Arc};
+use std::ops::ControlFlow;
 
 use tautline_bounds::{
     BoundError, Constants, DiscreteMinimum, Enclosure, LocalityError, PaperRule,
 };
 use tautline_certify::{
-    Accuracy, AdmissibleCurve, CertifiedConstants, CertifyError, CurveError, Domain,
-    LocallyCertified, Progress, Watch,
+    Accuracy, AdmissibleCurve, CertifiedConstants, CertifyError, CurveError, Domain, Progress,
+    Watch, constants_within,
 };
-use tautline_distance::Found;
-use tautline_formula::{Prepare, Prepared};
-use tautline_metrics::{LocalError, LocallyBounded, Metric};
+use tautline_distance::AnyFound;
+use tautline_formula::Prepare;
+use tautline_metrics::LocalError;
+use tautline_scalar::ANY;
 use tautline_sets::Ball;
 
-use crate::{SMatrix, SVector, Scalar, TautLine};
+use crate::{TautLine, competitors::Search};
 
 /// Bounds on `d²` that are proved from the formula of the metric.
 #[derive(Clone, Debug)]
@@ -24,7 +25,7 @@ pub struct Proof<'a, const D: usize> {
     /// The constants, proved from the formula.
     pub constants: Constants,
     /// The region where the constants hold; `None` if it is all of `R^D`.
-    pub within: Option<Ball<D>>,
+    pub within: Option<Ball<ANY>>,
     /// The bounds on `d²`. The upper bound is the rigorous bound on the curve.
     /// [`from_below`](Enclosure::from_below) says where the lower one is from: a certificate, or a
     /// theorem, which is evaluated in intervals, with proved constants and with enclosures of the
@@ -33,7 +34,7 @@ pub struct Proof<'a, const D: usize> {
     pub enclosure: Enclosure,
     /// The certificate, where the theorems would assume that the minimum is global; `None` if they
     /// assume nothing, or if there is no certificate.
-    pub found: Option<Found<D>>,
+    pub found: Option<AnyFound>,
 }
 
 /// The reason why a line has no proof.
@@ -67,9 +68,7 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
         let formula = self.recorded().map_err(CurveError::NotRecorded)?.clone().into_any();
         AdmissibleCurve::by_formula(&formula, self.sequence(), self.any_ends())
     }
-}
 
-impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), from the formula
     /// of the metric alone. The constants are proved on all of `R^D` if the formula is periodic.
     /// Otherwise they are proved on a ball that contains all [competitors](TautLine::competitors).
@@ -132,22 +131,22 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
         let curve = self.admissible_curve()?;
         let extent = self.proved_extent(&curve);
         // The left-endpoint rule needs M_H only to prove a minimum between two points global.
-        let m_h = rule == PaperRule::Trapezoidal || self.ends().are_points();
+        let m_h = rule == PaperRule::Trapezoidal || self.any_ends().are_points();
         let watch = Needed { m_h, watch };
-        let space = Domain::space(self.metric());
+        let formula = self.recorded().map_err(CertifyError::NotRecorded)?.clone().into_any();
+        let space = Domain::space_by_formula(&formula);
         let (constants, within) = if space.is_one_period() {
-            let metric = self.metric();
             let proved =
-                CertifiedConstants::within_budget_watched(metric, &space, accuracy, &watch)?;
+                CertifiedConstants::within_budget_by_formula(&formula, &space, accuracy, &watch)?;
             (proved.constants()?, None)
         } else {
             // Constants on a ball are closer than those on all of space, if there are any.
-            let proved = LocallyCertified::new(self.metric(), accuracy);
-            let metric = Arc::new(Prepared::new(Watched { proved, watch }));
-            let (ends, minimum) = (self.ends().clone(), self.minimum().clone());
-            let line = TautLine::<Watched<'_, _>, D>::new(metric, self.rule(), ends, minimum);
-            let competitors = line.competitors_by(extent)?;
-            competitors.hold_those_of(&line, extent)?;
+            let constants_within = &|centre: &[f64], radius: f64| {
+                constants_within(&formula, centre, radius, accuracy, &watch)
+            };
+            let search = Search { rule, n: self.sequence().n(), extent, constants_within };
+            let competitors = search.about_ends(self.any_ends())?;
+            competitors.hold_those_of(self, extent)?;
             (competitors.constants, Some(competitors.within))
         };
         let mut enclosure = self.enclosure_by(constants, extent)?;
@@ -157,7 +156,7 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
             let without =
                 self.enclosure_unless_convex(constants, extent, DiscreteMinimum::Unknown)?;
             // The square may be rounded up to the next double.
-            let least = (found.proved.lower * found.proved.lower).next_down();
+            let least = (found.lower() * found.lower()).next_down();
             enclosure = Enclosure { is_not_global, ..without.with_certificate(least)? };
         }
         Ok(Proof { curve, constants, within, enclosure, found })
@@ -177,28 +176,6 @@ impl Watch for Needed<'_> {
 
     fn needs_m_h(&self) -> bool {
         self.m_h && self.watch.needs_m_h()
-    }
-}
-
-/// A metric whose constants on balls are proved by searches that are watched.
-struct Watched<'w, M> {
-    proved: LocallyCertified<M>,
-    watch: Needed<'w>,
-}
-
-impl<M: Metric<D>, const D: usize> Metric<D> for Watched<'_, M> {
-    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        self.proved.gram(x)
-    }
-}
-
-impl<M: Metric<D>, const D: usize> LocallyBounded<D> for Watched<'_, M> {
-    fn constants_within(
-        &self,
-        centre: &SVector<f64, D>,
-        radius: f64,
-    ) -> Result<Constants, LocalError> {
-        self.proved.constants_within_watched(centre, radius, &self.watch)
     }
 }
 

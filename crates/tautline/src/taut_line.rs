@@ -170,7 +170,7 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     }
 
     /// Returns both ends of the curve, in `ℓ`.
-    fn end_points(&self) -> [&[f64]; 2] {
+    pub(crate) fn end_points(&self) -> [&[f64]; 2] {
         [0, self.sequence().n().get()].map(|k| self.sequence().row(k))
     }
 

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use tautline::{
-    Bounded, Ends, Iterate, Lattice, Minimum, Options, PointSequence, Prepared, Problem, Rule,
-    SVector, Scope, Starts, TautLine,
+    Bounded, Ends, Iterate, Lattice, Minimum, Nodes, Options, PointSequence, Prepared, Problem,
+    Request, Rule, SVector, Scope, Starts, TautLine,
     grid::{Eikonal, Order, graph},
     norm_squared,
 };
@@ -86,12 +86,13 @@ impl<M: Bounded<D> + Clone, const D: usize> Task<M, D> {
                 Answer::of_minimum(self.solve(Rule::TRAPEZOIDAL, n, starts)?.minimum())
             }
             (Method::Classes, Setting::Chords(n)) => {
-                let lattice = self.lattice(if D <= 2 { PLANE } else { SPACE })?;
+                let [lower, upper] = self.corners.map(|corner| corner.as_slice().to_vec());
+                let cells = if D <= 2 { PLANE } else { SPACE };
+                let spacing = self.spacing(cells).as_slice().to_vec();
+                let nodes = Nodes { lower, upper, spacing, classes: CLASSES };
+                let request = Request { lattice: Some(nodes), threads: 1, ..Request::chords(n) };
                 let problem = Problem::new(self.metric.clone(), ends);
-                let options = Options { threads: 1, ..Options::default() };
-                let line =
-                    problem.solve_by_classes(Rule::TRAPEZOIDAL, n, &lattice, CLASSES, &options)?;
-                Answer::of_minimum(line.minimum())
+                Answer::of_minimum(problem.answer(&request)?.minimum())
             }
             (Method::DiscreteLogarithm, Setting::Chords(n)) => {
                 let v = discrete_logarithm(&self.metric, &x, &y, n)?;
@@ -203,7 +204,12 @@ impl<M: Bounded<D> + Clone, const D: usize> Task<M, D> {
 
     fn lattice(&self, cells: usize) -> Result<Lattice<D>, Failure> {
         let [low, high] = self.corners;
-        Ok(Lattice::with_spacings(low, high, (high - low) / cells as f64)?)
+        Ok(Lattice::with_spacings(low, high, self.spacing(cells))?)
+    }
+
+    fn spacing(&self, cells: usize) -> SVector<f64, D> {
+        let [low, high] = self.corners;
+        (high - low) / cells as f64
     }
 }
 

@@ -10,11 +10,7 @@ use crate::{
     patch::{Patch, Point},
 };
 
-fn maximise<const D: usize>(
-    function: &dyn Bounded,
-    domain: &Domain<D>,
-    accuracy: Accuracy,
-) -> Maximum {
+fn maximise(function: &dyn Bounded, domain: &Domain, accuracy: Accuracy) -> Maximum {
     super::maximise(function, domain, accuracy, &mut |_, _, _| true)
 }
 
@@ -47,7 +43,7 @@ impl Bounded for Waves {
     }
 }
 
-fn square() -> Domain<2> {
+fn square() -> Domain {
     Domain::cell(Cell::new([-2.0, -2.0], [2.0, 2.0]).expect("in order"))
 }
 
@@ -149,7 +145,7 @@ impl Bounded for OnTheLine {
     }
 }
 
-fn segment(lower: f64, upper: f64) -> Domain<1> {
+fn segment(lower: f64, upper: f64) -> Domain {
     Domain::cell(Cell::new([lower], [upper]).expect("in order"))
 }
 

@@ -1,42 +1,47 @@
 //! Biquadratic forms, represented by quadratic forms up to forms that vanish on products.
 
-use nalgebra::{DMatrix, SMatrix};
+use nalgebra::DMatrix;
 use tautline_scalar::Scalar;
 
-use super::spectral::{Direction, basis_with};
+use super::{
+    second_derivative::Second,
+    spectral::{Direction, basis_with, congruent},
+};
 
-/// The matrix `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`.
-pub(super) fn flattened<T: Scalar, const D: usize>(b: &[[SMatrix<T, D, D>; D]; D]) -> DMatrix<T> {
-    DMatrix::from_fn(D * D, D * D, |row, column| b[row / D][column / D][(row % D, column % D)])
+/// The matrix `B`, with the entry `b(k, l, i, j) = ∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`.
+pub(super) fn flattened<T: Scalar>(
+    b: impl Fn(usize, usize, usize, usize) -> T,
+    d: usize,
+) -> DMatrix<T> {
+    DMatrix::from_fn(d * d, d * d, |row, column| b(row / d, column / d, row % d, column % d))
 }
 
 /// A matrix whose quadratic form vanishes on all `v ⊗ u`.
-pub(super) struct Vanishing<const D: usize> {
-    /// At `[k][l]` and `(i, j)`, with `k < l` and `i < j`: the factor of `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`.
-    factors: [[SMatrix<f64, D, D>; D]; D],
+pub(super) struct Vanishing {
+    /// With `k < l` and `i < j`: the factor of `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`.
+    factors: Second,
 }
 
-impl<const D: usize> Vanishing<D> {
+impl Vanishing {
     /// Returns the best factors for a form with its maximum at `u` and `v`, up to rounding.
-    pub(super) fn for_maximum(b: &[[SMatrix<f64, D, D>; D]; D], at: &Direction<D>) -> Self {
+    pub(super) fn for_maximum(b: &Second, at: &Direction) -> Self {
+        let d = b.d;
         // The entries at (1, 1), (l, j), in the bases p and q whose first columns are v and u.
         let (p, q) = (basis_with(&at.v), basis_with(&at.u));
-        let beside = SMatrix::<f64, D, D>::from_fn(|l, j| {
+        let pairs = || (0..d).flat_map(|k| (0..d).map(move |m| (k, m)));
+        let turned: Vec<_> = pairs().map(|(k, m)| congruent(&q, |i, j| b.at(k, m, i, j))).collect();
+        let beside = DMatrix::from_fn(d, d, |l, j| {
             if l == 0 || j == 0 {
                 return 0.0;
             }
-            let entry = |k: usize, m: usize| (q.transpose() * b[k][m] * q)[(0, j)];
-            (0..D)
-                .flat_map(|k| (0..D).map(move |m| (k, m)))
-                .map(|(k, m)| p[(k, 0)] * p[(m, l)] * entry(k, m))
-                .sum()
+            pairs().map(|(k, m)| p[(k, 0)] * p[(m, l)] * turned[k * d + m][(0, j)]).sum::<f64>()
         });
         // Rotated back: the sum over l and j of −beside times the antisymmetric parts of e₁ₗ and
         // e₁ⱼ.
         let factor = |k: usize, l: usize, i: usize, j: usize| {
             let mut sum = 0.0;
-            for m in 1..D {
-                for n in 1..D {
+            for m in 1..d {
+                for n in 1..d {
                     let minor_v = p[(k, 0)] * p[(l, m)] - p[(l, 0)] * p[(k, m)];
                     let minor_u = q[(i, 0)] * q[(j, n)] - q[(j, 0)] * q[(i, n)];
                     sum -= beside[(m, n)] * minor_v * minor_u;
@@ -44,23 +49,18 @@ impl<const D: usize> Vanishing<D> {
             }
             sum
         };
-        Self {
-            factors: std::array::from_fn(|k| {
-                std::array::from_fn(|l| {
-                    let of = |i, j| if k < l && i < j { factor(k, l, i, j) } else { 0.0 };
-                    SMatrix::from_fn(of)
-                })
-            }),
-        }
+        let of = |k, l, i, j| if k < l && i < j { factor(k, l, i, j) } else { 0.0 };
+        Self { factors: Second::from_fn(d, of) }
     }
 
     pub(super) fn add_to<T: Scalar>(&self, matrix: &mut DMatrix<T>) {
-        let pairs = || (0..D).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let d = self.factors.d;
+        let pairs = || (0..d).flat_map(|j| (0..j).map(move |i| (i, j)));
         for (k, l) in pairs() {
             for (i, j) in pairs() {
-                let factor = T::constant(self.factors[k][l][(i, j)]);
+                let factor = T::constant(self.factors.at(k, l, i, j));
                 for ((a, b), factor) in
-                    [((k * D + i, l * D + j), factor), ((k * D + j, l * D + i), -factor)]
+                    [((k * d + i, l * d + j), factor), ((k * d + j, l * d + i), -factor)]
                 {
                     matrix[(a, b)] += factor;
                     matrix[(b, a)] += factor;
@@ -72,11 +72,15 @@ impl<const D: usize> Vanishing<D> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{DVector, SMatrix, SVector};
+    use nalgebra::{DVector, SMatrix};
     use proptest::{prelude::*, strategy::ValueTree, test_runner::TestRunner};
 
-    use super::{Direction, Vanishing, flattened};
-    use crate::constants::{eigenvalue_bound::eigen, second_derivative::maximum, spectral::form};
+    use super::{DMatrix, Direction, Vanishing, flattened};
+    use crate::constants::{
+        eigenvalue_bound::eigen,
+        second_derivative::{self, maximum},
+        spectral::form,
+    };
 
     type Second<const D: usize> = [[SMatrix<f64, D, D>; D]; D];
 
@@ -91,27 +95,35 @@ mod tests {
         })
     }
 
-    fn unit<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
-        proptest::collection::vec(-1.0..1.0_f64, D)
-            .prop_map(SVector::from_vec)
-            .prop_filter_map("a direction", |u: SVector<f64, D>| u.try_normalize(0.1))
+    fn of<const D: usize>(b: &Second<D>) -> second_derivative::Second {
+        second_derivative::Second::from_fn(D, |k, l, i, j| b[k][l][(i, j)])
     }
 
-    fn value<const D: usize>(b: &Second<D>, v: &SVector<f64, D>, u: &SVector<f64, D>) -> f64 {
+    fn matrix<const D: usize>(b: &Second<D>) -> DMatrix<f64> {
+        flattened(|k, l, i, j| b[k][l][(i, j)], D)
+    }
+
+    fn unit(d: usize) -> impl Strategy<Value = DVector<f64>> {
+        proptest::collection::vec(-1.0..1.0_f64, d)
+            .prop_map(DVector::from_vec)
+            .prop_filter_map("a direction", |u: DVector<f64>| u.try_normalize(0.1))
+    }
+
+    fn value<const D: usize>(b: &Second<D>, v: &DVector<f64>, u: &DVector<f64>) -> f64 {
         form(|k, l| form(|i, j| b[k][l][(i, j)], u), v)
     }
 
     fn changes_nothing<const D: usize>(
         b: Second<D>,
         c: Second<D>,
-        [u, v, w, z]: [SVector<f64, D>; 4],
+        [u, v, w, z]: [DVector<f64>; 4],
     ) -> Result<(), TestCaseError> {
         let place = DVector::from_fn(D * D, |r, _| v[r / D] * u[r % D]);
-        let mut sum = flattened(&b);
+        let at = Direction { norm: 0.0, u: w, v: z };
+        let mut sum = matrix(&b);
         for changed in [false, true] {
             if changed {
-                let at = Direction { norm: 0.0, u: w, v: z };
-                Vanishing::for_maximum(&c, &at).add_to(&mut sum);
+                Vanishing::for_maximum(&of(&c), &at).add_to(&mut sum);
             }
             // The tolerance covers some hundreds of roundings of numbers up to D⁴.
             let difference = (place.transpose() * &sum * &place)[0] - value(&b, &v, &u);
@@ -122,9 +134,9 @@ mod tests {
 
     /// Returns the maximum found and the bound on it.
     fn bound<const D: usize>(b: &Second<D>) -> (f64, f64) {
-        let found = maximum(b).expect("finite");
-        let mut sum = flattened(b);
-        Vanishing::for_maximum(b, &found).add_to(&mut sum);
+        let found = maximum(&of(b)).expect("finite");
+        let mut sum = matrix(b);
+        Vanishing::for_maximum(&of(b), &found).add_to(&mut sum);
         (found.norm, eigen(&sum).expect("finite").eigenvalues.max())
     }
 
@@ -132,14 +144,14 @@ mod tests {
         #![proptest_config(tautline_chance::config(3, 256))]
         #[test]
         fn what_is_added_vanishes_on_products_in_the_plane(
-            b in second::<2>(), c in second::<2>(), at in [unit(), unit(), unit(), unit()],
+            b in second::<2>(), c in second::<2>(), at in [unit(2), unit(2), unit(2), unit(2)],
         ) {
             changes_nothing(b, c, at)?;
         }
 
         #[test]
         fn what_is_added_vanishes_on_products_in_space(
-            b in second::<3>(), c in second::<3>(), at in [unit(), unit(), unit(), unit()],
+            b in second::<3>(), c in second::<3>(), at in [unit(3), unit(3), unit(3), unit(3)],
         ) {
             changes_nothing(b, c, at)?;
         }
@@ -148,7 +160,7 @@ mod tests {
         fn the_bound_is_the_maximum_in_the_plane(b in second::<2>()) {
             let angle = |step: i32| {
                 let (sin, cos) = (f64::from(step) * std::f64::consts::PI / 400.0).sin_cos();
-                SVector::from([cos, sin])
+                DVector::from_column_slice(&[cos, sin])
             };
             let pairs = (0..400).flat_map(|s| (0..400).map(move |t| (s, t)));
             let most = pairs.map(|(s, t)| value(&b, &angle(s), &angle(t))).fold(f64::MIN, f64::max);

@@ -1,19 +1,20 @@
 //! `CertifiedConstants`: enclosures of the four constants of a metric.
 
-use tautline_formula::AnyMetric;
+use tautline_formula::Formula;
 use tautline_metrics::{Constants, Metric};
+use tautline_scalar::ANY;
 
-use super::{CertifiedConstant, Quantity, certify, enclose};
+use super::{CertifiedConstant, Quantity, certify_by_formula, enclose, recorded};
 use crate::{Accuracy, CertifyError, Domain, Watch, formula::is_isotropic, progress::unwatched};
 
 /// Enclosures of the four constants of a metric on a domain, proved from its formula.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct CertifiedConstants<const D: usize> {
-    c1: CertifiedConstant<D>,
-    c2: CertifiedConstant<D>,
-    l_h: CertifiedConstant<D>,
-    m_h: Option<CertifiedConstant<D>>,
+pub struct CertifiedConstants {
+    c1: CertifiedConstant,
+    c2: CertifiedConstant,
+    l_h: CertifiedConstant,
+    m_h: Option<CertifiedConstant>,
     all_of_space: bool,
     isotropic: bool,
 }
@@ -29,15 +30,15 @@ enum MH {
     Useless,
 }
 
-impl<const D: usize> CertifiedConstants<D> {
+impl CertifiedConstants {
     /// Encloses the four constants of `metric` on `domain`.
     ///
     /// ```
     /// use tautline_certify::{CertifiedConstants, Domain, Accuracy};
     /// use tautline_metrics::gallery::Valleys;
     ///
-    /// let space = Domain::<2>::space(&Valleys);
-    /// let proved = CertifiedConstants::new(&Valleys, &space, Accuracy::default())?.constants()?;
+    /// let space = Domain::space::<2>(&Valleys);
+    /// let proved = CertifiedConstants::new::<2>(&Valleys, &space, Accuracy::default())?.constants()?;
     /// assert!(proved.c1() <= 1.0 && proved.c1() > 0.999);
     /// assert!(proved.l_h() >= 4.40366947504161167615 && proved.l_h() < 4.41);
     /// assert!(!proved.is_local());
@@ -50,13 +51,14 @@ impl<const D: usize> CertifiedConstants<D> {
     /// # Errors
     ///
     /// The error of [`certify`](super::certify) for the first constant that fails.
-    pub fn new(
+    pub fn new<const D: usize>(
         metric: &impl Metric<D>,
-        domain: &Domain<D>,
+        domain: &Domain,
         accuracy: Accuracy,
     ) -> Result<Self, CertifyError> {
-        let of = |metric: &AnyMetric<'_, D>, quantity| certify(metric, quantity, domain, accuracy);
-        Self::enclosed(metric, domain, of, MH::Required)
+        let formula = &recorded(metric)?;
+        let of = |quantity| certify_by_formula(formula, quantity, domain, accuracy, &unwatched);
+        Self::enclosed(formula, domain, of, MH::Required)
     }
 
     /// Encloses the constants like [`new`](Self::new), but accepts bounds that are wider than the
@@ -66,10 +68,10 @@ impl<const D: usize> CertifiedConstants<D> {
     /// use tautline_certify::{CertifiedConstants, Domain, Accuracy};
     /// use tautline_metrics::gallery::Sphere;
     ///
-    /// let ball = Domain::<2>::ball([0.3, 0.0], 0.5)?;
+    /// let ball = Domain::ball([0.3, 0.0], 0.5)?;
     /// let few = Accuracy { tolerance: 1e-9, budget: 500 };
-    /// assert!(CertifiedConstants::new(&Sphere, &ball, few).is_err());
-    /// let proved = CertifiedConstants::within_budget(&Sphere, &ball, few)?.constants()?;
+    /// assert!(CertifiedConstants::new::<2>(&Sphere, &ball, few).is_err());
+    /// let proved = CertifiedConstants::within_budget::<2>(&Sphere, &ball, few)?.constants()?;
     /// let c1 = 4.0 / 1.64_f64.powi(2); // 4 / (1 + |x|²)² at the rim
     /// assert!(proved.c1() <= c1 && proved.c1() > 0.98 * c1);
     /// # Ok::<(), tautline_certify::CertifyError>(())
@@ -82,28 +84,29 @@ impl<const D: usize> CertifiedConstants<D> {
     ///
     /// As for [`new`](Self::new), but [`CertifyError::BudgetSpent`] only if `c₁` is not known to be
     /// positive, or if `c₂` or `L_H` has no upper bound.
-    pub fn within_budget(
+    pub fn within_budget<const D: usize>(
         metric: &impl Metric<D>,
-        domain: &Domain<D>,
+        domain: &Domain,
         accuracy: Accuracy,
     ) -> Result<Self, CertifyError> {
-        Self::within_budget_watched(metric, domain, accuracy, &unwatched)
+        Self::within_budget_by_formula(&recorded(metric)?, domain, accuracy, &unwatched)
     }
 
-    /// Encloses the constants like [`within_budget`](Self::within_budget), and tells `watch` of the
-    /// progress. A search that `watch` ends counts as one that spent its budget.
+    /// Encloses the constants like [`within_budget`](Self::within_budget), given the formula in a
+    /// dimension that is a value, and tells `watch` of the progress. A search that `watch` ends counts as
+    /// one that spent its budget.
     ///
     /// # Errors
     ///
     /// Those of [`within_budget`](Self::within_budget).
-    pub fn within_budget_watched(
-        metric: &impl Metric<D>,
-        domain: &Domain<D>,
+    pub fn within_budget_by_formula(
+        formula: &Formula<ANY>,
+        domain: &Domain,
         accuracy: Accuracy,
         watch: &dyn Watch,
     ) -> Result<Self, CertifyError> {
-        let of = |metric: &AnyMetric<'_, D>, quantity| {
-            let (constant, _) = enclose(metric, quantity, domain, accuracy, watch)?;
+        let of = |quantity| {
+            let (constant, _) = enclose(formula, quantity, domain, accuracy, watch)?;
             let is_enough = match quantity {
                 Quantity::C1 => constant.lower > 0.0,
                 Quantity::C2 | Quantity::LH | Quantity::MH => constant.upper.is_finite(),
@@ -111,53 +114,52 @@ impl<const D: usize> CertifiedConstants<D> {
             if is_enough { Ok(constant) } else { Err(constant.spent(quantity)) }
         };
         let m_h = if watch.needs_m_h() { MH::Welcome } else { MH::Useless };
-        Self::enclosed(metric, domain, of, m_h)
+        Self::enclosed(formula, domain, of, m_h)
     }
 
     fn enclosed(
-        metric: &impl Metric<D>,
-        domain: &Domain<D>,
-        of: impl Fn(&AnyMetric<'_, D>, Quantity) -> Result<CertifiedConstant<D>, CertifyError>,
+        formula: &Formula<ANY>,
+        domain: &Domain,
+        of: impl Fn(Quantity) -> Result<CertifiedConstant, CertifyError>,
         m_h: MH,
     ) -> Result<Self, CertifyError> {
-        let metric = &AnyMetric::new(metric);
         Ok(Self {
-            c1: of(metric, Quantity::C1)?,
-            c2: of(metric, Quantity::C2)?,
-            l_h: of(metric, Quantity::LH)?,
+            c1: of(Quantity::C1)?,
+            c2: of(Quantity::C2)?,
+            l_h: of(Quantity::LH)?,
             m_h: match m_h {
-                MH::Required => Some(of(metric, Quantity::MH)?),
-                MH::Welcome => of(metric, Quantity::MH).ok(),
+                MH::Required => Some(of(Quantity::MH)?),
+                MH::Welcome => of(Quantity::MH).ok(),
                 MH::Useless => None,
             },
-            all_of_space: domain.represents_space_for(metric),
-            isotropic: metric.formula().is_ok_and(is_isotropic),
+            all_of_space: domain.represents_space_for(formula),
+            isotropic: is_isotropic(formula),
         })
     }
 
     /// Returns `c₁`, in `m²/ℓ²`.
     #[must_use]
-    pub fn c1(&self) -> CertifiedConstant<D> {
-        self.c1
+    pub fn c1(&self) -> &CertifiedConstant {
+        &self.c1
     }
 
     /// Returns `c₂`, in `m²/ℓ²`.
     #[must_use]
-    pub fn c2(&self) -> CertifiedConstant<D> {
-        self.c2
+    pub fn c2(&self) -> &CertifiedConstant {
+        &self.c2
     }
 
     /// Returns `L_H`, in `m²/ℓ³`.
     #[must_use]
-    pub fn l_h(&self) -> CertifiedConstant<D> {
-        self.l_h
+    pub fn l_h(&self) -> &CertifiedConstant {
+        &self.l_h
     }
 
     /// Returns `M_H`, in `m²/ℓ⁴`, or `None` if it has no upper bound
     /// [within the budget](Self::within_budget) or was [not needed](Watch::needs_m_h).
     #[must_use]
-    pub fn m_h(&self) -> Option<CertifiedConstant<D>> {
-        self.m_h
+    pub fn m_h(&self) -> Option<&CertifiedConstant> {
+        self.m_h.as_ref()
     }
 
     /// Returns the safe bounds as constants of the metric. They [hold on a
@@ -171,7 +173,7 @@ impl<const D: usize> CertifiedConstants<D> {
     /// positive.
     pub fn constants(&self) -> Result<Constants, CertifyError> {
         let constants = Constants::new(self.c1.lower, self.c2.upper, self.l_h.upper)?;
-        let constants = match self.m_h {
+        let constants = match &self.m_h {
             Some(m_h) => constants.with_m_h(m_h.upper)?,
             None => constants,
         };

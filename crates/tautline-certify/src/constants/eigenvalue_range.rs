@@ -1,12 +1,13 @@
 //! `c₁` and `c₂`: the least and the greatest eigenvalue of `H`.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector};
 use tautline_scalar::Interval;
 
 use super::{
     eigenvalue_bound::eigen,
-    gram::{At, Gram},
+    gram::{At, Gram, points},
     lifted::Variable,
+    rows::Order,
     spectral::{Spectral, form, square},
 };
 use crate::patch::Point;
@@ -20,23 +21,23 @@ pub(super) enum End {
 
 /// The greatest eigenvalue of `H(x)`, which is at most `c₂`; or `−λ` for the least eigenvalue `λ`,
 /// which is at most `−c₁`.
-pub(super) struct Eigenvalue<'a, const D: usize>(pub(super) Gram<'a, D>, pub(super) End);
+pub(super) struct Eigenvalue<'a>(pub(super) Gram<'a>, pub(super) End);
 
-impl<const D: usize> Spectral<D> for Eigenvalue<'_, D> {
+impl Spectral for Eigenvalue<'_> {
     type Choice = ();
 
-    fn gram(&self) -> Gram<'_, D> {
+    fn gram(&self) -> Gram<'_> {
         self.0
     }
 
     fn choice(&self, _: &Point) {}
 
-    fn matrices<T: Variable>(&self, at: At<'_, T, D>, _: &()) -> Vec<DMatrix<T>> {
+    fn matrices<T: Variable>(&self, at: At<'_, T>, _: &()) -> Vec<DMatrix<T>> {
         let h = block(self.0, at);
         vec![if self.1 == End::Least { h.map(|entry| -entry) } else { h }]
     }
 
-    fn wanted(&self, at: At<'_, f64, D>) -> f64 {
+    fn wanted(&self, at: At<'_, f64>) -> f64 {
         eigen(&block(self.0, at)).map_or(f64::NAN, |eigen| match self.1 {
             End::Least => -eigen.eigenvalues.min(),
             End::Greatest => eigen.eigenvalues.max(),
@@ -44,7 +45,7 @@ impl<const D: usize> Spectral<D> for Eigenvalue<'_, D> {
     }
 
     /// Returns an upper bound on the least eigenvalue itself, or a lower bound on the greatest.
-    fn witness(&self, x: &SVector<f64, D>) -> f64 {
+    fn witness(&self, x: &[f64]) -> f64 {
         match self.1 {
             End::Least => quotient(self.0, x, |eigenvalues| eigenvalues.imin()).hi(),
             End::Greatest => quotient(self.0, x, |eigenvalues| eigenvalues.imax()).lo(),
@@ -60,21 +61,20 @@ impl<const D: usize> Spectral<D> for Eigenvalue<'_, D> {
 }
 
 /// Returns `H(x)`, or `φ(x)` alone if `H = φ I`.
-fn block<T: Variable, const D: usize>(gram: Gram<'_, D>, at: At<'_, T, D>) -> DMatrix<T> {
-    let h = gram.at(at);
-    if gram.isotropic { h.view((0, 0), (1, 1)).into_owned() } else { h }
+fn block<T: Variable>(gram: Gram<'_>, at: At<'_, T>) -> DMatrix<T> {
+    let h = gram.expansion(at, Order::Value);
+    let n = if gram.isotropic { 1 } else { gram.dimension() };
+    DMatrix::from_fn(n, n, |i, j| h.value(i, j))
 }
 
 /// Encloses the Rayleigh quotient `uᵀHu / uᵀu` for `u`, an eigenvector up to rounding. For any `u`
 /// the quotient lies between the least and the greatest eigenvalue.
-fn quotient<const D: usize>(
-    gram: Gram<'_, D>,
-    x: &SVector<f64, D>,
-    which: impl Fn(&DVector<f64>) -> usize,
-) -> Interval {
-    let Some(eigen) = eigen(&gram.at(At::Space(x))) else { return Interval::UNDEFINED };
-    let vector = eigen.eigenvectors.column(which(&eigen.eigenvalues));
-    let u = SVector::<f64, D>::from_fn(|i, _| vector[i]);
-    let h = gram.at(At::Space(&x.map(Interval::point)));
-    form(|i, j| h[(i, j)], &u) / square(&u)
+fn quotient(gram: Gram<'_>, x: &[f64], which: impl Fn(&DVector<f64>) -> usize) -> Interval {
+    let (h, d) = (gram.expansion(At::Space(x), Order::Value), gram.dimension());
+    let Some(eigen) = eigen(&DMatrix::from_fn(d, d, |i, j| h.value(i, j))) else {
+        return Interval::UNDEFINED;
+    };
+    let u = eigen.eigenvectors.column(which(&eigen.eigenvalues)).into_owned();
+    let h = gram.expansion(At::Space(&points(x)), Order::Value);
+    form(|i, j| h.value(i, j), &u) / square(&u)
 }

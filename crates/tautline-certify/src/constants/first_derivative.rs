@@ -1,13 +1,15 @@
 //! `L_H`: the largest `‖DH(x)[v]‖` over unit vectors `v`.
 
-use nalgebra::{DMatrix, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector};
 use num_traits::Zero;
 use tautline_scalar::{Interval, Scalar};
 
 use super::{
-    gram::{At, Gram},
+    expansion::Expansion,
+    gram::{At, Gram, points},
     lifted::Variable,
     quartic::{Vanishing, flattened},
+    rows::Order,
     spectral::{Direction, Spectral, alternating, extreme, form, square},
 };
 use crate::patch::Point;
@@ -36,64 +38,72 @@ use crate::patch::Point;
 /// For any other `u` the coordinates are rotated.
 ///
 /// If `H` is a multiple of the identity, `‖DH‖² = |∇φ|²`.
-pub(super) struct FirstDerivative<'a, const D: usize>(pub(super) Gram<'a, D>);
+pub(super) struct FirstDerivative<'a>(pub(super) Gram<'a>);
 
-impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
+impl FirstDerivative<'_> {
+    fn expansion<T: Variable>(&self, at: At<'_, T>) -> Expansion<T> {
+        self.0.expansion(at, Order::First)
+    }
+}
+
+impl Spectral for FirstDerivative<'_> {
     /// The factors of the vanishing forms.
-    type Choice = Option<Vanishing<D>>;
+    type Choice = Option<Vanishing>;
 
-    fn gram(&self) -> Gram<'_, D> {
+    fn gram(&self) -> Gram<'_> {
         self.0
     }
 
-    fn choice(&self, x: &Point) -> Option<Vanishing<D>> {
-        if self.0.isotropic || D == 1 {
+    fn choice(&self, x: &Point) -> Option<Vanishing> {
+        let d = self.0.dimension();
+        if self.0.isotropic || d == 1 {
             return None;
         }
-        let a = self.0.first(x.into());
-        let found = direction(&a)?;
+        let h = self.expansion(x.into());
+        let a = |k: usize, i: usize, j: usize| h.first(k, i, j);
+        let found = direction(&a, d)?;
         let guess = Vanishing::for_maximum(&a, &found.u);
-        Some(guess.improved(&flattened(&a), found.norm * found.norm))
+        Some(guess.improved(&flattened(&a, d), found.norm * found.norm))
     }
 
-    fn matrices<T: Variable>(
-        &self,
-        at: At<'_, T, D>,
-        choice: &Option<Vanishing<D>>,
-    ) -> Vec<DMatrix<T>> {
-        let a = self.0.first(at);
+    fn matrices<T: Variable>(&self, at: At<'_, T>, choice: &Option<Vanishing>) -> Vec<DMatrix<T>> {
+        let (h, d) = (self.expansion(at), self.0.dimension());
         if self.0.isotropic {
-            let square = a.iter().fold(T::zero(), |sum, a| sum + a[(0, 0)].sqr());
+            let square = (0..d).fold(T::zero(), |sum, k| sum + h.first(k, 0, 0).sqr());
             return vec![DMatrix::from_element(1, 1, square)];
         }
-        let mut sum = flattened(&a);
+        let mut sum = flattened(&|k, i, j| h.first(k, i, j), d);
         if let Some(vanishing) = choice {
             vanishing.add_to(&mut sum);
         }
         vec![sum]
     }
 
-    fn wanted(&self, at: At<'_, f64, D>) -> f64 {
-        direction(&self.0.first(at)).map_or(f64::NAN, |found| found.norm * found.norm)
+    fn wanted(&self, at: At<'_, f64>) -> f64 {
+        let h = self.expansion(at);
+        let found = direction(&|k, i, j| h.first(k, i, j), h.dimension());
+        found.map_or(f64::NAN, |found| found.norm * found.norm)
     }
 
-    fn witness(&self, x: &SVector<f64, D>) -> f64 {
-        let Some(Direction { u, v, .. }) = direction(&self.0.first(At::Space(x))) else {
+    fn witness(&self, x: &[f64]) -> f64 {
+        let (h, d) = (self.expansion(At::Space(x)), self.0.dimension());
+        let Some(Direction { u, v, .. }) = direction(&|k, i, j| h.first(k, i, j), d) else {
             return f64::NAN;
         };
-        let a = self.0.first(At::Space(&x.map(Interval::point)));
+        let h = self.expansion(At::Space(&points(x)));
         let sum =
-            (0..D).fold(Interval::zero(), |sum, k| sum + form(|i, j| a[k][(i, j)], &u) * v[k]);
+            (0..d).fold(Interval::zero(), |sum, k| sum + form(|i, j| h.first(k, i, j), &u) * v[k]);
         (Interval::point(sum.mignitude()) / (square(&v).sqrt() * square(&u))).lo()
     }
 }
 
 /// Maximises `Σ vₖ uᵀAₖu` over unit vectors `v` and `u`, alternately. For fixed `v` the best `u` is
-/// an eigenvector; for fixed `u` the best `v` is a normalized gradient.
-pub(super) fn direction<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> Option<Direction<D>> {
-    alternating(|v| {
-        let (norm, u) = extreme(|i, j| (0..D).map(|k| v[k] * a[k][(i, j)]).sum())?;
-        let gradient = SVector::<f64, D>::from_fn(|k, _| form(|i, j| a[k][(i, j)], &u));
-        Some((Direction { norm, u, v: *v }, gradient.try_normalize(0.0).unwrap_or(*v)))
+/// an eigenvector; for fixed `u` the best `v` is a normalized gradient. `a(k, i, j)` is an entry of `Aₖ`.
+pub(super) fn direction(a: &impl Fn(usize, usize, usize) -> f64, d: usize) -> Option<Direction> {
+    alternating(d, |v| {
+        let (norm, u) = extreme(d, |i, j| (0..d).map(|k| v[k] * a(k, i, j)).sum())?;
+        let gradient = DVector::from_fn(d, |k, _| form(|i, j| a(k, i, j), &u));
+        let next = gradient.try_normalize(0.0).unwrap_or_else(|| v.clone());
+        Some((Direction { norm, u, v: v.clone() }, next))
     })
 }

@@ -1,13 +1,16 @@
-//! The evaluation of a lifted formula, in jets with respect to the coordinates of space.
+//! The evaluation of a lifted formula, with derivatives in the coordinates of space.
 
-use nalgebra::SMatrix;
 use num_traits::Zero;
-use tautline_formula::{Function, Step};
-use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
+use tautline_formula::{Arithmetic, Function, Step};
+use tautline_scalar::{Interval, Jet1, Scalar};
 
+use super::{
+    expansion::{Expansion, Steps, Tape},
+    rows::{Order, Row, Rows},
+};
 use crate::{
-    formula::{Lift, Place, Role, Wall, operate},
-    patch::Patch,
+    formula::{Lift, Place, Role, Wall},
+    patch::{Patch, Region},
 };
 
 /// A number in which the variables of a search are given: a double, an interval, or an interval
@@ -62,9 +65,9 @@ impl Variable for Interval {
     }
 }
 
-impl<const D: usize> Variable for Jet1<Interval, D> {
+impl<const K: usize> Variable for Jet1<Interval, K> {
     fn fixed(value: Interval) -> Self {
-        Self::new(value, [Interval::zero(); D])
+        Self::new(value, [Interval::zero(); K])
     }
 
     fn enclosure(&self) -> Interval {
@@ -80,167 +83,139 @@ impl<const D: usize> Variable for Jet1<Interval, D> {
     }
 }
 
-/// A number with its derivatives with respect to `D` coordinates, up to some order.
-pub(crate) trait Expansion<T, const D: usize>: Scalar {
-    /// Returns the number with this value; all of its derivatives are `slope`.
-    fn uniform(value: T, slope: T) -> Self;
-
-    /// Returns the coordinate functions at the origin.
-    fn coordinates() -> [Self; D];
-
-    /// Returns the value.
-    fn top(&self) -> T;
-}
-
-impl<T: Scalar, const D: usize> Expansion<T, D> for T {
-    fn uniform(value: T, _: T) -> Self {
-        value
-    }
-
-    fn coordinates() -> [Self; D] {
-        [T::zero(); D]
-    }
-
-    fn top(&self) -> T {
-        *self
-    }
-}
-
-impl<T: Scalar, const D: usize> Expansion<T, D> for Jet1<T, D> {
-    fn uniform(value: T, slope: T) -> Self {
-        Self::new(value, [slope; D])
-    }
-
-    fn coordinates() -> [Self; D] {
-        Self::variables(&[T::zero(); D])
-    }
-
-    fn top(&self) -> T {
-        self.value()
-    }
-}
-
-impl<T: Scalar, const D: usize> Expansion<T, D> for Jet2<T, D> {
-    fn uniform(value: T, slope: T) -> Self {
-        Self::new(value, [slope; D], |_, _| slope)
-    }
-
-    fn coordinates() -> [Self; D] {
-        Self::variables(&[T::zero(); D])
-    }
-
-    fn top(&self) -> T {
-        self.value()
-    }
-}
-
-/// Returns `H` at these values of the variables, in this chart.
-pub(crate) fn gram<T: Variable, J: Expansion<T, D>, const D: usize>(
-    lift: &Lift<D>,
+/// Expands `H` at these values of the variables, in this chart.
+pub(crate) fn expansion<T: Variable>(
+    lift: &Lift,
     at: &[T],
     chart: usize,
-) -> SMatrix<J, D, D> {
-    let lifted = Lifted { lift, at, chart };
-    let coordinates = J::coordinates();
-    let mut values: Vec<J> = Vec::with_capacity(lift.roles.len());
+    order: Order,
+) -> Expansion<T> {
+    let rows = Rows { d: lift.formula.dimension(), order };
+    let lifted = Lifted { lift, at, chart, rows };
+    let mut tape = Tape::new(&lift.formula, rows);
     for place in 0..lift.roles.len() {
-        let value = lifted.step(place, &values, &coordinates);
-        values.push(value);
+        lifted.step(place, &mut tape);
     }
-    let read = |step: Step| lifted.read(&values, step);
-    SMatrix::from_fn(|i, j| read(lift.formula.entry(i.min(j), i.max(j))))
+    let steps = tape.steps();
+    Expansion::from_entries(rows, |i, j| lifted.read(steps, lift.formula.entry(i, j)))
 }
 
 /// Returns whether intervals bound `H` and its derivatives up to second order on all of space.
-pub(crate) fn is_bounded<const D: usize>(lift: &Lift<D>) -> bool {
+pub(crate) fn is_bounded(lift: &Lift) -> bool {
     let is_bounded = |patch: &Patch| {
-        let gram: SMatrix<Jet2<Interval, D>, D, D> = gram(lift, &patch.sides, patch.chart);
-        gram.iter().all(|entry| {
-            let second = (0..D).flat_map(|k| (k..D).map(move |l| (k, l)));
-            entry.value().is_finite()
-                && entry.gradient().iter().all(|first| first.is_finite())
-                && second.into_iter().all(|(k, l)| entry.second(k, l).is_finite())
-        })
+        let expansion = expansion(lift, &patch.sides, patch.chart, Order::Second);
+        expansion.numbers().iter().all(|number| number.is_finite())
     };
-    crate::patch::Region::patches(lift).iter().all(is_bounded)
+    lift.patches().iter().all(is_bounded)
 }
 
 /// A lifted formula at values of its variables.
-struct Lifted<'a, T, const D: usize> {
-    lift: &'a Lift<D>,
+struct Lifted<'a, T> {
+    lift: &'a Lift,
     at: &'a [T],
     chart: usize,
+    rows: Rows,
 }
 
-impl<T: Variable, const D: usize> Lifted<'_, T, D> {
-    /// Returns the value of a step. That of a linear step is taken at the origin of space, and
+impl<T: Variable> Lifted<'_, T> {
+    /// Adds a step to those that are known. The value of a linear step is taken at the origin of space, and
     /// [`read`](Lifted::read) adds the value of its form.
-    fn step<J: Expansion<T, D>>(&self, place: usize, values: &[J], x: &[J; D]) -> J {
-        let formula = &self.lift.formula;
-        let read = |step: Step| self.read(values, step);
-        let plain = || operate(formula, place, |i| x[i], read);
+    fn step(&self, place: usize, tape: &mut Tape<'_, T>) {
+        let (formula, rows) = (&self.lift.formula, self.rows);
+        let plain = |tape: &mut Tape<'_, T>| {
+            tape.operate(place, |_| T::zero(), |steps, step| self.read(steps, step));
+        };
         match self.lift.roles[place] {
-            Role::Linear(_) => operate(formula, place, |i| x[i], |step| values[step as usize]),
+            Role::Linear(_) => tape.operate(place, |_| T::zero(), |steps, step| steps.row(step)),
             Role::Wave { step, form, phase, multiple } => {
                 let (function, _) = formula.function(place).expect("a wave");
-                function.of(self.phase(values, step, form, phase, multiple))
+                tape.push(|steps, out| {
+                    rows.function(function, &self.phase(steps, step, form, phase, multiple), out)
+                });
             }
-            Role::Wall(Wall { numerator, d, f, z }) => {
+            Role::Wall(Wall { numerator, d, f, z }) => tape.push(|steps, out| {
                 // 1/(d + f e^z) = (1 − tanh ½(z + ln(f/d)))/2d.
-                let shift = (J::constant(f) / d).ln();
-                let (value, flat) = ((read(z) + shift) * 0.5, self.without_value(values, z) * 0.5);
-                let wall = (1.0 - saturating(Function::Tanh, value, flat)) * 0.5 / d;
-                numerator.map_or(wall, |numerator| wall * read(numerator))
-            }
-            Role::Hill(hill) => self.hill(hill).unwrap_or_else(plain),
+                let shift = rows.row(|out| {
+                    let c = T::constant(f) / d;
+                    rows.constant(c, out)
+                });
+                let shift = rows.row(|out| rows.function(Function::Ln, &shift, out));
+                let sum = rows.sum_of(&self.read(steps, z), &shift);
+                let half = |row: &Row<'_, T>| rows.times(row, 0.5);
+                let (value, flat) = (half(&sum), half(&self.without_value(steps, z)));
+                let tanh = saturating(rows, Function::Tanh, &value, &flat);
+                let one = rows.row(|out| rows.constant(T::one(), out));
+                let below = rows.row(|out| rows.arithmetic(Arithmetic::Sub, &one, &tanh, out));
+                let below = half(&below);
+                let wall = rows.row(|out| rows.with_number(Arithmetic::Div, &below, d, out));
+                match numerator {
+                    Some(c) => rows.arithmetic(Arithmetic::Mul, &wall, &self.read(steps, c), out),
+                    None => rows.map(&wall, |wall| wall, out),
+                }
+            }),
+            Role::Hill(hill) => match self.hill(hill) {
+                Some(hill) => tape.push(|_, out| rows.map(&hill, |hill| hill, out)),
+                None => plain(tape),
+            },
             Role::Plain => match formula.function(place) {
                 Some((function @ (Function::Tanh | Function::Atan), step))
                     if matches!(self.lift.roles[step as usize], Role::Linear(_)) =>
                 {
-                    saturating(function, read(step), self.without_value(values, step))
+                    tape.push(|steps, out| {
+                        let (value, flat) =
+                            (self.read(steps, step), self.without_value(steps, step));
+                        let result = saturating(rows, function, &value, &flat);
+                        rows.map(&result, |result| result, out)
+                    });
                 }
-                _ => plain(),
+                _ => plain(tape),
             },
         }
     }
 
     /// Returns the value of a step for a step that reads it.
-    fn read<J: Expansion<T, D>>(&self, values: &[J], step: Step) -> J {
-        let value = values[step as usize];
+    fn read<'t>(&self, steps: Steps<'t, T>, step: Step) -> Row<'t, T> {
+        let value = steps.row(step);
         match self.lift.roles[step as usize] {
             Role::Linear(Some((form, scale))) => match self.lift.forms[form].variable {
-                Some(variable) => value + J::uniform(self.at[variable].scaled(scale), T::zero()),
+                Some(variable) => self.shifted(&value, self.at[variable].scaled(scale)),
                 None => value,
             },
             _ => value,
         }
     }
 
+    /// Returns a row plus a number of the search.
+    fn shifted(&self, row: &Row<'_, T>, by: T) -> Row<'static, T> {
+        self.rows.sum_of(row, &self.rows.uniform(by, T::zero()))
+    }
+
     /// Returns a linear step minus its value, which may be infinite.
-    fn without_value<J: Expansion<T, D>>(&self, values: &[J], step: Step) -> J {
-        let value = values[step as usize];
-        value - J::uniform(value.top(), T::zero())
+    fn without_value(&self, steps: Steps<'_, T>, step: Step) -> Row<'static, T> {
+        let (rows, value) = (self.rows, steps.row(step));
+        let constant = rows.uniform(value.value(), T::zero());
+        rows.row(|out| rows.arithmetic(Arithmetic::Sub, &value, &constant, out))
     }
 
     /// Returns the argument of a wave, up to multiples of `2π`.
-    fn phase<J: Expansion<T, D>>(
+    fn phase<'t>(
         &self,
-        values: &[J],
+        steps: Steps<'t, T>,
         step: Step,
         form: usize,
         phase: usize,
         multiple: f64,
-    ) -> J {
+    ) -> Row<'t, T> {
         let at = &self.lift.forms[form];
         if at.is_still || self.lift.place(self.chart, form) == Place::Near {
-            return self.read(values, step);
+            return self.read(steps, step);
         }
         let angle = self.at[at.phases[phase].variable] * multiple;
-        values[step as usize] + J::uniform(angle, T::zero())
+        self.shifted(&steps.row(step), angle)
     }
 
     /// Returns a hill on a half-line.
-    fn hill<J: Expansion<T, D>>(&self, hill: usize) -> Option<J> {
+    fn hill(&self, hill: usize) -> Option<Row<'static, T>> {
         let hill = &self.lift.hills[hill];
         let form = |form: usize| {
             let variable = self.lift.forms[form].variable;
@@ -260,7 +235,7 @@ impl<T: Variable, const D: usize> Lifted<'_, T, D> {
         let moving = variables
             .map(|variable| self.at[variable].change(slope))
             .fold(T::zero(), |sum, change| sum + change);
-        Some(J::uniform(T::fixed(hill.value(form)) + moving, T::fixed(slope) + moving))
+        Some(self.rows.uniform(T::fixed(hill.value(form)) + moving, T::fixed(slope) + moving))
     }
 }
 
@@ -269,14 +244,15 @@ impl<T: Variable, const D: usize> Lifted<'_, T, D> {
 /// On a half-line, the usual formulas for derivatives are `∞ · 0`. Those in terms of the bounded
 /// result are not: `1 − t²` and `−2 t (1 − t²)` for `t = tanh y`; `cos²τ` and `−2 sin τ cos³τ` for
 /// `τ = arctan y`.
-fn saturating<T: Variable, J: Expansion<T, D>, const D: usize>(
+fn saturating<T: Variable>(
+    rows: Rows,
     function: Function,
-    value: J,
-    flat: J,
-) -> J {
-    let y = value.top();
+    value: &Row<'_, T>,
+    flat: &Row<'_, T>,
+) -> Row<'static, T> {
+    let y = value.value();
     if y.enclosure().is_finite() {
-        return function.of(value);
+        return rows.row(|out| rows.function(function, value, out));
     }
     let result = function.of(y);
     let (first, half_second) = if function == Function::Tanh {
@@ -287,7 +263,12 @@ fn saturating<T: Variable, J: Expansion<T, D>, const D: usize>(
         (cos.sqr(), -sin * cos.powi(3))
     };
     let [result, first, half_second] =
-        [result, first, half_second].map(|value| J::uniform(value, T::zero()));
+        [result, first, half_second].map(|value| rows.uniform(value, T::zero()));
     // The Taylor polynomial has the derivatives of the function.
-    result + flat * first + flat.sqr() * half_second
+    let times = |a: &Row<'_, T>, b: &Row<'_, T>| {
+        rows.row(|out| rows.arithmetic(Arithmetic::Mul, a, b, out))
+    };
+    let square = rows.row(|out| rows.function(Function::Sqr, flat, out));
+    let line = rows.sum_of(&result, &times(flat, &first));
+    rows.sum_of(&line, &times(&square, &half_second))
 }

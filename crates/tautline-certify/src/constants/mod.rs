@@ -8,23 +8,27 @@ mod biquadratic;
 mod certified_constants;
 mod eigenvalue_bound;
 mod eigenvalue_range;
+mod expansion;
 mod first_derivative;
 mod gram;
 pub(crate) mod lifted;
 mod quantity;
 mod quartic;
+mod rows;
 mod second_derivative;
 mod spectral;
 #[cfg(test)]
 mod tests;
 
 pub use certified_constants::CertifiedConstants;
+pub(crate) use expansion::Expansion;
+pub(crate) use lifted::is_bounded;
 pub use quantity::Quantity;
+pub(crate) use rows::Order;
 
-use nalgebra::SVector;
-use tautline_formula::{AnyMetric, Formula, Operation};
+use tautline_formula::{Formula, Operation};
 use tautline_metrics::Metric;
-use tautline_scalar::{Interval, Scalar};
+use tautline_scalar::{ANY, Interval, Scalar};
 
 use self::{
     eigenvalue_range::{Eigenvalue, End},
@@ -39,21 +43,21 @@ use crate::{
 };
 
 /// Lower and upper bounds on a constant of a metric on a domain.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct CertifiedConstant<const D: usize> {
+pub struct CertifiedConstant {
     /// A proved lower bound.
     pub lower: f64,
     /// A proved upper bound.
     pub upper: f64,
     /// A point where the constant is nearly attained, in `ℓ`. One of the two bounds comes from an
     /// evaluation at this point.
-    pub at: SVector<f64, D>,
+    pub at: Vec<f64>,
     /// How many boxes were evaluated.
     pub boxes: usize,
 }
 
-impl<const D: usize> CertifiedConstant<D> {
+impl CertifiedConstant {
     /// Returns `upper / lower`; 1 if both are 0.
     #[must_use]
     pub fn looseness(&self) -> f64 {
@@ -85,6 +89,7 @@ impl<const D: usize> CertifiedConstant<D> {
 /// # Errors
 ///
 /// * [`CertifyError::NoDimension`] if `D = 0`;
+/// * [`CertifyError::Coordinates`] if the domain lies in another space;
 /// * [`CertifyError::NotATolerance`] if the tolerance is not between 0 and 1;
 /// * [`CertifyError::NotRecorded`] if the formula cannot be recorded, or its halves are not known to be
 ///   equal;
@@ -97,33 +102,41 @@ impl<const D: usize> CertifiedConstant<D> {
 pub fn certify<const D: usize>(
     metric: &impl Metric<D>,
     quantity: Quantity,
-    domain: &Domain<D>,
+    domain: &Domain,
     accuracy: Accuracy,
-) -> Result<CertifiedConstant<D>, CertifyError> {
-    certify_watched(metric, quantity, domain, accuracy, &unwatched)
+) -> Result<CertifiedConstant, CertifyError> {
+    certify_by_formula(&recorded(metric)?, quantity, domain, accuracy, &unwatched)
 }
 
-/// Encloses a constant like [`certify`], and tells `watch` of the progress.
+/// Encloses a constant like [`certify`], given the formula in a dimension that is a value, and tells
+/// `watch` of the progress.
 ///
 /// # Errors
 ///
 /// Those of [`certify`]; [`CertifyError::BudgetSpent`] also if `watch` ends the search.
-pub fn certify_watched<const D: usize>(
-    metric: &impl Metric<D>,
+pub fn certify_by_formula(
+    formula: &Formula<ANY>,
     quantity: Quantity,
-    domain: &Domain<D>,
+    domain: &Domain,
     accuracy: Accuracy,
     watch: &dyn Watch,
-) -> Result<CertifiedConstant<D>, CertifyError> {
-    let (constant, reached) = enclose(metric, quantity, domain, accuracy, watch)?;
+) -> Result<CertifiedConstant, CertifyError> {
+    let (constant, reached) = enclose(formula, quantity, domain, accuracy, watch)?;
     if reached { Ok(constant) } else { Err(constant.spent(quantity)) }
+}
+
+/// Returns the formula of a metric.
+pub(crate) fn recorded<const D: usize>(
+    metric: &impl Metric<D>,
+) -> Result<Formula<ANY>, CertifyError> {
+    Formula::record(metric).map(Formula::into_any).map_err(CertifyError::NotRecorded)
 }
 
 /// Returns the largest order along an axis of a derivative of a table that the formula reads.
 ///
 /// A spline has third derivatives that jump, so that its second ones have kinks. Boxes that end at the knots
 /// would not show it.
-fn order_of_tables<const D: usize>(formula: &Formula<D>) -> u8 {
+fn order_of_tables(formula: &Formula<ANY>) -> u8 {
     let order = |operation: &Operation| match operation {
         Operation::Table(call) => call.orders.into_iter().max().unwrap_or(0),
         _ => 0,
@@ -133,26 +146,25 @@ fn order_of_tables<const D: usize>(formula: &Formula<D>) -> u8 {
 
 /// Encloses a constant like [`certify`], and returns whether the tolerance is reached. If it is
 /// not, the bounds are those that the budget allows.
-fn enclose<const D: usize>(
-    metric: &impl Metric<D>,
+fn enclose(
+    formula: &Formula<ANY>,
     quantity: Quantity,
-    domain: &Domain<D>,
+    domain: &Domain,
     accuracy: Accuracy,
     watch: &dyn Watch,
-) -> Result<(CertifiedConstant<D>, bool), CertifyError> {
-    if D == 0 {
+) -> Result<(CertifiedConstant, bool), CertifyError> {
+    if formula.dimension() == 0 {
         return Err(CertifyError::NoDimension);
     }
+    CertifyError::check_coordinates("a domain", domain.dimension(), formula.dimension())?;
     let accuracy = accuracy.checked()?;
-    let metric = AnyMetric::new(metric);
-    let formula =
-        metric.formula().and_then(Formula::symmetric).map_err(CertifyError::NotRecorded)?;
+    let formula = formula.symmetric().map_err(CertifyError::NotRecorded)?;
     // Those of order 3 jump themselves.
     if order_of_tables(formula) >= if quantity == Quantity::MH { 2 } else { 3 } {
         return Err(CertifyError::Jumps);
     }
-    let lift = domain.lift(&metric);
-    let gram = Gram::new(&metric, formula, lift.as_ref());
+    let lift = domain.lift(formula);
+    let gram = Gram::new(formula, lift.as_ref());
     let region: &dyn Region = match &lift {
         Some(lift) => lift,
         None => domain,
@@ -175,11 +187,13 @@ fn enclose<const D: usize>(
             let effort = Effort { accuracy: square, ..effort };
             let found = search(&FirstDerivative(gram), effort, |upper| upper.max(0.0).sqrt())?;
             let bound = Interval::point(found.upper.max(0.0)).sqrt().hi();
-            (found, found.witness, bound)
+            let witness = found.witness;
+            (found, witness, bound)
         }
         Quantity::MH => {
             let found = search(&SecondDerivative(gram), effort, |upper| upper.max(0.0))?;
-            (found, found.witness, found.upper.max(0.0))
+            let (witness, bound) = (found.witness, found.upper.max(0.0));
+            (found, witness, bound)
         }
     };
     // NaN and infinity do not count as bounds.
@@ -203,21 +217,20 @@ struct Effort<'e> {
 }
 
 /// The result of a search, at a point of space, and the bound proved there.
-#[derive(Clone, Copy)]
-struct Found<const D: usize> {
+struct Found {
     upper: f64,
-    at: Option<SVector<f64, D>>,
+    at: Option<Vec<f64>>,
     witness: f64,
     boxes: usize,
     reached: bool,
 }
 
 /// Returns the result of a search. `constant` turns an eigenvalue into the constant, up to rounding.
-fn search<S: Spectral<D>, const D: usize>(
-    function: &S,
+fn search(
+    function: &impl Spectral,
     effort: Effort<'_>,
     constant: impl Fn(f64) -> f64,
-) -> Result<Found<D>, CertifyError> {
+) -> Result<Found, CertifyError> {
     let Effort { quantity, region, accuracy, watch } = effort;
     let mut goes_on = |boxes, value, bound| {
         let [value, bound] = [value, bound].map(&constant);
@@ -229,15 +242,15 @@ fn search<S: Spectral<D>, const D: usize>(
         [&found.at, &found.refuted].map(|x| x.as_ref().map(|x| function.in_space(x)));
     // The formal derivative of a constant is 0, even if the constant is NaN, so the formula is
     // checked.
-    let undefined = at.filter(|x| gram.is_undefined(x));
-    if let Some(x) = refuted.or(undefined) {
-        let point = x.iter().copied().collect();
-        return Err(if gram.is_undefined(&x) {
+    let undefined = || at.clone().filter(|x| gram.is_undefined(x));
+    if let Some(point) = refuted.or_else(undefined) {
+        return Err(if gram.is_undefined(&point) {
             CertifyError::Undefined { point }
         } else {
-            CertifyError::NotPositiveDefinite { point, eigenvalue: function.witness(&x) }
+            let eigenvalue = function.witness(&point);
+            CertifyError::NotPositiveDefinite { point, eigenvalue }
         });
     }
-    let witness = at.map_or(f64::NAN, |x| function.witness(&x));
+    let witness = at.as_ref().map_or(f64::NAN, |x| function.witness(x));
     Ok(Found { upper: found.upper, at, witness, boxes: found.boxes, reached: found.reached })
 }

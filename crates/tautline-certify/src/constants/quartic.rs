@@ -1,9 +1,12 @@
 //! Forms of degree four, represented by quadratic forms up to forms that vanish on squares.
 
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector};
 use tautline_scalar::Scalar;
 
-use super::{eigenvalue_bound::eigen, spectral::basis_with};
+use super::{
+    eigenvalue_bound::eigen,
+    spectral::{basis_with, congruent},
+};
 
 /// The maximal number of subgradient steps.
 const STEPS: usize = 20;
@@ -25,9 +28,9 @@ fn coordinates<T: Scalar>(matrix: impl Fn(usize, usize) -> T, d: usize) -> Vec<T
     pairs(d).map(|(i, j)| if i == j { matrix(i, i) } else { matrix(i, j) * root }).collect()
 }
 
-/// The matrix `Σ aₖaₖᵀ`.
-pub(super) fn flattened<T: Scalar, const D: usize>(a: &[SMatrix<T, D, D>; D]) -> DMatrix<T> {
-    let vectors = a.map(|a| coordinates(|i, j| a[(i, j)], D));
+/// The matrix `Σ aₖaₖᵀ`, where `a(k, i, j)` is an entry of `Aₖ`.
+pub(super) fn flattened<T: Scalar>(a: &impl Fn(usize, usize, usize) -> T, d: usize) -> DMatrix<T> {
+    let vectors: Vec<_> = (0..d).map(|k| coordinates(|i, j| a(k, i, j), d)).collect();
     let n = vectors[0].len();
     let mut sum = DMatrix::from_element(n, n, T::zero());
     for i in 0..n {
@@ -43,49 +46,52 @@ pub(super) fn flattened<T: Scalar, const D: usize>(a: &[SMatrix<T, D, D>; D]) ->
 
 /// A matrix whose quadratic form vanishes on all `uuᵀ`.
 #[derive(Clone)]
-pub(super) struct Vanishing<const D: usize> {
+pub(super) struct Vanishing {
     /// At `(i, j)`, with `i < j`: the factor of `2 zᵢᵢ zⱼⱼ − zᵢⱼ²`.
-    squares: SMatrix<f64, D, D>,
+    squares: DMatrix<f64>,
     /// At `[i]` and `(j, k)`, with `j < k`: the factor of `2 zᵢᵢ zⱼₖ − √2 zᵢⱼ zᵢₖ`.
-    mixed: [SMatrix<f64, D, D>; D],
+    mixed: Vec<DMatrix<f64>>,
 }
 
-impl<const D: usize> Vanishing<D> {
+impl Vanishing {
     fn new(
+        d: usize,
         squares: impl Fn(usize, usize) -> f64,
         mixed: impl Fn(usize, usize, usize) -> f64,
     ) -> Self {
         let apart = |i, j, k| j < k && i != j && i != k;
         Self {
-            squares: SMatrix::from_fn(|i, j| if i < j { squares(i, j) } else { 0.0 }),
-            mixed: std::array::from_fn(|i| {
-                SMatrix::from_fn(|j, k| if apart(i, j, k) { mixed(i, j, k) } else { 0.0 })
-            }),
+            squares: DMatrix::from_fn(d, d, |i, j| if i < j { squares(i, j) } else { 0.0 }),
+            mixed: (0..d)
+                .map(|i| {
+                    DMatrix::from_fn(d, d, |j, k| if apart(i, j, k) { mixed(i, j, k) } else { 0.0 })
+                })
+                .collect(),
         }
     }
 
     /// Returns good factors for a form with its maximum at `u`, up to rounding.
-    pub(super) fn for_maximum(a: &[SMatrix<f64, D, D>; D], u: &SVector<f64, D>) -> Self {
+    pub(super) fn for_maximum(a: &impl Fn(usize, usize, usize) -> f64, u: &DVector<f64>) -> Self {
         // The matrices in coordinates whose first axis is u.
-        let q = basis_with(u);
-        let turned = a.map(|a| q.transpose() * a * q);
+        let (q, d) = (basis_with(u), u.len());
+        let turned: Vec<_> = (0..d).map(|k| congruent(&q, |i, j| a(k, i, j))).collect();
         let root = 2.0_f64.sqrt();
         let entry = |i: usize, j: usize, k: usize| -> f64 {
             let weight = if j == k { 1.0 } else { root };
             turned.iter().map(|a| a[(i, i)] * a[(j, k)] * weight).sum()
         };
-        let there = Self::new(|i, j| -entry(i, j, j), |i, j, k| -entry(i, j, k));
+        let there = Self::new(d, |i, j| -entry(i, j, j), |i, j, k| -entry(i, j, k));
         // The factors are the entries at (ii, jj) and (ii, jk), rotated back.
-        let mut matrix = DMatrix::zeros(D * (D + 1) / 2, D * (D + 1) / 2);
+        let mut matrix = DMatrix::zeros(d * (d + 1) / 2, d * (d + 1) / 2);
         there.add_to(&mut matrix);
         let axis = |i: usize, j: usize| {
             let weight = if i == j { 0.5 } else { 1.0 / root };
             let both = |a: usize, b: usize| q[(i, a)] * q[(j, b)] + q[(j, a)] * q[(i, b)];
-            DVector::from_vec(coordinates(|a, b| weight * both(a, b), D))
+            DVector::from_vec(coordinates(|a, b| weight * both(a, b), d))
         };
         let back =
             |i: usize, j: usize, k: usize| (axis(i, i).transpose() * &matrix * axis(j, k))[0];
-        Self::new(|i, j| back(i, j, j), back)
+        Self::new(d, |i, j| back(i, j, j), back)
     }
 
     /// Returns factors with a smaller largest eigenvalue, if that exceeds the maximum `goal` of the
@@ -94,7 +100,8 @@ impl<const D: usize> Vanishing<D> {
     /// This is Polyak's subgradient method: it steps along `wᵀNₘw`, for the eigenvector `w`, and
     /// each step is as long as a linear function would need to reach the goal.
     pub(super) fn improved(self, matrix: &DMatrix<f64>, goal: f64) -> Self {
-        let none = Self { squares: SMatrix::zeros(), mixed: [SMatrix::zeros(); D] };
+        let d = self.dimension();
+        let none = Self::new(d, |_, _| 0.0, |_, _, _| 0.0);
         let without = eigen(matrix).map_or(f64::INFINITY, |eigen| eigen.eigenvalues.max());
         let (mut best, mut least) = (none, without);
         let mut now = self;
@@ -107,9 +114,9 @@ impl<const D: usize> Vanishing<D> {
             if largest < least {
                 (best, least) = (now.clone(), largest);
             }
-            let slope = Self::slope(&eigen.eigenvectors.column(index).into_owned());
+            let slope = Self::slope(d, &eigen.eigenvectors.column(index).into_owned());
             let size = slope.norm_squared();
-            if D == 2 || largest <= goal * (1.0 + 1e-3) || size == 0.0 {
+            if d == 2 || largest <= goal * (1.0 + 1e-3) || size == 0.0 {
                 break;
             }
             now.step(&slope, (goal - largest) / size);
@@ -118,27 +125,33 @@ impl<const D: usize> Vanishing<D> {
     }
 
     /// The derivatives of `wᵀNw` with respect to the factors.
-    fn slope(w: &DVector<f64>) -> Self {
-        let z = |i, j| w[place(D, i, j)];
+    fn slope(d: usize, w: &DVector<f64>) -> Self {
+        let z = |i, j| w[place(d, i, j)];
         Self::new(
+            d,
             |i, j| 2.0 * z(i, i) * z(j, j) - z(i, j) * z(i, j),
             |i, j, k| 2.0 * z(i, i) * z(j, k) - 2.0_f64.sqrt() * z(i, j) * z(i, k),
         )
     }
 
+    fn dimension(&self) -> usize {
+        self.squares.nrows()
+    }
+
     fn norm_squared(&self) -> f64 {
-        self.mixed.iter().map(SMatrix::norm_squared).sum::<f64>() + self.squares.norm_squared()
+        self.mixed.iter().map(DMatrix::norm_squared).sum::<f64>() + self.squares.norm_squared()
     }
 
     fn step(&mut self, direction: &Self, length: f64) {
-        self.squares += direction.squares * length;
+        self.squares += &direction.squares * length;
         for (factors, direction) in self.mixed.iter_mut().zip(&direction.mixed) {
             *factors += direction * length;
         }
     }
 
     pub(super) fn add_to<T: Scalar>(&self, matrix: &mut DMatrix<T>) {
-        let at = |i, j| place(D, i, j);
+        let d = self.dimension();
+        let at = |i, j| place(d, i, j);
         let mut add = |p: usize, q: usize, factor: T| {
             matrix[(p, q)] += factor;
             if p != q {
@@ -146,11 +159,11 @@ impl<const D: usize> Vanishing<D> {
             }
         };
         let half_root = T::constant(0.5).sqrt();
-        for (j, k) in pairs(D).filter(|(j, k)| j < k) {
+        for (j, k) in pairs(d).filter(|(j, k)| j < k) {
             let factor = T::constant(self.squares[(j, k)]);
             add(at(j, j), at(k, k), factor);
             add(at(j, k), at(j, k), -factor);
-            for i in (0..D).filter(|&i| i != j && i != k) {
+            for i in (0..d).filter(|&i| i != j && i != k) {
                 let factor = T::constant(self.mixed[i][(j, k)]);
                 add(at(i, i), at(j, k), factor);
                 add(at(i, j), at(i, k), -factor * half_root);
@@ -161,7 +174,7 @@ impl<const D: usize> Vanishing<D> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{DVector, SMatrix, SVector};
+    use nalgebra::{DVector, SMatrix};
     use proptest::{prelude::*, strategy::ValueTree, test_runner::TestRunner};
 
     use tautline_scalar::Interval;
@@ -177,14 +190,19 @@ mod tests {
         })
     }
 
-    fn unit<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
-        proptest::collection::vec(-1.0..1.0_f64, D)
-            .prop_map(SVector::from_vec)
-            .prop_filter_map("a direction", |u: SVector<f64, D>| u.try_normalize(0.1))
+    /// Returns the entries of the matrices.
+    fn of<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> impl Fn(usize, usize, usize) -> f64 {
+        |k, i, j| a[k][(i, j)]
+    }
+
+    fn unit(d: usize) -> impl Strategy<Value = DVector<f64>> {
+        proptest::collection::vec(-1.0..1.0_f64, d)
+            .prop_map(DVector::from_vec)
+            .prop_filter_map("a direction", |u: DVector<f64>| u.try_normalize(0.1))
     }
 
     /// The form `Σ (uᵀAₖu)²`.
-    fn quartic<const D: usize>(a: &[SMatrix<f64, D, D>; D], u: &SVector<f64, D>) -> f64 {
+    fn quartic<const D: usize>(a: &[SMatrix<f64, D, D>; D], u: &DVector<f64>) -> f64 {
         a.iter().map(|a| form(|i, j| a[(i, j)], u).powi(2)).sum()
     }
 
@@ -194,10 +212,10 @@ mod tests {
     fn over_intervals_the_roots_are_enclosed() {
         let beside = coordinates(|_, _| Interval::point(1.0), 2)[2];
         assert!(beside.lo() < beside.hi(), "{beside:?}");
-        let mut mixed = [SMatrix::<f64, 3, 3>::zeros(); 3];
+        let mut mixed = vec![DMatrix::zeros(3, 3); 3];
         mixed[0][(1, 2)] = 1.0;
         let mut matrix = DMatrix::from_element(6, 6, Interval::point(0.0));
-        Vanishing { squares: SMatrix::zeros(), mixed }.add_to(&mut matrix);
+        Vanishing { squares: DMatrix::zeros(3, 3), mixed }.add_to(&mut matrix);
         // The entry at (11, 23) is the factor itself; the entry at (12, 13) is −√½ times the
         // factor.
         let [whole, part] = [matrix[(0, 5)], matrix[(3, 4)]];
@@ -207,10 +225,10 @@ mod tests {
 
     /// Returns the maximum found, and the largest eigenvalue with the chosen factors.
     fn bound<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> (f64, f64) {
-        let found = direction(a).expect("finite");
+        let found = direction(&of(a), D).expect("finite");
         let goal = found.norm * found.norm;
-        let chosen = Vanishing::for_maximum(a, &found.u).improved(&flattened(a), goal);
-        let mut sum = flattened(a);
+        let mut sum = flattened(&of(a), D);
+        let chosen = Vanishing::for_maximum(&of(a), &found.u).improved(&sum, goal);
         chosen.add_to(&mut sum);
         (goal, eigen(&sum).expect("finite").eigenvalues.max())
     }
@@ -220,15 +238,15 @@ mod tests {
     fn changes_nothing<const D: usize>(
         a: [SMatrix<f64, D, D>; D],
         b: [SMatrix<f64, D, D>; D],
-        u: SVector<f64, D>,
-        w: SVector<f64, D>,
+        u: DVector<f64>,
+        w: DVector<f64>,
     ) -> Result<(), TestCaseError> {
         let z = DVector::from_vec(coordinates(|i, j| u[i] * u[j], D));
         prop_assert!((z.norm() - 1.0).abs() < 1e-14);
-        let mut sum = flattened(&a);
+        let mut sum = flattened(&of(&a), D);
         for changed in [false, true] {
             if changed {
-                Vanishing::for_maximum(&b, &w).add_to(&mut sum);
+                Vanishing::for_maximum(&of(&b), &w).add_to(&mut sum);
             }
             // The tolerance covers some tens of roundings of numbers up to D³.
             let difference = (z.transpose() * &sum * &z)[0] - quartic(&a, &u);
@@ -241,21 +259,21 @@ mod tests {
         #![proptest_config(tautline_chance::config(2, 256))]
         #[test]
         fn what_is_added_vanishes_on_squares_in_the_plane(
-            a in matrices::<2>(), b in matrices::<2>(), u in unit(), w in unit(),
+            a in matrices::<2>(), b in matrices::<2>(), u in unit(2), w in unit(2),
         ) {
             changes_nothing(a, b, u, w)?;
         }
 
         #[test]
         fn what_is_added_vanishes_on_squares_in_space(
-            a in matrices::<3>(), b in matrices::<3>(), u in unit(), w in unit(),
+            a in matrices::<3>(), b in matrices::<3>(), u in unit(3), w in unit(3),
         ) {
             changes_nothing(a, b, u, w)?;
         }
 
         #[test]
         fn what_is_added_vanishes_on_squares_in_four_dimensions(
-            a in matrices::<4>(), b in matrices::<4>(), u in unit(), w in unit(),
+            a in matrices::<4>(), b in matrices::<4>(), u in unit(4), w in unit(4),
         ) {
             changes_nothing(a, b, u, w)?;
         }
@@ -266,7 +284,7 @@ mod tests {
             // of them.
             let at = |step: f64| {
                 let (sin, cos) = (step * std::f64::consts::PI / 1e4).sin_cos();
-                quartic(&a, &SVector::from([cos, sin]))
+                quartic(&a, &DVector::from_column_slice(&[cos, sin]))
             };
             let best = (0..10_000).map(f64::from).max_by(|s, t| at(*s).total_cmp(&at(*t)));
             let best = best.expect("steps");
@@ -280,7 +298,7 @@ mod tests {
 
         /// The form of a multiple of the identity, without the shortcut for this case.
         #[test]
-        fn the_bound_is_the_norm_for_multiples_of_the_identity(g in unit::<3>()) {
+        fn the_bound_is_the_norm_for_multiples_of_the_identity(g in unit(3)) {
             let a = std::array::from_fn(|k| SMatrix::<f64, 3, 3>::identity() * g[k]);
             let (found, bound) = bound(&a);
             prop_assert!((found - 1.0).abs() < 1e-14 && (bound - 1.0).abs() < 1e-14, "{bound}");

@@ -10,15 +10,17 @@ use tautline_metrics::{
 };
 use tautline_scalar::{Scalar, Table};
 
-use super::{CertifiedConstant, CertifiedConstants, Quantity, certify, certify_watched};
+use super::{
+    CertifiedConstant, CertifiedConstants, Quantity, certify, certify_by_formula, recorded,
+};
 use crate::{Accuracy, Cell, Certified, CertifyError, Domain, Progress, Watch, testing::parsed};
 
 const CLOSE: Accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
 
 #[test]
 fn the_constants_of_the_valleys_to_six_digits() {
-    let space = Domain::<2>::space(&Valleys);
-    let proved = CertifiedConstants::new(&Valleys, &space, CLOSE).expect("constants");
+    let space = Domain::space::<2>(&Valleys);
+    let proved = CertifiedConstants::new::<2>(&Valleys, &space, CLOSE).expect("constants");
     let exact = [
         (proved.c1(), 1.0),
         (proved.c2(), 9.0),
@@ -36,12 +38,12 @@ fn the_constants_of_the_valleys_to_six_digits() {
 /// positive: it is `6` at `π`. For the valleys it is largest where it is negative.
 #[test]
 fn a_second_derivative_counts_with_either_sign() {
-    let ridges = parsed("20 - sqr(2 - cos(x1)) I");
-    let of = |found: CertifiedConstant<2>| found.contains(6.0) && found.looseness() < 1.000_01;
-    let space = Domain::<2>::space(&ridges);
+    let ridges = parsed::<2>("20 - sqr(2 - cos(x1)) I");
+    let of = |found: &CertifiedConstant| found.contains(6.0) && found.looseness() < 1.000_01;
+    let space = Domain::space(&ridges);
     let ridges = certify(&ridges, Quantity::MH, &space, CLOSE).expect("a constant");
-    let valleys = certify(&Valleys, Quantity::MH, &space, CLOSE).expect("a constant");
-    assert!(of(ridges) && of(valleys), "{ridges:?} {valleys:?}");
+    let valleys = certify::<2>(&Valleys, Quantity::MH, &space, CLOSE).expect("a constant");
+    assert!(of(&ridges) && of(&valleys), "{ridges:?} {valleys:?}");
 }
 
 #[test]
@@ -54,9 +56,9 @@ fn in_three_dimensions_the_norm_of_the_derivative_is_nearly_exact() {
 
 #[test]
 fn a_ball_has_constants_where_space_has_none() {
-    let ball = Domain::<2>::ball([0.0, 0.0], 0.5).expect("a radius");
+    let ball = Domain::ball([0.0, 0.0], 0.5).expect("a radius");
     let accuracy = Accuracy { tolerance: 1e-3, budget: 100_000 };
-    let proved = CertifiedConstants::new(&Hyperbolic, &ball, accuracy).expect("constants");
+    let proved = CertifiedConstants::new::<2>(&Hyperbolic, &ball, accuracy).expect("constants");
     // φ = 4 / (1 − r²)² is 4 at the centre and 64/9 at the rim, where its slope 16 r / (1 − r²)³ is
     // 512/27.
     for (found, exact) in
@@ -69,8 +71,8 @@ fn a_ball_has_constants_where_space_has_none() {
 
 #[test]
 fn a_metric_that_is_not_defined_is_refused_with_the_point() {
-    let ball = Domain::<2>::ball([0.0, 0.0], 1.5).expect("a radius");
-    match certify(&Hyperbolic, Quantity::C2, &ball, Accuracy::default()) {
+    let ball = Domain::ball([0.0, 0.0], 1.5).expect("a radius");
+    match certify::<2>(&Hyperbolic, Quantity::C2, &ball, Accuracy::default()) {
         Err(CertifyError::Undefined { point }) => {
             assert!(SVector::<f64, 2>::from_row_slice(&point).norm() >= 1.0, "{point:?}");
         }
@@ -183,26 +185,36 @@ fn a_constant_that_is_infinite_is_not_bounded() {
 /// The domain made for another metric represents only itself.
 #[test]
 fn constants_on_the_domain_of_another_metric_are_local() {
-    let still = parsed("1 I");
+    let still = parsed::<2>("1 I");
     let point = Domain::space(&still);
-    let of = |proved: CertifiedConstants<2>| proved.constants().expect("constants").is_local();
-    assert!(of(CertifiedConstants::new(&Valleys, &point, CLOSE).expect("a point")));
+    let of = |proved: CertifiedConstants| proved.constants().expect("constants").is_local();
+    assert!(of(CertifiedConstants::new::<2>(&Valleys, &point, CLOSE).expect("a point")));
     assert!(!of(CertifiedConstants::new(&still, &point, CLOSE).expect("a point")));
 }
 
 #[test]
 fn no_budget_and_no_tolerance_are_refused() {
-    let space = Domain::<2>::space(&Valleys);
+    let space = Domain::space::<2>(&Valleys);
     let none = Accuracy { budget: 0, ..Accuracy::default() };
-    match certify(&Valleys, Quantity::C1, &space, none) {
+    match certify::<2>(&Valleys, Quantity::C1, &space, none) {
         Err(CertifyError::BudgetSpent { lower, upper, boxes: 0, .. }) => {
             assert_eq!((lower, upper), (f64::NEG_INFINITY, f64::INFINITY));
         }
         other => panic!("{other:?}"),
     }
     for tolerance in [0.0, 1.0, f64::NAN] {
-        let error = certify(&Valleys, Quantity::C1, &space, Accuracy { tolerance, budget: 10 });
+        let error =
+            certify::<2>(&Valleys, Quantity::C1, &space, Accuracy { tolerance, budget: 10 });
         assert!(matches!(error, Err(CertifyError::NotATolerance { .. })));
+    }
+}
+
+#[test]
+fn a_domain_in_another_space_is_refused() {
+    let line = Domain::cell(Cell::new([0.0], [1.0]).expect("in order"));
+    let refused = Err(CertifyError::Coordinates { what: "a domain", found: 1, dimension: 2 });
+    for quantity in Quantity::ALL {
+        assert_eq!(certify::<2>(&Valleys, quantity, &line, CLOSE), refused);
     }
 }
 
@@ -261,8 +273,8 @@ fn constants_within_a_small_budget_are_wider_and_hold() {
 #[test]
 fn a_budget_without_a_positive_c1_gives_no_constants() {
     // The factor is at least 0.95, but intervals know less on a large box.
-    let metric = parsed("1.2 - x1*(1 - x1) I");
-    let ball = Domain::<2>::ball([0.5, 0.0], 1.0).expect("a radius");
+    let metric = parsed::<2>("1.2 - x1*(1 - x1) I");
+    let ball = Domain::ball([0.5, 0.0], 1.0).expect("a radius");
     let few = Accuracy { tolerance: 1e-3, budget: 1 };
     match CertifiedConstants::within_budget(&metric, &ball, few) {
         Err(CertifyError::BudgetSpent { quantity: Quantity::C1, lower, .. }) => {
@@ -276,7 +288,7 @@ fn a_budget_without_a_positive_c1_gives_no_constants() {
 #[test]
 fn the_bend_of_a_high_power_is_proved_at_a_point() {
     let power = parsed::<1>("1 + x1^2147483645 I");
-    let point = Domain::<1>::ball([1.0], 0.0).expect("a radius");
+    let point = Domain::ball([1.0], 0.0).expect("a radius");
     let found = certify(&power, Quantity::MH, &point, CLOSE).expect("a constant");
     let exact = 2_147_483_645_i128 * 2_147_483_644;
     assert!(found.lower as i128 <= exact && exact <= found.upper as i128, "{found:?}");
@@ -288,6 +300,7 @@ fn the_bend_of_a_high_power_is_proved_at_a_point() {
 #[test]
 fn a_search_tells_of_bounds_on_the_constant_itself() {
     let cell = Domain::cell(Cell::new([-0.7, 0.0], [5.9, 0.0]).expect("in order"));
+    let valleys = recorded::<2>(&Valleys).expect("a formula");
     for (quantity, exact) in [
         (Quantity::C1, 1.0),
         (Quantity::C2, 9.0),
@@ -299,8 +312,12 @@ fn a_search_tells_of_bounds_on_the_constant_itself() {
             told.lock().expect("no panic").push(progress);
             true
         };
-        let watched = certify_watched(&Valleys, quantity, &cell, CLOSE, &watch);
-        assert_eq!(watched, certify(&Valleys, quantity, &cell, CLOSE), "watching changes nothing");
+        let watched = certify_by_formula(&valleys, quantity, &cell, CLOSE, &watch);
+        assert_eq!(
+            watched,
+            certify::<2>(&Valleys, quantity, &cell, CLOSE),
+            "watching changes nothing"
+        );
         let told = told.into_inner().expect("no panic");
         assert!(told.len() > 5, "{quantity}: {told:?}");
         let mut boxes = 0;
@@ -323,7 +340,8 @@ fn a_search_tells_of_bounds_on_the_constant_itself() {
 /// A search that is ended leaves bounds, as one that spent its budget does.
 #[test]
 fn a_search_that_is_ended_leaves_the_bounds_it_told_of() {
-    let ball = Domain::<2>::ball([0.1, -0.2], 0.4).expect("a radius");
+    let ball = Domain::ball([0.1, -0.2], 0.4).expect("a radius");
+    let hyperbolic = recorded::<2>(&Hyperbolic).expect("a formula");
     for quantity in Quantity::ALL {
         let told = Mutex::new(Vec::new());
         let watch = |progress: Progress| {
@@ -331,13 +349,13 @@ fn a_search_that_is_ended_leaves_the_bounds_it_told_of() {
             told.push(progress);
             told.len() < 3
         };
-        let ended = certify_watched(&Hyperbolic, quantity, &ball, CLOSE, &watch);
+        let ended = certify_by_formula(&hyperbolic, quantity, &ball, CLOSE, &watch);
         let Err(CertifyError::BudgetSpent { quantity: of, lower, upper, boxes }) = ended else {
             panic!("{ended:?}")
         };
         let told = told.into_inner().expect("no panic");
         assert!(of == quantity && told.len() == 3 && told[2].boxes == boxes, "{told:?}");
-        let close = certify(&Hyperbolic, quantity, &ball, CLOSE).expect("a constant");
+        let close = certify::<2>(&Hyperbolic, quantity, &ball, CLOSE).expect("a constant");
         assert!(lower <= close.upper && close.lower <= upper, "{lower} {upper} {close:?}");
         // The error carries the bound of the last report, which is rounded on its way.
         let proved = if quantity == Quantity::C1 { lower } else { upper };
@@ -360,18 +378,19 @@ fn a_watch_that_needs_no_second_derivative_gets_none() {
             false
         }
     }
-    let space = Domain::<2>::space(&Valleys);
+    let space = Domain::space::<2>(&Valleys);
+    let valleys = recorded::<2>(&Valleys).expect("a formula");
     let without = Without(Mutex::new(Vec::new()));
-    let found = CertifiedConstants::within_budget_watched(&Valleys, &space, CLOSE, &without);
+    let found = CertifiedConstants::within_budget_by_formula(&valleys, &space, CLOSE, &without);
     let found = found.expect("constants");
-    let all = CertifiedConstants::within_budget(&Valleys, &space, CLOSE).expect("constants");
+    let all = CertifiedConstants::within_budget::<2>(&Valleys, &space, CLOSE).expect("constants");
     assert_eq!((found.c1(), found.c2(), found.l_h()), (all.c1(), all.c2(), all.l_h()));
     assert!(found.m_h().is_none() && all.m_h().is_some());
     assert!(found.constants().expect("constants").m_h().is_none());
     assert!(!without.0.into_inner().expect("no panic").contains(&Quantity::MH));
     // One that ends every search leaves what the first boxes prove.
     let never = |_: Progress| false;
-    let few = CertifiedConstants::within_budget_watched(&Valleys, &space, CLOSE, &never);
+    let few = CertifiedConstants::within_budget_by_formula(&valleys, &space, CLOSE, &never);
     let few = few.expect("constants").constants().expect("constants");
     assert!(0.0 < few.c1() && few.c1() <= 1.0 && few.c2() >= 9.0, "{few:?}");
     assert!(few.l_h() >= 4.403 && few.m_h().is_none_or(|m_h| m_h >= 6.0), "{few:?}");

@@ -1,8 +1,7 @@
 //! `Dependence`: how the entries of a Gram matrix depend on each coordinate, read off the formula.
 
-use nalgebra::SVector;
 use tautline_formula::{Arithmetic, Formula, Function, Operation};
-use tautline_scalar::{Interval, Scalar};
+use tautline_scalar::{ANY, Interval, Scalar};
 
 /// The largest ratio of a wave number to the common divisor of all wave numbers.
 ///
@@ -10,7 +9,7 @@ use tautline_scalar::{Interval, Scalar};
 /// period is useless.
 pub(super) const LARGEST_RATIO: f64 = 1024.0;
 
-/// What a formula shows about the dependence of a step on `D` coordinates. The step has the form
+/// What a formula shows about the dependence of a step on some coordinates. The step has the form
 ///
 /// `f(x) = a·x + p(x)`
 ///
@@ -19,16 +18,16 @@ pub(super) const LARGEST_RATIO: f64 = 1024.0;
 ///
 /// The formula is followed step by step, with exact arithmetic on its constants, so every period
 /// found is proved. There may be others: `sin x / cos x` is known to have the period `2π`, not `π`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Dependence<const D: usize> {
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Dependence {
     /// The value if the step is a constant; otherwise meaningless.
     constant: Interval,
     /// The linear coefficients `a`.
-    pub(super) slope: [Interval; D],
+    pub(super) slope: Vec<Interval>,
     /// For each coordinate, a common divisor of all wave numbers, in `1/ℓ`; 0 if there is no wave.
-    wave_number: [f64; D],
+    wave_number: Vec<f64>,
     /// Whether the dependence on a coordinate is unknown.
-    aperiodic: [bool; D],
+    aperiodic: Vec<bool>,
 }
 
 /// How a function depends on one coordinate.
@@ -43,10 +42,12 @@ pub(crate) enum Along {
 }
 
 /// Returns how the Gram matrix depends on each coordinate.
-pub(crate) fn dependence<const D: usize>(formula: &Formula<D>) -> [Along; D] {
-    let all = entries(formula, &steps(formula, coordinates()))
-        .fold(Dependence::<D>::constant(0.0), Dependence::joined);
-    std::array::from_fn(|i| {
+pub(crate) fn dependence(formula: &Formula<ANY>) -> Vec<Along> {
+    let d = formula.dimension();
+    let steps = steps(formula, &coordinates(d));
+    let all =
+        entries(formula, &steps).fold(Dependence::constant(d, 0.0), |all, entry| all.joined(entry));
+    let along = |i: usize| {
         if all.aperiodic[i] {
             Along::Unknown
         } else if all.wave_number[i] > 0.0 {
@@ -54,63 +55,60 @@ pub(crate) fn dependence<const D: usize>(formula: &Formula<D>) -> [Along; D] {
         } else {
             Along::Constant
         }
-    })
+    };
+    (0..d).map(along).collect()
 }
 
 /// Returns whether the formula shows that the Gram matrix does not change along `direction`.
-pub(crate) fn is_constant_along<const D: usize>(
-    formula: &Formula<D>,
-    direction: &SVector<f64, D>,
-) -> bool {
+pub(crate) fn is_constant_along(formula: &Formula<ANY>, direction: &[f64]) -> bool {
     // The only variable is s, in x + s · direction, and x is arbitrary.
-    let x = std::array::from_fn(|i| Dependence {
+    let x = direction.iter().map(|&slope| Dependence {
         constant: Interval::REALS,
-        slope: [Interval::point(direction[i])],
-        ..Dependence::<1>::constant(0.0)
+        slope: vec![Interval::point(slope)],
+        ..Dependence::constant(1, 0.0)
     });
-    entries(formula, &steps(formula, x)).all(|entry| entry.is_constant())
+    let x: Vec<_> = x.collect();
+    entries(formula, &steps(formula, &x)).all(Dependence::is_constant)
 }
 
-/// Returns the dependence of the coordinates on themselves.
-pub(super) fn coordinates<const D: usize>() -> [Dependence<D>; D] {
-    std::array::from_fn(|i| {
-        let mut variable = Dependence { constant: Interval::REALS, ..Dependence::constant(0.0) };
+/// Returns the dependence of `d` coordinates on themselves.
+pub(super) fn coordinates(d: usize) -> Vec<Dependence> {
+    let variable = |i: usize| {
+        let mut variable = Dependence { constant: Interval::REALS, ..Dependence::constant(d, 0.0) };
         variable.slope[i] = Interval::point(1.0);
         variable
-    })
+    };
+    (0..d).map(variable).collect()
 }
 
 /// Returns the entries on and above the diagonal, which are the only ones read elsewhere.
-fn entries<'s, const D: usize, const N: usize>(
-    formula: &Formula<D>,
-    steps: &'s [Dependence<N>],
-) -> impl Iterator<Item = Dependence<N>> + 's {
-    let upper = (0..D).flat_map(|j| (0..=j).map(move |i| (i, j)));
+fn entries<'s>(
+    formula: &Formula<ANY>,
+    steps: &'s [Dependence],
+) -> impl Iterator<Item = &'s Dependence> {
+    let upper = (0..formula.dimension()).flat_map(|j| (0..=j).map(move |i| (i, j)));
     let places: Vec<_> = upper.map(|(i, j)| formula.entry(i, j) as usize).collect();
-    places.into_iter().map(|place| steps[place])
+    places.into_iter().map(|place| &steps[place])
 }
 
-/// Returns the dependence of each step.
-pub(super) fn steps<const D: usize, const N: usize>(
-    formula: &Formula<D>,
-    x: [Dependence<N>; D],
-) -> Vec<Dependence<N>> {
-    let mut steps: Vec<Dependence<N>> = Vec::with_capacity(formula.operations().len());
+/// Returns the dependence of each step, given the dependence of the coordinates.
+pub(super) fn steps(formula: &Formula<ANY>, x: &[Dependence]) -> Vec<Dependence> {
+    let mut steps: Vec<Dependence> = Vec::with_capacity(formula.operations().len());
+    let variables = x.first().map_or(0, |x| x.slope.len());
+    let constant = |value: f64| Dependence::constant(variables, value);
     for (place, &operation) in formula.operations().iter().enumerate() {
-        let at = |step: u32| steps[step as usize];
+        let at = |step: u32| steps[step as usize].clone();
         let step = match operation {
-            Operation::Coordinate(i) => x[i as usize],
-            Operation::Constant(c) => Dependence::constant(c.value()),
-            Operation::Binary(how, a, b) => at(a).combined(how, at(b)),
-            Operation::WithNumber(how, a, c) => {
-                at(a).combined(how, Dependence::constant(c.value()))
-            }
+            Operation::Coordinate(i) => x[i as usize].clone(),
+            Operation::Constant(c) => constant(c.value()),
+            Operation::Binary(how, a, b) => at(a).combined(how, &steps[b as usize]),
+            Operation::WithNumber(how, a, c) => at(a).combined(how, &constant(c.value())),
             Operation::Powi(a, 1) => at(a),
             Operation::Powi(a, n) => at(a).under(Dependence::bent, |constant| constant.powi(n)),
             Operation::Of(Function::Neg, a) => at(a).negative(),
             Operation::Table(call) => {
-                let arguments = call.arguments().iter().map(|&argument| at(argument));
-                arguments.fold(Dependence::constant(0.0), Dependence::joined)
+                let arguments = call.arguments().iter().map(|&argument| &steps[argument as usize]);
+                arguments.fold(constant(0.0), Dependence::joined)
             }
             Operation::Of(..) | Operation::First(..) | Operation::Second => {
                 let (function, a) = formula.function(place).expect("a second follows its first");
@@ -126,41 +124,43 @@ pub(super) fn steps<const D: usize, const N: usize>(
     steps
 }
 
-impl<const D: usize> Dependence<D> {
-    fn constant(value: f64) -> Self {
+impl Dependence {
+    /// Returns a constant, as a function of so many coordinates.
+    fn constant(variables: usize, value: f64) -> Self {
         Self {
             constant: Interval::point(value),
-            slope: [Interval::point(0.0); D],
-            wave_number: [0.0; D],
-            aperiodic: [false; D],
+            slope: vec![Interval::point(0.0); variables],
+            wave_number: vec![0.0; variables],
+            aperiodic: vec![false; variables],
         }
     }
 
     pub(super) fn is_constant(&self) -> bool {
         let none =
             |i: usize| is_zero(self.slope[i]) && self.wave_number[i] == 0.0 && !self.aperiodic[i];
-        (0..D).all(none)
+        (0..self.slope.len()).all(none)
     }
 
     /// Returns whether the step is `a·x + c` with `a ≠ 0` and a constant `c`.
     pub(super) fn is_linear(&self) -> bool {
         let is_straight = |i: usize| self.wave_number[i] == 0.0 && !self.aperiodic[i];
-        (0..D).all(is_straight) && !self.slope.iter().all(|&a| is_zero(a))
+        (0..self.slope.len()).all(is_straight) && !self.slope.iter().all(|&a| is_zero(a))
     }
 
     /// Applies a function to the step. If the step is constant, so is the result, and its value may
     /// serve as a factor.
     fn under(self, bent: fn(Self) -> Self, value: impl Fn(Interval) -> Interval) -> Self {
+        let constant = self.is_constant().then(|| value(self.constant));
         let mut result = bent(self);
-        if self.is_constant() {
-            result.constant = value(self.constant);
+        if let Some(constant) = constant {
+            result.constant = constant;
         }
         result
     }
 
     /// Applies an arbitrary function to `a·x + p`.
     fn bent(mut self) -> Self {
-        for i in 0..D {
+        for i in 0..self.slope.len() {
             self.aperiodic[i] |= !is_zero(self.slope[i]);
         }
         self.straightened()
@@ -168,7 +168,7 @@ impl<const D: usize> Dependence<D> {
 
     /// Applies a function with the period `2π` to `a·x + p`.
     fn wave(mut self) -> Self {
-        for i in 0..D {
+        for i in 0..self.slope.len() {
             let slope = self.slope[i];
             if slope.lo() == slope.hi() {
                 self.add_wave(i, slope.lo().abs());
@@ -179,15 +179,17 @@ impl<const D: usize> Dependence<D> {
         self.straightened()
     }
 
-    fn straightened(self) -> Self {
-        Self { constant: Interval::REALS, slope: [Interval::point(0.0); D], ..self }
+    fn straightened(mut self) -> Self {
+        self.constant = Interval::REALS;
+        self.slope.fill(Interval::point(0.0));
+        self
     }
 
     /// Applies an arbitrary function of two variables to both steps.
-    fn joined(self, other: Self) -> Self {
+    fn joined(self, other: &Self) -> Self {
         let mut both = self.bent();
-        let other = other.bent();
-        for i in 0..D {
+        let other = other.clone().bent();
+        for i in 0..both.slope.len() {
             both.aperiodic[i] |= other.aperiodic[i];
             both.add_wave(i, other.wave_number[i]);
         }
@@ -202,37 +204,41 @@ impl<const D: usize> Dependence<D> {
         self.aperiodic[i] |= !(largest <= LARGEST_RATIO * divisor);
     }
 
-    fn negative(self) -> Self {
-        Self { constant: -self.constant, slope: self.slope.map(|a| -a), ..self }
+    fn negative(mut self) -> Self {
+        self.constant = -self.constant;
+        self.slope.iter_mut().for_each(|a| *a = -*a);
+        self
     }
 
     /// `self ∘ other`.
-    fn combined(self, how: Arithmetic, other: Self) -> Self {
+    fn combined(mut self, how: Arithmetic, other: &Self) -> Self {
         match how {
             Arithmetic::Add => self.plus(other),
-            Arithmetic::Sub => self.plus(other.negative()),
+            Arithmetic::Sub => self.plus(&other.clone().negative()),
             Arithmetic::Mul if !other.is_constant() && self.is_constant() => {
-                other.combined(how, self)
+                other.clone().combined(how, &self)
             }
             _ if !other.is_constant() => self.joined(other),
             _ => {
                 let scaled = |a: Interval| how.of(a, other.constant);
                 // 0 stays 0, whatever the factor is.
-                let slope = self.slope.map(|a| if is_zero(a) { a } else { scaled(a) });
-                Self { constant: scaled(self.constant), slope, ..self }
+                for slope in self.slope.iter_mut().filter(|slope| !is_zero(**slope)) {
+                    *slope = scaled(*slope);
+                }
+                self.constant = scaled(self.constant);
+                self
             }
         }
     }
 
-    fn plus(self, other: Self) -> Self {
-        let mut sum = self;
-        sum.constant = self.constant + other.constant;
-        for i in 0..D {
-            sum.slope[i] = self.slope[i] + other.slope[i];
-            sum.aperiodic[i] |= other.aperiodic[i];
-            sum.add_wave(i, other.wave_number[i]);
+    fn plus(mut self, other: &Self) -> Self {
+        self.constant += other.constant;
+        for i in 0..self.slope.len() {
+            self.slope[i] += other.slope[i];
+            self.aperiodic[i] |= other.aperiodic[i];
+            self.add_wave(i, other.wave_number[i]);
         }
-        sum
+        self
     }
 }
 
@@ -263,7 +269,8 @@ mod tests {
     use crate::testing::{parsed, tables};
 
     fn dependence<const D: usize>(metric: &impl Metric<D>) -> [Along; D] {
-        super::dependence(&Formula::record(metric).expect("no comparison"))
+        let formula = Formula::record(metric).expect("no comparison");
+        super::dependence(&formula.into_any()).try_into().expect("one for each coordinate")
     }
 
     #[test]
@@ -319,7 +326,7 @@ mod tests {
             ("cos(tanh(x1))", Unknown),
             ("cos(1/x1)", Unknown),
         ] {
-            assert_eq!(super::dependence(&parsed(&format!("{text} I"))), [along], "{text}");
+            assert_eq!(dependence(&parsed::<1>(&format!("{text} I"))), [along], "{text}");
         }
     }
 
@@ -341,7 +348,7 @@ mod tests {
             ("f_002(0.5, 0.5, x2) + h_10(0.5, x1)", [Unknown; 2]),
         ] {
             let formula = Formula::<2>::parse_with(&format!("{text} I"), &[], &tables);
-            assert_eq!(super::dependence(&formula.expect(text)), along, "{text}");
+            assert_eq!(dependence(&formula.expect(text)), along, "{text}");
         }
     }
 

@@ -11,8 +11,8 @@ use crate::patch::Point;
 
 /// A linear form `a·x`.
 #[derive(Clone, Debug)]
-pub(crate) struct Form<const D: usize> {
-    pub(crate) direction: [Interval; D],
+pub(crate) struct Form {
+    pub(crate) direction: Vec<Interval>,
     /// The variable with its value, if it has tails and is not 0 on the search.
     pub(crate) variable: Option<usize>,
     pub(crate) phases: Vec<Phase>,
@@ -44,12 +44,12 @@ pub(crate) enum Place {
     Far(f64),
 }
 
-impl<const D: usize> Form<D> {
+impl Form {
     /// Returns the form of a linear step with this slope, and the ratio of the slope to that of the
     /// form: the form of a step in one coordinate is that coordinate.
-    pub(super) fn of(slope: [Interval; D], still: &[bool; D]) -> (Self, Interval) {
-        let supported: Vec<_> = (0..D).filter(|&i| !is_zero(slope[i])).collect();
-        let (mut direction, mut scale) = (slope, Interval::point(1.0));
+    pub(super) fn of(slope: &[Interval], still: &[bool]) -> (Self, Interval) {
+        let supported: Vec<_> = (0..slope.len()).filter(|&i| !is_zero(slope[i])).collect();
+        let (mut direction, mut scale) = (slope.to_vec(), Interval::point(1.0));
         if let [i] = supported[..] {
             (direction[i], scale) = (Interval::point(1.0), slope[i]);
         }
@@ -145,9 +145,9 @@ impl Place {
 }
 
 /// Returns `a / b` if the vectors are exactly parallel and `b` is not 0.
-pub(super) fn ratio<const D: usize>(a: &[Interval; D], b: &[Interval; D]) -> Option<Interval> {
-    let supported: Vec<_> = (0..D).filter(|&i| !is_zero(b[i])).collect();
-    if (0..D).any(|i| is_zero(a[i]) != is_zero(b[i])) {
+pub(super) fn ratio(a: &[Interval], b: &[Interval]) -> Option<Interval> {
+    let supported: Vec<_> = (0..b.len()).filter(|&i| !is_zero(b[i])).collect();
+    if (0..b.len()).any(|i| is_zero(a[i]) != is_zero(b[i])) {
         return None;
     }
     if let [i] = supported[..] {

@@ -31,8 +31,8 @@ impl Hill {
 
     /// Returns the exponent `p` that the step at `place` computes, if it is one, given those of the
     /// steps before it and the values of all steps at the origin.
-    pub(crate) fn parabola<const D: usize>(
-        lift: &Lift<D>,
+    pub(crate) fn parabola(
+        lift: &Lift,
         origin: &[Interval],
         before: &[Option<Self>],
         place: usize,

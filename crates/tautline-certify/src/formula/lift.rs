@@ -4,10 +4,10 @@
 #[cfg(test)]
 mod tests;
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector};
 use num_traits::Zero;
 use tautline_formula::{Formula, Function, Operation, Step};
-use tautline_scalar::{Interval, Scalar};
+use tautline_scalar::{ANY, Interval, Scalar};
 
 use super::{
     dependence::{Dependence, coordinates, steps},
@@ -37,17 +37,17 @@ const MIXED: usize = 3;
 /// The converse holds up to closure if the forms, and the wave numbers of each form, are linearly
 /// independent; otherwise the lifted formula has more values than `H`.
 #[derive(Clone, Debug)]
-pub(crate) struct Lift<const D: usize> {
-    pub(crate) formula: Formula<D>,
+pub(crate) struct Lift {
+    pub(crate) formula: Formula<ANY>,
     /// How each step is evaluated.
     pub(crate) roles: Vec<Role>,
-    pub(crate) forms: Vec<Form<D>>,
+    pub(crate) forms: Vec<Form>,
     pub(crate) hills: Vec<Hill>,
     /// The charts: for each form, where it is.
     charts: Vec<Vec<Place>>,
     variables: usize,
     /// The coordinates that are 0, since the constants do not depend on them.
-    still: [bool; D],
+    still: Vec<bool>,
 }
 
 /// How a step is evaluated.
@@ -66,12 +66,12 @@ pub(crate) enum Role {
     Hill(usize),
 }
 
-impl<const D: usize> Lift<D> {
+impl Lift {
     /// Returns the lifted formula, with the `still` coordinates set to 0; `None` if it has too many
     /// forms, variables or charts.
-    pub(crate) fn new(formula: &Formula<D>, still: [bool; D]) -> Option<Self> {
-        let depends = steps(formula, coordinates());
-        let role = |(place, step): (usize, &Dependence<D>)| match Wall::at(formula, place) {
+    pub(crate) fn new(formula: &Formula<ANY>, still: Vec<bool>) -> Option<Self> {
+        let depends = steps(formula, &coordinates(formula.dimension()));
+        let role = |(place, step): (usize, &Dependence)| match Wall::at(formula, place) {
             _ if step.is_linear() => Role::Linear(None),
             Some(wall) if depends[wall.z as usize].is_linear() => Role::Wall(wall),
             _ => Role::Plain,
@@ -85,7 +85,8 @@ impl<const D: usize> Lift<D> {
             variables: 0,
             still,
         };
-        let origin = at_origin(formula);
+        // The values of linear steps at x = 0 are their constants.
+        let origin = formula.values_at(&vec![Interval::zero(); formula.dimension()]);
         lift.find_waves_and_tails(&depends, &origin)?;
         lift.find_hills(&origin);
         lift.number_variables()?;
@@ -94,11 +95,7 @@ impl<const D: usize> Lift<D> {
 
     /// Finds the forms of those linear steps that other steps read, and notes which have waves and
     /// which have tails. Returns `None` if there are too many.
-    fn find_waves_and_tails(
-        &mut self,
-        depends: &[Dependence<D>],
-        origin: &[Interval],
-    ) -> Option<()> {
+    fn find_waves_and_tails(&mut self, depends: &[Dependence], origin: &[Interval]) -> Option<()> {
         let formula = self.formula.clone();
         let mut waves = Vec::new();
         for (place, operation) in formula.operations().iter().enumerate() {
@@ -127,7 +124,7 @@ impl<const D: usize> Lift<D> {
                 }
             }
         }
-        for (i, j) in (0..D).flat_map(|j| (0..=j).map(move |i| (i, j))) {
+        for (i, j) in (0..formula.dimension()).flat_map(|j| (0..=j).map(move |i| (i, j))) {
             let entry = formula.entry(i, j);
             if let Some((form, scale)) = self.form(&depends[entry as usize], entry)? {
                 self.forms[form].add_tail(scale, origin[entry as usize]);
@@ -144,14 +141,14 @@ impl<const D: usize> Lift<D> {
 
     /// Returns the form of a step and its multiple, or `Some(None)` if the step is not linear;
     /// `None` if there are too many forms.
-    fn form(&mut self, depends: &Dependence<D>, step: Step) -> Option<Option<(usize, Interval)>> {
+    fn form(&mut self, depends: &Dependence, step: Step) -> Option<Option<(usize, Interval)>> {
         let Role::Linear(known) = self.roles[step as usize] else { return Some(None) };
         if known.is_some() {
             return Some(known);
         }
-        let slope = depends.slope;
+        let slope = &depends.slope;
         let mut forms = self.forms.iter().enumerate();
-        let found = forms.find_map(|(form, it)| Some((form, ratio(&slope, &it.direction)?)));
+        let found = forms.find_map(|(form, it)| Some((form, ratio(slope, &it.direction)?)));
         let (form, scale) = found.unwrap_or_else(|| {
             let (form, scale) = Form::of(slope, &self.still);
             self.forms.push(form);
@@ -220,43 +217,46 @@ impl<const D: usize> Lift<D> {
     /// form resonate.
     pub(crate) fn is_sharp(&self) -> bool {
         let moving: Vec<_> = self.forms.iter().filter(|form| form.moves()).collect();
-        let rows = DMatrix::from_fn(moving.len(), D, |row, i| {
+        let rows = DMatrix::from_fn(moving.len(), self.still.len(), |row, i| {
             if self.still[i] { 0.0 } else { moving[row].direction[i].midpoint() }
         });
         // A matrix without rows has no decomposition.
         let is_free = moving.iter().all(|form| form.has_free_phases());
         moving.is_empty()
-            || (is_free && moving.len() <= D && rows.rank(1e-9 * rows.amax()) == moving.len())
+            || (is_free
+                && moving.len() <= self.still.len()
+                && rows.rank(1e-9 * rows.amax()) == moving.len())
     }
 
     /// Returns points of space, in `ℓ`, at which the forms have about the values of `point`. Phases
     /// are met as far as one value of their form meets them. If there are more forms than
     /// coordinates, each point is the best fit for as many forms as there are coordinates.
-    pub(crate) fn in_space(&self, point: &Point) -> Vec<SVector<f64, D>> {
+    pub(crate) fn in_space(&self, point: &Point) -> Vec<Vec<f64>> {
+        let d = self.still.len();
         // The other forms are 0, or are only parts of forms.
         let moving: Vec<_> = (0..self.forms.len()).filter(|&k| self.forms[k].moves()).collect();
         if moving.is_empty() {
-            return vec![SVector::zeros()];
+            return vec![vec![0.0; d]];
         }
         let subsets = (0..1_u32 << moving.len())
-            .filter(|subset| subset.count_ones() as usize == moving.len().min(D));
+            .filter(|subset| subset.count_ones() as usize == moving.len().min(d));
         let fit = |subset: u32| {
             let chosen = (0..moving.len()).filter(|row| subset >> row & 1 == 1);
             let chosen: Vec<_> = chosen.map(|row| moving[row]).collect();
-            let rows = DMatrix::from_fn(chosen.len(), D, |row, i| {
+            let rows = DMatrix::from_fn(chosen.len(), d, |row, i| {
                 if self.still[i] { 0.0 } else { self.forms[chosen[row]].direction[i].midpoint() }
             });
             let value = |k: &usize| self.forms[*k].value(self.place(point.chart, *k), point);
             let wanted = DVector::from_iterator(chosen.len(), chosen.iter().map(value));
             let x = rows.svd(true, true).solve(&wanted, 1e-12).ok()?;
             // What overflows is no point of space.
-            x.iter().all(|x| x.is_finite()).then(|| SVector::from_fn(|i, _| x[i]))
+            x.iter().all(|x| x.is_finite()).then(|| x.as_slice().to_vec())
         };
         subsets.filter_map(fit).collect()
     }
 }
 
-impl<const D: usize> Region for Lift<D> {
+impl Region for Lift {
     fn patches(&self) -> Vec<Patch> {
         // 2π is enclosed as 8 arctan 1.
         let circle = Interval::zero().hull(Interval::point(1.0).atan() * 8.0);
@@ -283,40 +283,5 @@ impl<const D: usize> Region for Lift<D> {
 
     fn point_in(&self, patch: &Patch) -> Option<Point> {
         Some(patch.middle())
-    }
-}
-
-/// Returns the values of all steps at `x = 0`; those of linear steps are their constants.
-fn at_origin<const D: usize>(formula: &Formula<D>) -> Vec<Interval> {
-    let mut values: Vec<Interval> = Vec::with_capacity(formula.operations().len());
-    for place in 0..formula.operations().len() {
-        let value = operate(formula, place, |_| Interval::zero(), |step| values[step as usize]);
-        values.push(value);
-    }
-    values
-}
-
-/// Returns the value of one step, from the coordinates and the steps that it reads.
-pub(crate) fn operate<S: Scalar, const D: usize>(
-    formula: &Formula<D>,
-    place: usize,
-    coordinate: impl Fn(usize) -> S,
-    at: impl Fn(Step) -> S,
-) -> S {
-    match formula.operations()[place] {
-        Operation::Coordinate(i) => coordinate(i as usize),
-        Operation::Constant(c) => S::constant(c.value()),
-        Operation::Binary(how, a, b) => how.of(at(a), at(b)),
-        Operation::WithNumber(how, a, c) => how.of(at(a), c.value()),
-        Operation::Powi(a, n) => at(a).powi(n),
-        Operation::Table(call) => {
-            let table = &formula.tables()[call.table as usize];
-            let u = call.arguments.map(at);
-            S::tabulated(table, call.orders, &u[..call.arguments().len()])
-        }
-        Operation::Of(..) | Operation::First(..) | Operation::Second => {
-            let (function, a) = formula.function(place).expect("a second follows its first");
-            function.of(at(a))
-        }
     }
 }

@@ -41,5 +41,5 @@ pub use expression::is_isotropic;
 pub(crate) use expression::is_radial;
 pub(crate) use form::Place;
 pub(crate) use invariance::superfluous;
-pub(crate) use lift::{Lift, Role, operate};
+pub(crate) use lift::{Lift, Role};
 pub(crate) use wall::Wall;

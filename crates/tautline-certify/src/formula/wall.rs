@@ -1,6 +1,7 @@
 //! `Wall`: a step `1/(d + f e^z)`, or a multiple of it.
 
 use tautline_formula::{Arithmetic, Formula, Function, Operation, Step};
+use tautline_scalar::ANY;
 
 /// A step `c/(d + f e^z)` with positive numbers `d` and `f`.
 ///
@@ -17,7 +18,7 @@ pub(crate) struct Wall {
 
 impl Wall {
     /// Returns the wall that the step at `place` computes, if it does.
-    pub(super) fn at<const D: usize>(formula: &Formula<D>, place: usize) -> Option<Self> {
+    pub(super) fn at(formula: &Formula<ANY>, place: usize) -> Option<Self> {
         let (numerator, denominator) = match formula.operations()[place] {
             Operation::Of(Function::Recip, below) | Operation::Powi(below, -1) => (None, below),
             Operation::Binary(Arithmetic::Div, above, below) => (Some(above), below),
@@ -32,11 +33,7 @@ impl Wall {
 }
 
 /// Returns `c` and `a` if the step is `a + c` or `a c`, in either order, with a number `c`.
-fn with_number<const D: usize>(
-    formula: &Formula<D>,
-    wanted: Arithmetic,
-    step: Step,
-) -> Option<(f64, Step)> {
+fn with_number(formula: &Formula<ANY>, wanted: Arithmetic, step: Step) -> Option<(f64, Step)> {
     let number = |step: Step| match formula.operations()[step as usize] {
         Operation::Constant(c) => Some(c.value()),
         _ => None,

@@ -11,7 +11,7 @@ fn the_slope_of_an_incline_is_enclosed_to_the_last_digit() -> Result<(), Certify
     let cube = Domain::cell(Cell::new([0.0; 3], [1.0; 3])?);
     let accuracy = Accuracy { tolerance: 1e-9, budget: 10_000 };
     for (a, b, c) in (0..64).map(|k| (k % 4, k / 4 % 4, k / 16)) {
-        let incline = parsed(&format!("x1*{a} + x2*{b} - x3*{c} + 100 I"));
+        let incline = parsed::<3>(&format!("x1*{a} + x2*{b} - x3*{c} + 100 I"));
         let proved = CertifiedConstants::new(&incline, &cube, accuracy)?;
         let square = f64::from(a * a + b * b + c * c);
         // The difference is rounded once, which keeps its sign.
@@ -35,7 +35,7 @@ fn the_constants_of_a_twist_are_enclosed_to_the_last_digit() -> Result<(), Certi
     let cell = Domain::cell(Cell::new([0.0; 2], [1.0, 2.0])?);
     let accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
     for (a, b) in [(8.0, 1.0), (7.0, -1.0), (1e3, 3.0), (5.5, 0.25)] {
-        let twisted = parsed(&format!("off = x1*x2 + {b}; [{a}, off; off, {a}]"));
+        let twisted = parsed::<2>(&format!("off = x1*x2 + {b}; [{a}, off; off, {a}]"));
         let proved = CertifiedConstants::new(&twisted, &cell, accuracy)?;
         let off = f64::abs(b).max(b + 2.0);
         assert!(proved.c1().contains(a - off) && proved.c2().contains(a + off), "{proved:?}");

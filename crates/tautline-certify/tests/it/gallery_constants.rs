@@ -17,7 +17,7 @@ use Stated::{Bound, Exact};
 fn check<const D: usize>(
     metric: impl Bounded<D>,
     stated: [Stated; 4],
-    domain: Domain<D>,
+    domain: Domain,
     tolerance: f64,
 ) -> Result<(), CertifyError> {
     let constants = metric.constants();
@@ -45,7 +45,7 @@ fn check<const D: usize>(
 }
 
 /// Returns all of space if the metric is periodic or settles, and the cell otherwise.
-fn space<const D: usize>(metric: &impl Bounded<D>, [low, high]: [[f64; D]; 2]) -> Domain<D> {
+fn space<const D: usize>(metric: &impl Bounded<D>, [low, high]: [[f64; D]; 2]) -> Domain {
     let space = Domain::space(metric);
     if space.is_all_of_space() {
         return space;

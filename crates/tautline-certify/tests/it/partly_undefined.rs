@@ -29,7 +29,7 @@ fn undefined_parts_are_found_though_the_first_point_has_no_value() {
     let accuracy = Accuracy { budget: 10_000, ..Accuracy::default() };
     for domain in [cell, ball] {
         assert!(domain.bounding_cell().midpoint()[0] == 0.0);
-        for metric in PARTLY.map(parsed) {
+        for metric in PARTLY.map(parsed::<1>) {
             for quantity in Quantity::ALL {
                 assert_undefined(certify(&metric, quantity, &domain, accuracy));
             }

@@ -65,7 +65,7 @@ impl<const D: usize> LocallyBounded<D> for Constant<D> {
         centre: &SVector<f64, D>,
         radius: f64,
     ) -> Result<Constants, LocalError> {
-        LocalError::check_ball(centre, radius)?;
+        LocalError::check_ball(centre.as_slice(), radius)?;
         Ok(self.constants().on_a_region())
     }
 }

@@ -31,7 +31,7 @@ impl LocallyBounded<2> for GaussianFisher {
         centre: &SVector<f64, 2>,
         radius: f64,
     ) -> Result<Constants, LocalError> {
-        LocalError::check_ball(centre, radius)?;
+        LocalError::check_ball(centre.as_slice(), radius)?;
         let information = |t: f64| (-2.0 * t).exp();
         let (least, most) = (information(centre[1] + radius), information(centre[1] - radius));
         let constants = Constants::new(least.min(2.0), most.max(2.0), 2.0 * most)?;

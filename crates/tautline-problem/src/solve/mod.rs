@@ -12,7 +12,7 @@ use tautline::{
     certify::{Progress, Watch},
     distance,
 };
-use tautline_any::{Answer, GivenError, Grid, Line, Request, ends};
+use tautline_any::{Answer, Grid, Line, Request, RequestError, ends};
 
 use crate::{Diagnostic, Failure, Question, reading::shape::Piece};
 
@@ -105,7 +105,7 @@ impl Question {
         solved: &mut dyn FnMut(&Answer),
     ) -> Result<Line, Failure> {
         let mut wrong = None;
-        let line = request.line(problem, &mut |coarser| {
+        let line = problem.answer_watched(request, &mut |coarser| {
             match self.on_its_own(coarser) {
                 Ok(answer) => solved(&answer),
                 Err(diagnostic) => wrong = Some(diagnostic),
@@ -113,8 +113,8 @@ impl Question {
             if wrong.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         let line = line.map_err(|error| match (error, &self.lattice) {
-            (GivenError::Solve(error), _) => self.failure(problem.metric(), &error),
-            (GivenError::Start(error), _) => Failure::NotComputed(error.to_string()),
+            (RequestError::Solve(error), _) => self.failure(problem.metric(), &error),
+            (RequestError::Start(error), _) => Failure::NotComputed(error.to_string()),
             (error, Some(nodes)) => {
                 Failure::BadInput(Diagnostic::new(error.to_string(), nodes.span()))
             }

@@ -56,14 +56,14 @@ fn the_certificate_of_bounds_is_that_of_the_library() {
     let proof = line.prove(accuracy).expect("proved");
     let found = proof.found.as_ref().expect("a certificate");
     let certificate = bounds.certificate.expect("a certificate");
-    let cubes: usize = found.proved.levels.iter().map(|(cubes, _)| cubes).sum();
-    assert!(found.proved.levels.len() > 1);
-    assert_eq!((certificate.cubes, certificate.reached), (cubes, found.ended == Ended::Reached));
+    let cubes: usize = found.levels().iter().map(|(cubes, _)| cubes).sum();
+    assert!(found.levels().len() > 1);
+    assert_eq!((certificate.cubes, certificate.reached), (cubes, found.ended() == Ended::Reached));
     assert_eq!(bounds.global_minimum, GlobalMinimum::NotNeeded);
     assert_eq!(bounds.lower_by, "a certificate");
     // The root is rounded down, and the square before it.
     let (lower, upper) = (bounds.lower.value, bounds.upper.value);
-    assert!(lower < found.proved.lower && lower > found.proved.lower * (1.0 - 1e-14), "{lower}");
+    assert!(lower < found.lower() && lower > found.lower() * (1.0 - 1e-14), "{lower}");
     assert!(lower * lower <= proof.enclosure.lower && upper * upper >= proof.enclosure.upper);
     // ∫ (1.6 − cos x) dx from 0 to 3.
     let d = 4.8 - 3.0_f64.sin();

@@ -8,7 +8,9 @@ use tautline::{
     Ball, CertificateError, Constants, HalfSpace, Point, RecordError, Rule, Sphere, certify,
     distance::Wanted,
 };
-use tautline_any::{Given, GivenError, Grid, Nodes, Proofs, Region, Request, Shape, Values};
+use tautline_any::{
+    Given, GivenError, Grid, Nodes, Proofs, Region, Request, RequestError, Shape, Values,
+};
 use tautline_problem::Question;
 
 const HILL: &str = "cost(1 + 4*exp(-2*(x1^2 + x2^2)))";
@@ -340,7 +342,10 @@ fn a_lattice_has_a_spacing_for_each_axis() {
         assert!(matches!(refused, Err(GivenError::Coordinates { dimension: 2, .. })));
     }
     let both = with(&[0.1], &[2.0, 4.0], Grid::Tolerance(1e-3)).map(|_| ());
-    assert!(matches!(both, Err(GivenError::LatticeAndTolerance)), "{both:?}");
+    assert!(
+        matches!(both, Err(GivenError::Request(RequestError::LatticeAndTolerance))),
+        "{both:?}"
+    );
 }
 
 /// Without starts of its own a search that has only these has none.

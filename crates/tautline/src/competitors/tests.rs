@@ -281,9 +281,9 @@ fn radii_are_rounded_up_from_the_exact_ones() {
         let left = (2 * away[0].min(away[1]) + 2 * long).min(away[0] + away[1] + long);
         let middle = (units(at[0]) + units(at[1]) - 2 * units(centre)).abs();
         let filled = left.min(middle + units(r[0]) + units(r[1]) + long);
-        let [one, two] = [0, 1].map(|k| (SVector::from([at[k]]), r[k]));
-        let (both, centre) = (BoundedEnds::<1>(vec![one, two]), SVector::from([centre]));
-        let first = BoundedEnds::<1>(vec![one]);
+        let [one, two] = [0, 1].map(|k| (vec![at[k]], r[k]));
+        let (both, centre) = (BoundedEnds(vec![one.clone(), two]), [centre]);
+        let first = BoundedEnds(vec![one]);
         for (found, exact) in [
             (both.left_by(length, &centre), left),
             (both.filled_by(length, &centre), filled),
@@ -291,13 +291,13 @@ fn radii_are_rounded_up_from_the_exact_ones() {
             (first.left_by(length, &centre), 2 * (away[0] + long)),
             (first.filled_by(length, &centre), 2 * (away[0] + long)),
         ] {
-            assert!(2 * units(found) >= exact, "{at:?} {r:?} {length} {centre}: {found}");
+            assert!(2 * units(found) >= exact, "{at:?} {r:?} {length} {centre:?}: {found}");
             assert!(found <= double(exact, UNIT - 1) * (1.0 + 1e-14), "{at:?} {r:?}: {found}");
         }
     }
-    let both = BoundedEnds::<1>(vec![(SVector::from([0.0]), 1.0), (SVector::from([1.0]), 1.0)]);
-    let neither = BoundedEnds::<1>(Vec::new());
-    let centre = SVector::from([0.5]);
+    let both = BoundedEnds(vec![(vec![0.0], 1.0), (vec![1.0], 1.0)]);
+    let neither = BoundedEnds(Vec::new());
+    let centre = [0.5];
     for infinite in [
         both.left_by(f64::INFINITY, &centre),
         both.filled_by(f64::NAN, &centre),
@@ -341,7 +341,7 @@ fn each_ball_is_measured_by_the_constants_of_the_ball_before_it() {
     let mut balls = own.outer.clone();
     balls.push((own.within, own.constants));
     assert!(balls.len() > 1);
-    let bounded = BoundedEnds::of(line.ends());
+    let bounded = BoundedEnds::of(line.any_ends());
     let long = |constants: Constants| {
         let setting = Setting::new(constants, upper(extent), 2).expect("a length");
         reach_outward(setting, PaperRule::Trapezoidal, line.sequence().n())
@@ -355,8 +355,8 @@ fn each_ball_is_measured_by_the_constants_of_the_ball_before_it() {
     assert!(holds(&balls));
     for (k, (ball, constants)) in balls.iter().enumerate() {
         let reach = match k {
-            0 => bounded.left_by(long(*constants), ball.centre()),
-            _ => bounded.filled_by(long(balls[k - 1].1), ball.centre()),
+            0 => bounded.left_by(long(*constants), ball.centre_slice()),
+            _ => bounded.filled_by(long(balls[k - 1].1), ball.centre_slice()),
         };
         let with = |r: f64| {
             let mut balls = balls.clone();

@@ -1,8 +1,8 @@
 //! Searches that also start from a shortest path along a lattice.
 
 use tautline::{
-    Ends, GraphPathError, Lattice, LatticeSearchError, Metric, Options, PointSequence, Prepared,
-    Problem, Rule, SMatrix, SVector, Scalar, SolveError, Starts, TautLine,
+    Ends, GraphPathError, Lattice, Metric, Nodes, Options, PointSequence, Prepared, Problem,
+    Request, RequestError, Rule, SMatrix, SVector, Scalar, SolveError, Starts, TautLine,
     gallery::{Obstacle, SoftObstacles},
     graph_path, minimise,
 };
@@ -50,14 +50,17 @@ fn on_a_grid_of(n: usize, problem: &Problem<Wall, 2>, line: &TautLine<Wall, 2>) 
     problem.solve_with(Rule::TRAPEZOIDAL, n, &options).expect("a line").discrete_energy()
 }
 
+/// Asks for a search with `n` chords that also starts from paths along a lattice.
+fn along(nodes: Nodes, n: usize) -> Request {
+    Request { lattice: Some(nodes), ..Request::chords(n) }
+}
+
 #[test]
 fn the_shorter_of_both_lines_is_returned() {
     let problem = Problem::new(Wall, Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite"));
-    let options = Options::default();
     let automatic = problem.solve(Rule::TRAPEZOIDAL, 512).expect("a line").length().value;
-    let on = |lower: [f64; 2], upper, spacing| {
-        let lattice = Lattice::new(lower, upper, spacing).expect("a lattice");
-        problem.solve_on_lattice(Rule::TRAPEZOIDAL, 512, &lattice, &options)
+    let on = |lower: [f64; 2], upper: [f64; 2], spacing| {
+        problem.answer(&along(Nodes::new(lower, upper, spacing), 512))
     };
     // √40 is the way to the gap and back, without the wall.
     let found = on([-2.0, -1.0], [2.0, 4.0], 0.05).expect("a line");
@@ -85,15 +88,14 @@ fn the_shorter_of_both_lines_is_returned() {
     let low = on([-2.0, -1.0], [2.0, 1.0], 0.05).expect("a line").length().value;
     assert!(low <= automatic && low > 15.0, "{low} beside {automatic}");
     for n in [0, usize::MAX] {
-        let lattice = Lattice::new([-2.0, -1.0], [2.0, 4.0], 0.5).expect("a lattice");
-        let refused = problem.solve_on_lattice(Rule::TRAPEZOIDAL, n, &lattice, &options);
+        let refused = problem.answer(&along(Nodes::new([-2.0, -1.0], [2.0, 4.0], 0.5), n));
         assert_eq!(
             refused.expect_err("no grid"),
             problem.solve(Rule::TRAPEZOIDAL, n).expect_err("no grid").into()
         );
     }
     let far = on([4.0, 4.0], [5.0, 5.0], 0.1).expect_err("no path");
-    assert_eq!(far, LatticeSearchError::Path(GraphPathError::FarFromEnd { end: "first" }));
+    assert_eq!(far, RequestError::Lattice(GraphPathError::FarFromEnd { end: "first" }));
 }
 
 /// No metric in the disc: a factor that repels, and a logarithm that is undefined inside.
@@ -113,12 +115,15 @@ impl Metric<2> for Disc {
 fn a_path_along_the_lattice_is_enough() {
     let problem = Problem::new(Disc, Ends::points([-3.0, 0.1], [3.0, -0.1]).expect("finite"));
     let straight = PointSequence::straight([-3.0, 0.1], [3.0, -0.1], 64).expect("finite");
-    let options = Options { starts: Starts::Only(vec![straight]), ..Options::default() };
+    let options = Options { starts: Starts::Only(vec![straight.clone()]), ..Options::default() };
     let alone = problem.solve_with(Rule::TRAPEZOIDAL, 512, &options);
     assert!(matches!(alone, Err(SolveError::Metric(_))), "{alone:?}");
-    let lattice = Lattice::new([-3.5, -2.0], [3.5, 2.0], 0.1).expect("a lattice");
-    let line =
-        problem.solve_on_lattice(Rule::TRAPEZOIDAL, 512, &lattice, &options).expect("a line");
+    let request = Request {
+        starts: vec![straight.points().iter().map(|x| x.as_slice().to_vec()).collect()],
+        only_these_starts: true,
+        ..along(Nodes::new([-3.5, -2.0], [3.5, 2.0], 0.1), 512)
+    };
+    let line = problem.answer(&request).expect("a line");
     // Two tangents and an arc are 6.34 long.
     assert!((6.34..7.5).contains(&line.length().value), "{}", line.length().value);
     assert!(line.distance_squared_estimate().is_some() && line.minimum().levels.len() == 3);
@@ -128,14 +133,14 @@ fn a_path_along_the_lattice_is_enough() {
 #[test]
 fn the_longer_line_is_another_minimum() {
     let problem = Problem::new(Wall, Ends::points([-1.0, 0.0], [1.0, 0.0]).expect("finite"));
-    let corners = [[-1.0, 0.0], [0.0, 3.0], [1.0, 0.0]].map(SVector::from);
-    let through_the_gap = PointSequence::new(corners.to_vec()).expect("finite");
-    let options =
-        Options { starts: Starts::OnTheGrid(vec![through_the_gap]), ..Options::default() };
+    let through_the_gap = [[-1.0, 0.0], [0.0, 3.0], [1.0, 0.0]].map(|x| x.to_vec()).to_vec();
     // The lattice ends below the gap.
-    let lattice = Lattice::new([-2.0, -1.0], [2.0, 1.0], 0.05).expect("a lattice");
-    let line =
-        problem.solve_on_lattice(Rule::TRAPEZOIDAL, 512, &lattice, &options).expect("a line");
+    let request = Request {
+        starts: vec![through_the_gap],
+        only_these_starts: true,
+        ..along(Nodes::new([-2.0, -1.0], [2.0, 1.0], 0.05), 512)
+    };
+    let line = problem.answer(&request).expect("a line");
     assert!((6.3..7.0).contains(&line.length().value));
     let others = line.other_minima();
     let [other] = &others[..] else { panic!("{} others", others.len()) };
@@ -150,14 +155,15 @@ fn the_other_minima_of_both_searches_are_in_their_order() {
     let hills = SoftObstacles::new([-1.0, 0.1, 1.3].map(hill).to_vec()).expect("hills");
     let (a, b) = ([-2.0, 0.0], [2.0, 0.1]);
     let problem = Problem::new(hills, Ends::points(a, b).expect("finite"));
-    let lattice = Lattice::new([-2.2, -2.0], [2.2, 2.2], 0.1).expect("a lattice");
+    let nodes = Nodes { classes: 4, ..Nodes::new([-2.2, -2.0], [2.2, 2.2], 0.1) };
     let mut known: Option<Vec<f64>> = None;
     for through in [-1.6, -0.45, 0.7, 1.9] {
-        let start = [a, [0.0, through], b].map(SVector::from).to_vec();
-        let start = PointSequence::new(start).expect("finite");
-        let options = Options { starts: Starts::OnTheGrid(vec![start]), ..Options::default() };
-        let line = problem.solve_by_classes(Rule::TRAPEZOIDAL, 64, &lattice, 4, &options);
-        let line = line.expect("a line");
+        let request = Request {
+            starts: vec![[a, [0.0, through], b].map(|x| x.to_vec()).to_vec()],
+            only_these_starts: true,
+            ..along(nodes.clone(), 64)
+        };
+        let line = problem.answer(&request).expect("a line");
         let others = line.minimum().others.iter().map(|other| other.energy);
         let energies: Vec<f64> = std::iter::once(line.discrete_energy()).chain(others).collect();
         assert_eq!(energies.len(), 4, "{through}");

@@ -39,7 +39,7 @@ fn by_theorems(line: &TautLine<Formula<2>, 2>, proof: &Proof<'_, 2>) -> Enclosur
 
 fn is_checked<const D: usize>(proof: &Proof<'_, D>) {
     let found = proof.found.as_ref().expect("a certificate");
-    let lower = found.certificate.check().expect("proved").lower;
+    let lower = found.check().expect("proved").lower;
     // The product may have been rounded up; the double below it is below the square.
     let square = lower * lower;
     assert!(proof.enclosure.lower <= square.next_down());
@@ -60,7 +60,7 @@ fn a_proof_from_the_wrong_channel_contains_the_distance() {
     let proof = wrong.prove(Accuracy::default()).expect("proved");
     assert!(most * most < 0.9 * proof.enclosure.upper);
     assert!(proof.enclosure.lower <= least * least);
-    assert_ne!(proof.found.as_ref().map(|found| found.ended), Some(Ended::Reached));
+    assert_ne!(proof.found.as_ref().map(|found| found.ended()), Some(Ended::Reached));
     is_checked(&proof);
     let assumed = by_theorems(&wrong, &proof);
     assert!(assumed.assumes_global_minimum && assumed.lower > most * most);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tautline::{Ball, Point};
-use tautline_any::{Given, GivenError, Grid, Nodes, Request, Shape, Values};
+use tautline_any::{Given, GivenError, Grid, Nodes, Request, RequestError, Shape, Values};
 use tautline_problem::{Diagnostic, Failure, Question};
 
 /// Returns the file of a problem between the origin and a point that is away from it along the first and the
@@ -126,5 +126,5 @@ fn what_needs_fewer_dimensions_is_refused() {
     let nodes = Nodes { lower: corners(0.0), upper: corners(1.0), spacing: vec![0.5], classes: 1 };
     let request = Request { lattice: Some(nodes), grid: Grid::Chords(8), ..Request::default() };
     let refused = metric.solve([&point, &point], &request).expect_err("no lattice");
-    assert!(matches!(refused, GivenError::Lattice(_)), "{refused}");
+    assert!(matches!(refused, GivenError::Request(RequestError::Lattice(_))), "{refused}");
 }

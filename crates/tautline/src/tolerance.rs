@@ -1,16 +1,19 @@
 //! The grids on the way to a tolerance.
 
-use core::ops::ControlFlow;
+use std::ops::ControlFlow;
 
-use tautline::{
-    ANY, Estimate, Integral, Known, Options, PointSequence, Problem, Rule, Scope, Starts, Stop,
-};
+use tautline_discretizations::{Integral, PointSequence};
+use tautline_formula::Prepare;
+use tautline_optimizers::{Estimate, Options, Scope, Starts, Stop};
 
-use crate::{Line, answer::is_shorter};
+use crate::{Problem, TautLine};
+
+/// The relative error of a length that rounding leaves, so that no grid reaches less.
+pub const LEAST_TOLERANCE: f64 = 1e-13;
 
 /// The grid from which a tolerance is judged: that of a problem without a tolerance, so that the
 /// search meets the same minima.
-pub(crate) const FIRST_GRID: usize = crate::request::CHORDS;
+pub(crate) const FIRST_GRID: usize = 256;
 
 /// The finest grid that is tried for a tolerance, times the number of coordinates. Twice as many
 /// chords gain nothing: what remains of the error of smooth metrics is rounding.
@@ -28,15 +31,14 @@ const OPTIMISM: f64 = 10.0;
 /// Follows a line to finer grids until the relative error of its length is at most `tolerance`, by
 /// extrapolation, or until finer grids do not help. `coarser` is told of each line before the last, and may
 /// end this.
-pub(crate) fn refined(
-    problem: &Problem<Known, ANY>,
-    rule: Rule,
-    mut line: Line,
+pub(crate) fn refined<M: Prepare<D>, const D: usize>(
+    problem: &Problem<M, D>,
+    mut line: TautLine<M, D>,
     tolerance: f64,
-    options: &Options<ANY>,
-    coarser: &mut dyn FnMut(&Line) -> ControlFlow<()>,
-) -> Line {
-    let converged = |line: &Line| line.minimum().stop == Stop::Converged;
+    options: &Options<D>,
+    coarser: &mut dyn FnMut(&TautLine<M, D>) -> ControlFlow<()>,
+) -> TautLine<M, D> {
+    let converged = |line: &TautLine<M, D>| line.minimum().stop == Stop::Converged;
     let (mut options, mut failures, mut last_converged) = (options.clone(), 0, None);
     loop {
         // A search that fails twice on fine grids fails on finer ones.
@@ -46,11 +48,10 @@ pub(crate) fn refined(
             break;
         }
         let mut starts = vec![line.sequence().clone()];
-        let finer = finer_grid(&line, tolerance).or_else(|| {
+        let finer = line.finer_grid(tolerance).or_else(|| {
             // On a finer grid a minimum that is shorter should have less energy too.
             let others = line.other_minima();
-            let length = line.length().value;
-            let shorter = others.iter().find(|other| is_shorter(other.length().value, length))?;
+            let shorter = others.iter().find(|other| other.is_shorter_than(&line))?;
             starts.push(shorter.sequence().clone());
             Some(2 * n)
         });
@@ -63,7 +64,7 @@ pub(crate) fn refined(
         // The first grid was the place to look.
         options.scope = Scope::Local;
         // Without a finer line, the coarser one misses the tolerance, and says so.
-        let Ok(finer) = problem.solve_with(rule, finer, &options) else { break };
+        let Ok(finer) = problem.solve_with(line.rule(), finer, &options) else { break };
         let before = std::mem::replace(&mut line, finer);
         if converged(&before) {
             last_converged = Some(before);
@@ -74,7 +75,7 @@ pub(crate) fn refined(
 
 /// Returns starts with further ones. What was found on a coarse grid is then not lost on a finer one,
 /// which has other coarse grids of its own.
-fn also(starts: Starts<ANY>, found: Vec<PointSequence<ANY>>) -> Starts<ANY> {
+fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Starts<D> {
     let only = matches!(starts, Starts::Only(_));
     let mut given = match starts {
         Starts::Also(given) | Starts::Only(given) => given,
@@ -84,12 +85,22 @@ fn also(starts: Starts<ANY>, found: Vec<PointSequence<ANY>>) -> Starts<ANY> {
     if only { Starts::Only(given) } else { Starts::Also(given) }
 }
 
-/// Returns the next grid, or `None` if the relative error of the length is at most `tolerance`, by
-/// extrapolation.
-pub(crate) fn finer_grid(line: &Line, tolerance: f64) -> Option<usize> {
-    let finer = factor(&line.length(), line.distance_squared_estimate(), tolerance)?;
-    // A conversion to an integer saturates.
-    Some((finer * line.sequence().n().get() as f64).ceil() as usize)
+impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
+    /// Returns the number of chords of the next grid on the way to a tolerance, or `None` if the relative
+    /// error of the length, as a distance, is at most `tolerance`, by extrapolation.
+    pub(crate) fn finer_grid(&self, tolerance: f64) -> Option<usize> {
+        let finer = factor(&self.length(), self.distance_squared_estimate(), tolerance)?;
+        // A conversion to an integer saturates.
+        Some((finer * self.sequence().n().get() as f64).ceil() as usize)
+    }
+
+    /// Returns whether the relative error of the length, as a distance, is at most `tolerance`, by
+    /// extrapolation: an estimate, not a bound. That no other minimum is shorter is assumed.
+    #[must_use]
+    pub fn is_within(&self, tolerance: f64) -> bool {
+        // NaN is no tolerance.
+        tolerance > 0.0 && self.finer_grid(tolerance).is_none()
+    }
 }
 
 /// Returns by how much finer the next grid should be, or `None` if the relative error of the length
@@ -111,7 +122,8 @@ fn factor(length: &Integral, estimate: Option<Estimate>, tolerance: f64) -> Opti
 
 #[cfg(test)]
 mod tests {
-    use tautline::{Estimate, Integral};
+    use tautline_discretizations::Integral;
+    use tautline_optimizers::Estimate;
 
     use super::{BLIND, OPTIMISM, factor};
 
