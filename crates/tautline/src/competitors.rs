@@ -71,7 +71,7 @@ impl<const D: usize> Competitors<D> {
 
 impl Competitors<ANY> {
     /// Returns the same in `R^D`.
-    fn into_dimension<const D: usize>(self) -> Competitors<D> {
+    pub(crate) fn into_dimension<const D: usize>(self) -> Competitors<D> {
         let ball = |ball: &Ball<ANY>| {
             Ball::from_slice(ball.centre_slice(), ball.r()).expect("the dimension of the ball")
         };

@@ -12,7 +12,6 @@ use tautline_certify::{
 use tautline_distance::AnyFound;
 use tautline_formula::Prepare;
 use tautline_metrics::LocalError;
-use tautline_scalar::ANY;
 use tautline_sets::Ball;
 
 use crate::{TautLine, competitors::Search};
@@ -25,7 +24,7 @@ pub struct Proof<'a, const D: usize> {
     /// The constants, proved from the formula.
     pub constants: Constants,
     /// The region where the constants hold; `None` if it is all of `R^D`.
-    pub within: Option<Ball<ANY>>,
+    pub within: Option<Ball<D>>,
     /// The bounds on `d²`. The upper bound is the rigorous bound on the curve.
     /// [`from_below`](Enclosure::from_below) says where the lower one is from: a certificate, or a
     /// theorem, which is evaluated in intervals, with proved constants and with enclosures of the
@@ -147,7 +146,7 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
             let search = Search { rule, n: self.sequence().n(), extent, constants_within };
             let competitors = search.about_ends(self.any_ends())?;
             competitors.hold_those_of(self, extent)?;
-            (competitors.constants, Some(competitors.within))
+            (competitors.constants, Some(competitors.into_dimension().within))
         };
         let mut enclosure = self.enclosure_by(constants, extent)?;
         let found = self.instead_of_an_assumption(&enclosure, observe);

@@ -5,8 +5,8 @@ mod many_dimensions;
 use std::{ops::ControlFlow, sync::Arc};
 
 use tautline::{
-    Ball, CertificateError, Constants, HalfSpace, Point, RecordError, Rule, Sphere, certify,
-    distance::Wanted,
+    Ball, CertificateError, Constants, GraphPathError, HalfSpace, Point, RecordError, Rule, Sphere,
+    certify, distance::Wanted,
 };
 use tautline_any::{
     Given, GivenError, Grid, Nodes, Proofs, Region, Request, RequestError, Shape, Values,
@@ -339,7 +339,13 @@ fn a_lattice_has_a_spacing_for_each_axis() {
     assert!((6.3..7.0).contains(&length), "{length}");
     for (spacing, upper) in [(&[0.1; 3][..], &[2.0, 4.0][..]), (&[0.1][..], &[2.0][..])] {
         let refused = with(spacing, upper, chords).map(|_| ());
-        assert!(matches!(refused, Err(GivenError::Coordinates { dimension: 2, .. })));
+        assert!(matches!(
+            refused,
+            Err(GivenError::Request(RequestError::Lattice(GraphPathError::Coordinates {
+                dimension: 2,
+                ..
+            })))
+        ));
     }
     let both = with(&[0.1], &[2.0, 4.0], Grid::Tolerance(1e-3)).map(|_| ());
     assert!(
