@@ -11,7 +11,7 @@ use crate::said::print;
 /// The factor by which the number of cases of a test is multiplied.
 const CASES: &str = "100";
 
-/// The variables that the tests read: see `crates/tautline-chance`.
+/// The variables that the tests read: see `crates/companion/tautline-chance`.
 const VARIABLES: [&str; 2] = ["TAUTLINE_SEED", "TAUTLINE_CASES"];
 
 /// Tests that do not depend on the seed.

@@ -15,14 +15,14 @@ pub(crate) fn second_checker(root: &Path, rest: &[&str]) -> Result<(), String> {
         [] => {
             let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into()));
             let environment = target.join("second-checker");
-            let requirements = root.join("crates/tautline-check/second/requirements.txt");
+            let requirements = root.join("crates/library/tautline-check/second/requirements.txt");
             install(&environment, &requirements)?;
             environment.join("bin/python").display().to_string()
         }
         [python] => (*python).to_owned(),
         _ => return Err("second-checker needs at most one program, Python".to_owned()),
     };
-    let checker = "crates/tautline-check/second";
+    let checker = "crates/library/tautline-check/second";
     let folder = format!("{checker}/tests");
     let tests = ["-B", "-m", "unittest", "discover", "-s", &folder];
     run(

@@ -94,7 +94,7 @@ fn campaign(python: &Path, folder: &Path) -> Result<(), Failure> {
 
 /// Returns the folder of the second checker.
 fn second_folder() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../crates/tautline-check/second")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../crates/library/tautline-check/second")
 }
 
 fn compare(python: &Path, file: &Path) -> Result<Data, Failure> {

@@ -5,9 +5,9 @@
 //! metrics and their derivatives.
 
 mod discrete_energy;
-#[path = "../../../crates/tautline/examples/peers/measurement.rs"]
+#[path = "../../../crates/library/tautline/examples/peers/measurement.rs"]
 mod measurement;
-#[path = "../../../crates/tautline/examples/peers/problems.rs"]
+#[path = "../../../crates/library/tautline/examples/peers/problems.rs"]
 mod problems;
 
 use std::{env, path::PathBuf};

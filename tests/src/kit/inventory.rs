@@ -27,7 +27,7 @@ fn words(line: &str) -> impl Iterator<Item = &str> {
 /// Returns the names in `pub use module::Name;` or `pub use module::{Name, Other};` for which the
 /// file of the module contains an `impl … Metric<…> for Name`.
 fn metrics() -> Vec<String> {
-    let gallery = crates().join("tautline-metrics/src/gallery");
+    let gallery = crates().join("library/tautline-metrics/src/gallery");
     let exports = read(&gallery.join("mod.rs"));
     let exported = code(&exports).filter_map(|line| line.strip_prefix("pub use "));
     let exported = exported.filter(|line| !line.starts_with("crate::"));
@@ -48,7 +48,7 @@ fn metrics() -> Vec<String> {
 #[test]
 fn every_metric_of_the_gallery_goes_through_the_kit() {
     let metrics = metrics();
-    let gallery = read(&crates().join("tautline-metrics/src/gallery/mod.rs"));
+    let gallery = read(&crates().join("library/tautline-metrics/src/gallery/mod.rs"));
     // The table at the top of the gallery has a row for each metric.
     let rows = gallery.lines().filter(|line| line.starts_with("//! | [`")).count();
     assert_eq!(metrics.len(), rows, "{metrics:?}");
@@ -63,7 +63,7 @@ fn every_metric_of_the_gallery_goes_through_the_kit() {
 /// Every set has a file that contains its `impl ClosedSet`, and is named in `sets.rs`.
 #[test]
 fn every_set_goes_through_the_kit() {
-    let sets = crates().join("tautline-sets/src");
+    let sets = crates().join("library/tautline-sets/src");
     let tested = read(&here().join("sets.rs"));
     let exports = read(&sets.join("lib.rs"));
     let mut count = 0;
@@ -101,7 +101,7 @@ fn a_newcomer_writes_twelve_lines_besides_the_formula() {
 
 #[test]
 fn the_page_of_the_kit_shows_the_lines_of_the_newcomer() {
-    let page = read(&crates().join("tautline-kit/src/lib.rs"));
+    let page = read(&crates().join("companion/tautline-kit/src/lib.rs"));
     let page: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("//! ")).collect();
     let lines = newcomer();
     let shown = |from: usize| {

@@ -164,8 +164,8 @@ fn every_sharper_statement_is_proved_and_what_its_proof_names_exists() {
         let code = code.lines().next().expect("a line");
         assert!(code.contains(&format!("`{}`", statement.function())), "{statement}: {code}");
     }
-    let sources = sources("crates/tautline-bounds/src")
-        + &sources("crates/tautline-statements/src/statements")
+    let sources = sources("crates/library/tautline-bounds/src")
+        + &sources("crates/companion/tautline-statements/src/statements")
         + &suite().iter().map(|check| check.name).collect::<Vec<_>>().join(" ");
     let lines = page
         .lines()
@@ -214,7 +214,7 @@ fn most_cases_of_every_statement_could_fail() {
 #[test]
 fn no_hypothesis_is_handed_in_as_a_promise() {
     let crates = ["statements", "kit", "checks"];
-    let sources = crates.map(|name| root().join(format!("crates/tautline-{name}/src")));
+    let sources = crates.map(|name| root().join(format!("crates/companion/tautline-{name}/src")));
     for path in sources.iter().flat_map(|source| files(source, "rs")) {
         let text = read(&path);
         let is_a_statement = path.components().any(|part| part.as_os_str() == "statements");

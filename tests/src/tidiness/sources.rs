@@ -50,7 +50,7 @@ fn no_test_is_ignored() {
 /// A seed written in the code would not change with `TAUTLINE_SEED`.
 #[test]
 fn seeds_come_from_the_environment() {
-    let chance = root().join("crates/tautline-chance");
+    let chance = root().join("crates/companion/tautline-chance");
     let is_drawn = |path: &PathBuf| {
         !path.starts_with(&chance)
             && path.iter().all(|part| part != "examples" && part != "benches")
@@ -73,12 +73,13 @@ fn libraries_do_no_input_or_output() {
     let macros = ["println!", "eprintln!", "print!", "eprint!", "dbg!"].map(str::to_owned);
     let forbidden = modules.into_iter().chain(macros).collect::<Vec<_>>();
     // `tautline-chance` reads seeds from the environment, and only tests depend on it.
-    let chance = root().join("crates/tautline-chance/src/lib.rs");
+    let chance = root().join("crates/companion/tautline-chance/src/lib.rs");
     let (apart, sources): (Vec<_>, Vec<_>) =
         library_sources().into_iter().partition(|path| *path == chance);
     assert_eq!(apart, [chance]);
-    let programs = ["cli", "audit", "check/src/main.rs"]
-        .map(|name| root().join(format!("crates/tautline-{name}")));
+    let programs =
+        ["doors/tautline-cli", "doors/tautline-audit", "library/tautline-check/src/main.rs"]
+            .map(|program| root().join("crates").join(program));
     let (apart, sources): (Vec<_>, Vec<_>) =
         sources.into_iter().partition(|path| programs.iter().any(|it| path.starts_with(it)));
     assert!(programs.iter().all(|program| apart.iter().any(|path| path.starts_with(program))));
@@ -91,7 +92,7 @@ fn libraries_do_no_input_or_output() {
 
 #[test]
 fn the_bounds_never_see_a_metric() {
-    let sources = files(&root().join("crates/tautline-bounds/src"), "rs");
+    let sources = files(&root().join("crates/library/tautline-bounds/src"), "rs");
     assert_absent(&sources, "bounds take constants", |line| has_word(line, "Metric"));
 }
 

@@ -61,6 +61,28 @@ fn arrows_between_crates_point_downward() {
     }
 }
 
+/// The library needs neither a door nor the companion of the paper; only its tests draw numbers.
+#[test]
+fn a_folder_says_who_needs_its_crates() {
+    let folder = |name: &str| {
+        let is_there = |folder: &&str| root().join("crates").join(folder).join(name).is_dir();
+        let folders = ["library", "doors", "companion"];
+        folders.into_iter().find(is_there).unwrap_or_else(|| panic!("{name} is in no folder"))
+    };
+    for library in libraries() {
+        let own = folder(&library.name);
+        for used in library.dependencies.iter().filter(|name| name.starts_with("tautline")) {
+            let is_allowed = match (own, folder(used)) {
+                (_, "library") => true,
+                // The audit runs the kit.
+                ("doors", "companion") => library.name == "tautline-audit",
+                (own, used) => own == used,
+            };
+            assert!(is_allowed, "{} in {own} needs {used}", library.name);
+        }
+    }
+}
+
 fn short_name(name: &str) -> &str {
     name.strip_prefix("tautline-").unwrap_or(name)
 }
