@@ -11,7 +11,8 @@ fn the_guide_shows_the_beginning_of_the_report() {
     let command = "$ tautline audit wrong_constants.toml | head -2\n";
     let (_, after) = page.split_once(command).expect("the command");
     let (shown, _) = after.split_once("```").expect("the end of the block");
-    let ran = run(&[&format!("{root}/crates/doors/tautline-problem/problems/wrong_constants.toml")]);
+    let ran =
+        run(&[&format!("{root}/crates/doors/tautline-problem/problems/wrong_constants.toml")]);
     let first: String = ran.out.split_inclusive('\n').take(2).collect();
     assert_eq!(shown, first);
 }
