@@ -50,26 +50,18 @@ impl<M: Metric<D>, const D: usize> Metric<D> for LocallyCertified<M> {
     }
 }
 
-impl<M> LocallyCertified<M> {
-    /// Proves constants like [`constants_within`](LocallyBounded::constants_within), and tells
-    /// `watch` of the progress.
-    ///
+impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
     /// # Errors
     ///
-    /// [`LocalError::NotProved`] with the reason: the metric is undefined or indefinite somewhere
-    /// on the ball, or the budget was spent before `c₁` was known to be positive.
-    pub fn constants_within_watched<const D: usize>(
+    /// Those of [`constants_within`].
+    fn constants_within(
         &self,
         centre: &SVector<f64, D>,
         radius: f64,
-        watch: &dyn Watch,
-    ) -> Result<Constants, LocalError>
-    where
-        M: Metric<D>,
-    {
+    ) -> Result<Constants, LocalError> {
         LocalError::check_ball(centre.as_slice(), radius)?;
         let formula = recorded(&self.metric).map_err(|why| not_proved(radius, &why))?;
-        constants_within(&formula, centre.as_slice(), radius, self.accuracy, watch)
+        constants_within(&formula, centre.as_slice(), radius, self.accuracy, &unwatched)
     }
 }
 
@@ -78,7 +70,8 @@ impl<M> LocallyCertified<M> {
 ///
 /// # Errors
 ///
-/// Those of [`LocallyCertified::constants_within_watched`].
+/// Those of [`LocalError::check_ball`], and [`LocalError::NotProved`] with the reason: the metric is undefined
+/// or indefinite somewhere on the ball, or the budget was spent before `c₁` was known to be positive.
 pub fn constants_within(
     formula: &Formula<ANY>,
     centre: &[f64],
@@ -97,19 +90,6 @@ pub fn constants_within(
 fn not_proved(radius: f64, why: &CertifyError) -> LocalError {
     let budget_spent = matches!(why, CertifyError::BudgetSpent { .. });
     LocalError::NotProved { radius, reason: why.to_string(), budget_spent }
-}
-
-impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
-    /// # Errors
-    ///
-    /// Those of [`constants_within_watched`](LocallyCertified::constants_within_watched).
-    fn constants_within(
-        &self,
-        centre: &SVector<f64, D>,
-        radius: f64,
-    ) -> Result<Constants, LocalError> {
-        self.constants_within_watched(centre, radius, &unwatched)
-    }
 }
 
 #[cfg(test)]

@@ -35,7 +35,7 @@ fn known<T: Any>(value: &dyn Any) -> &T {
     value.downcast_ref().expect("the type that the dimension says")
 }
 
-fn known_sets<'s, const D: usize>([first, second]: [&'s dyn Any; 2]) -> [&'s Shape<D>; 2] {
+fn known_sets<const D: usize>([first, second]: [&dyn Any; 2]) -> [&Shape<D>; 2] {
     [known(first), known(second)]
 }
 

@@ -205,13 +205,15 @@ impl<M: LocallyBounded<D>, const D: usize> TautLine<M, D> {
     }
 }
 
+/// Returns the constants of the metric on the ball about a centre, both in `ℓ`.
+type Within<'c> = &'c dyn Fn(&[f64], f64) -> Result<Constants, LocalError>;
+
 /// A search for a ball that contains all competitors of a line.
 pub(crate) struct Search<'c> {
     pub(crate) rule: PaperRule,
     pub(crate) n: NonZeroUsize,
     pub(crate) extent: Extent,
-    /// Returns the constants of the metric on the ball about a centre, both in `ℓ`.
-    pub(crate) constants_within: &'c dyn Fn(&[f64], f64) -> Result<Constants, LocalError>,
+    pub(crate) constants_within: Within<'c>,
 }
 
 impl Search<'_> {

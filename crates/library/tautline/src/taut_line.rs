@@ -5,18 +5,17 @@ use std::sync::{Arc, OnceLock};
 use nalgebra::SVector;
 use tautline_certify::is_metric_at;
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule, SequenceError};
-use tautline_formula::{AnyBatches, Formula, Known, Prepare, RecordError};
+use tautline_formula::{AnyBatches, Formula, Prepare, RecordError};
 use tautline_metrics::Metric;
 use tautline_optimizers::{Estimate, Minimum, Stop, extrapolate};
-use tautline_scalar::ANY;
 use tautline_sets::{AnyEnds, Ends, proved_common_point_of};
 
 use crate::both_ends::BothEnds;
 
 /// A computed discrete minimiser and the curve `γᵖˡ` that joins its points.
 ///
-/// The dimension is known at compile time, or is a value if `D` is [`ANY`] and the metric is
-/// [`Known`].
+/// The dimension is known at compile time, or is a value if `D` is [`ANY`](tautline_scalar::ANY) and the metric is
+/// [`Known`](tautline_formula::Known).
 #[derive(Debug)]
 pub struct TautLine<M: Prepare<D>, const D: usize> {
     metric: Arc<M::Prepared>,
@@ -258,19 +257,6 @@ impl<M: Metric<D>, const D: usize> TautLine<M, D> {
     #[must_use]
     pub fn common_point(&self) -> Option<SVector<f64, D>> {
         self.proved_contact().map(|x| SVector::from_column_slice(&x))
-    }
-}
-
-impl TautLine<Known, ANY> {
-    /// Returns the same line in `R^D`, with the programs of this one; `None` if it lies in another dimension
-    /// or has no formula.
-    #[must_use]
-    pub fn in_dimension<const D: usize>(&self) -> Option<TautLine<Formula<D>, D>> {
-        let Known::Formula(formula) = &*self.metric else { return None };
-        let metric = Arc::new(formula.in_dimension::<D>()?);
-        let minimum = self.minimum.clone().into_dimension()?;
-        let line = TautLine::new(metric, self.rule, self.any_ends().clone(), minimum);
-        Some(TautLine { energy: self.energy.clone(), length: self.length.clone(), ..line })
     }
 }
 

@@ -157,15 +157,6 @@ impl PreparedFormula {
         &self.formula
     }
 
-    /// Returns the same formula in `R^D`, which shares the programs; `None` if it is one in another
-    /// dimension.
-    #[must_use]
-    pub fn in_dimension<const D: usize>(&self) -> Option<Prepared<Formula<D>, D>> {
-        let formula: Formula<D> = self.formula.clone().into_dimension()?;
-        let (plain, programs) = (Plain::new(formula.clone()), Arc::clone(&self.programs));
-        Some(Prepared { plain, formula: Ok(formula), programs, black_box: None })
-    }
-
     fn kernel(&self, kind: Kind) -> Option<&Kernel> {
         self.programs.kernel(self.formula.tape(), kind)
     }
