@@ -1,17 +1,21 @@
 //! One level of the proof: a lower bound on the distance, and the simplices that short curves may
 //! meet.
 
+mod parallel;
+
+pub use parallel::in_parallel;
+
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
 use tautline_scalar::Interval;
 use tautline_sets::Shape;
 
+use self::parallel::in_chunks;
 use crate::{
     CheckError, Level, Place,
     kuhn::{Simplex, simplices},
     lattice::{self, numbers},
     level_sets::{Growth, LevelSets, least_sum},
-    parallel::{in_chunks, in_parallel},
     quadratic::{Bernstein, gradient},
     rounding::mul_up,
     set::{Piece, Spot, distance_below},
