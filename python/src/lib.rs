@@ -35,9 +35,7 @@ mod _tautline {
         estimate::Estimate,
         metric::Program,
         problem_file::problem_file,
-        set::{
-            Set, affine_subspace, ball, box_, half_space, point, points, segment, sphere, union,
-        },
+        set::Set,
         sweep::{Plan, is_finished, merged, shard},
         table::Spline,
     };

@@ -1,7 +1,10 @@
 //! The text of a problem file, for the programs that read one.
 
 use pyo3::prelude::*;
-use tautline::RecordError;
+use tautline::{
+    RecordError,
+    sets::kind::{Kind, Value},
+};
 use tautline_any::Shape;
 
 use crate::{
@@ -60,40 +63,33 @@ pub(crate) fn problem_file(
 
 /// Returns a set as a key and its value.
 fn union(pieces: &[Shape]) -> PyResult<String> {
-    match pieces {
+    let described: Vec<_> = pieces.iter().flat_map(Shape::described).collect();
+    match &described[..] {
         [only] => piece(only),
-        _ => Ok(format!("union = {}", list(pieces, |each| Ok(format!("{{ {} }}", piece(each)?)))?)),
+        all => Ok(format!("union = {}", list(all, |each| Ok(format!("{{ {} }}", piece(each)?)))?)),
     }
 }
 
-fn piece(shape: &Shape) -> PyResult<String> {
-    let round = |centre: &[f64], radius: f64| -> PyResult<String> {
-        Ok(format!("{{ centre = {}, radius = {} }}", vector(centre)?, number(radius)?))
-    };
-    Ok(match shape {
-        Shape::Point(point) => format!("point = {}", vector(point.position_slice())?),
-        Shape::FiniteSet(set) => {
-            format!("points = {}", list(set.points(), |point| vector(point.position_slice()))?)
+fn piece((kind, values): &(Kind, Vec<Value>)) -> PyResult<String> {
+    let parts = kind.parts.iter().zip(values);
+    let parts = parts.map(|(part, value)| Ok((part.name_of(value), part_text(value)?)));
+    let parts = parts.collect::<PyResult<Vec<_>>>()?;
+    Ok(match &parts[..] {
+        [(_, only)] => format!("{} = {only}", kind.key),
+        _ => {
+            let named: Vec<String> =
+                parts.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            format!("{} = {{ {} }}", kind.key, named.join(", "))
         }
-        Shape::Ball(ball) => format!("ball = {}", round(ball.centre_slice(), ball.r())?),
-        Shape::Sphere(sphere) => format!("sphere = {}", round(sphere.centre_slice(), sphere.r())?),
-        Shape::AxisBox(side) => format!("box = {}", corners(side.corner_slices())?),
-        Shape::HalfSpace(wall) => {
-            let (normal, offset) = wall.given_slice();
-            let (normal, offset) = (vector(normal)?, number(offset)?);
-            format!("half_space = {{ normal = {normal}, at_most = {offset} }}")
-        }
-        Shape::Segment(segment) => {
-            let [start, end] = segment.end_slices();
-            format!("segment = {{ from = {}, to = {} }}", vector(start)?, vector(end)?)
-        }
-        Shape::AffineSubspace(subspace) => {
-            let directions = list(subspace.given_slices(), |row| vector(row))?;
-            let through = vector(subspace.base_slice())?;
-            format!("affine = {{ through = {through}, directions = {directions} }}")
-        }
-        Shape::Union(shapes) => union(shapes)?,
     })
+}
+
+fn part_text(value: &Value) -> PyResult<String> {
+    match value {
+        Value::Vector(x) => vector(x),
+        Value::Vectors(rows) => list(rows, |row| vector(row)),
+        Value::Number(x) | Value::AtMost(x) | Value::AtLeast(x) => number(*x),
+    }
 }
 
 fn corners([low, high]: [&[f64]; 2]) -> PyResult<String> {

@@ -93,8 +93,17 @@ class Pickles(unittest.TestCase):
             for other in self.copies(each):
                 self.assertEqual(repr(other), repr(each))
                 self.assertAlmostEqual(float(tl.solve(flat, [0, 0], other).length), distance)
-        with self.assertRaisesRegex(tl.ProblemError, "ball"):
-            tl.Set([("ball", [[0.0]], [])])
+        for pieces, message in [
+            (("ball", {"centre": [0.0]}), "a ball needs radius"),
+            (("ball", {"centre": [0.0], "radius": 1.0, "r": 2.0}), "a ball with r"),
+            (("cone", {}), "cone"),
+            (
+                ("half_space", {"normal": [1.0], "at_least": 1.0, "at_most": 1.0}),
+                "a half-space has either at_least or at_most",
+            ),
+        ]:
+            with self.assertRaisesRegex(tl.ProblemError, message):
+                tl.Set([pieces])
 
     def test_results(self):
         valleys = tl.Metric.cost("2 - cos(x1)", 2)

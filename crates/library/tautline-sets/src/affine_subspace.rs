@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
+use crate::kind::{Kind, Part, Piece, Value};
 use crate::numerics::norm::{norm_above, polar};
 use crate::numerics::place::{Place, add, diagonal, dot, largest, minus, vector};
 use crate::numerics::proof;
@@ -22,11 +23,6 @@ use crate::{AnySet, ClosedSet, Shape};
 /// `p` that is not much farther from the origin than the points of interest. For `k = D` the
 /// subspace is `R^D`, and `P(x) = x` exactly.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::AffineSubspace", into = "crate::data::AffineSubspace")
-)]
 pub struct AffineSubspace<const D: usize> {
     base: Box<[f64]>,
     /// The coordinates of the orthonormal directions, one direction after the other.
@@ -134,6 +130,23 @@ impl<const D: usize> AffineSubspace<D> {
         &self.directions
     }
 
+    /// The kind of such a set: its names and parts.
+    pub const KIND: Kind = Kind {
+        key: "affine",
+        name: "an affine subspace",
+        about: "The affine subspace through `through`, spanned by `directions`.",
+        parts: &[
+            Part::vector("through", "A point of the subspace."),
+            Part::vectors("directions", "Linearly independent directions."),
+        ],
+    };
+
+    /// Returns the set of these values; `None` if their forms are not those of the parts.
+    pub(crate) fn of(values: &[Value]) -> Option<Result<Self, SetError>> {
+        let [Value::Vector(base), Value::Vectors(directions)] = values else { return None };
+        Some(AffineSubspace::from_slices(base, directions))
+    }
+
     pub(crate) fn cast<const E: usize>(self) -> AffineSubspace<E> {
         let Self { base, basis, directions, projector } = self;
         AffineSubspace { base, basis, directions, projector }
@@ -221,6 +234,23 @@ impl<const D: usize> AnySet for AffineSubspace<D> {
 
     fn shape(&self) -> Option<Shape<ANY>> {
         Some(Shape::AffineSubspace(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> Piece for AffineSubspace<D> {
+    fn kind(&self) -> Kind {
+        Self::KIND
+    }
+
+    fn values(&self) -> Vec<Value> {
+        {
+            let directions = self.given_slices().iter().map(|v| v.to_vec()).collect();
+            vec![Value::Vector(self.base_slice().to_vec()), Value::Vectors(directions)]
+        }
+    }
+
+    fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
+        Vec::new()
     }
 }
 

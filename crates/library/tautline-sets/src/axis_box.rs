@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
+use crate::kind::{Kind, Part, Piece, Value};
 use crate::numerics::norm::{between, norm_above};
 use crate::numerics::place::{Place, diagonal, vector};
 use crate::numerics::proof;
@@ -19,11 +20,6 @@ use crate::{AnySet, ClosedSet, Shape};
 /// `lᵢ = uᵢ` is allowed: the box is flat in that coordinate, `P(x)ᵢ` is constant, and `δᵢ = 0`
 /// everywhere. Projections lie in the box exactly.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::AxisBox")
-)]
 pub struct AxisBox<const D: usize> {
     lower: Box<[f64]>,
     upper: Box<[f64]>,
@@ -100,6 +96,23 @@ impl<const D: usize> AxisBox<D> {
         [&self.lower, &self.upper]
     }
 
+    /// The kind of such a set: its names and parts.
+    pub const KIND: Kind = Kind {
+        key: "box",
+        name: "a box",
+        about: "The box `lower ≤ x ≤ upper`, coordinate by coordinate.",
+        parts: &[
+            Part::vector("lower", "The corner with the least coordinates."),
+            Part::vector("upper", "The corner with the largest coordinates."),
+        ],
+    };
+
+    /// Returns the set of these values; `None` if their forms are not those of the parts.
+    pub(crate) fn of(values: &[Value]) -> Option<Result<Self, SetError>> {
+        let [Value::Vector(lower), Value::Vector(upper)] = values else { return None };
+        Some(AxisBox::from_slices(lower, upper))
+    }
+
     pub(crate) fn cast<const E: usize>(self) -> AxisBox<E> {
         AxisBox { lower: self.lower, upper: self.upper }
     }
@@ -152,6 +165,24 @@ impl<const D: usize> AnySet for AxisBox<D> {
 
     fn shape(&self) -> Option<Shape<ANY>> {
         Some(Shape::AxisBox(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> Piece for AxisBox<D> {
+    fn kind(&self) -> Kind {
+        Self::KIND
+    }
+
+    fn values(&self) -> Vec<Value> {
+        self.corner_slices().map(|corner| Value::Vector(corner.to_vec())).to_vec()
+    }
+
+    fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
+        vec![self.corner_slices().map(<[f64]>::to_vec)]
+    }
+
+    fn has(&self, x: &[f64]) -> bool {
+        x.iter().zip(&self.lower).zip(&self.upper).all(|((x, l), u)| l <= x && x <= u)
     }
 }
 

@@ -6,6 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
+use crate::kind::{Kind, Part, Piece, Value, box_around, is_at};
 use crate::numerics::norm::{norm_above, polar, sum_above};
 use crate::numerics::place::{diagonal, minus, tangential, vector};
 use crate::numerics::proof;
@@ -21,11 +22,6 @@ use crate::{AnySet, ClosedSet, Shape};
 ///
 /// `r = 0` is allowed: the ball is the point `c`, and `DP = 0` everywhere.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::Ball")
-)]
 pub struct Ball<const D: usize> {
     centre: Box<[f64]>,
     r: f64,
@@ -68,6 +64,23 @@ impl<const D: usize> Ball<D> {
     #[must_use]
     pub fn r(&self) -> f64 {
         self.r
+    }
+
+    /// The kind of such a set: its names and parts.
+    pub const KIND: Kind = Kind {
+        key: "ball",
+        name: "a ball",
+        about: "The ball `|x − centre| ≤ radius`.",
+        parts: &[
+            Part::vector("centre", "The centre."),
+            Part::number("radius", "The radius, at least 0."),
+        ],
+    };
+
+    /// Returns the set of these values; `None` if their forms are not those of the parts.
+    pub(crate) fn of(values: &[Value]) -> Option<Result<Self, SetError>> {
+        let [Value::Vector(centre), Value::Number(r)] = values else { return None };
+        Some(Ball::from_slice(centre, *r))
     }
 
     pub(crate) fn cast<const E: usize>(self) -> Ball<E> {
@@ -121,6 +134,24 @@ impl<const D: usize> AnySet for Ball<D> {
 
     fn shape(&self) -> Option<Shape<ANY>> {
         Some(Shape::Ball(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> Piece for Ball<D> {
+    fn kind(&self) -> Kind {
+        Self::KIND
+    }
+
+    fn values(&self) -> Vec<Value> {
+        vec![Value::Vector(self.centre.to_vec()), Value::Number(self.r)]
+    }
+
+    fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
+        box_around(&self.centre, self.r)
+    }
+
+    fn has(&self, x: &[f64]) -> bool {
+        is_at(x, &self.centre, self.r, Ordering::is_le)
     }
 }
 

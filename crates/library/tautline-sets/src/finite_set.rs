@@ -6,6 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
+use crate::kind::{Kind, Part, Piece, Value};
 use crate::union::Pieces;
 use crate::{AnySet, ClosedSet, Point, SetError, Shape};
 
@@ -15,11 +16,6 @@ use crate::{AnySet, ClosedSet, Point, SetError, Shape};
 /// Its pieces are its points, in the given order. A minimal geodesic need not end at the point that
 /// is nearest in the Euclidean sense, so each one is searched.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::FiniteSet", into = "crate::data::FiniteSet")
-)]
 pub struct FiniteSet<const D: usize> {
     /// The points, of which there is at least one.
     points: Vec<Point<D>>,
@@ -68,6 +64,20 @@ impl<const D: usize> FiniteSet<D> {
         &self.points
     }
 
+    /// The kind of such a set: its names and parts.
+    pub const KIND: Kind = Kind {
+        key: "points",
+        name: "a finite set",
+        about: "Finitely many points: `points = [[0, 0], [1, 2]]`.",
+        parts: &[Part::vectors("points", "The points.")],
+    };
+
+    /// Returns the set of these values; `None` if their forms are not those of the parts.
+    pub(crate) fn of(values: &[Value]) -> Option<Result<Self, SetError>> {
+        let [Value::Vectors(points)] = values else { return None };
+        Some(FiniteSet::from_slices(points))
+    }
+
     pub(crate) fn cast<const E: usize>(self) -> FiniteSet<E> {
         FiniteSet { points: self.points.into_iter().map(Point::cast).collect() }
     }
@@ -109,6 +119,24 @@ impl<const D: usize> AnySet for FiniteSet<D> {
     fn pieces(&self) -> Vec<Arc<dyn AnySet>> {
         let piece = |point: &Point<D>| Arc::new(point.clone().cast::<ANY>()) as Arc<dyn AnySet>;
         self.points.iter().map(piece).collect()
+    }
+}
+
+impl<const D: usize> Piece for FiniteSet<D> {
+    fn kind(&self) -> Kind {
+        Self::KIND
+    }
+
+    fn values(&self) -> Vec<Value> {
+        vec![Value::Vectors(self.points.iter().map(|x| x.position_slice().to_vec()).collect())]
+    }
+
+    fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
+        self.points.iter().flat_map(Piece::boxes).collect()
+    }
+
+    fn has(&self, x: &[f64]) -> bool {
+        self.points.iter().any(|point| point.has(x))
     }
 }
 

@@ -6,6 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
+use crate::kind::{Kind, Part, Piece, Value};
 use crate::numerics::norm::norm;
 use crate::numerics::place::{Place, add, diagonal, dot, largest, tangential, vector};
 use crate::numerics::proof;
@@ -21,11 +22,6 @@ use crate::{AnySet, ClosedSet, Shape};
 ///
 /// Two half-spaces are equal if their normalised `n` and `b` are.
 #[derive(Clone, Debug)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::HalfSpace", into = "crate::data::HalfSpace")
-)]
 pub struct HalfSpace<const D: usize> {
     /// The normal `n`, of length 1.
     normal: Box<[f64]>,
@@ -127,6 +123,29 @@ impl<const D: usize> HalfSpace<D> {
         self.offset
     }
 
+    /// The kind of such a set: its names and parts.
+    pub const KIND: Kind = Kind {
+        key: "half_space",
+        name: "a half-space",
+        about: "The half-space `normal·x ≥ at_least`, or `normal·x ≤ at_most`.",
+        parts: &[
+            Part::vector("normal", "A vector orthogonal to the boundary, of any length but 0."),
+            Part::side("The least or the largest value of `normal·x`."),
+        ],
+    };
+
+    /// Returns the set of these values; `None` if their forms are not those of the parts.
+    pub(crate) fn of(values: &[Value]) -> Option<Result<Self, SetError>> {
+        let (normal, offset): (Vec<f64>, f64) = match values {
+            [Value::Vector(normal), Value::AtMost(offset)] => (normal.clone(), *offset),
+            [Value::Vector(normal), Value::AtLeast(offset)] => {
+                (normal.iter().map(|n| -n).collect(), -offset)
+            }
+            _ => return None,
+        };
+        Some(HalfSpace::from_slice(&normal, offset))
+    }
+
     pub(crate) fn cast<const E: usize>(self) -> HalfSpace<E> {
         let Self { normal, offset, given_normal, given_offset } = self;
         HalfSpace { normal, offset, given_normal, given_offset }
@@ -198,6 +217,30 @@ impl<const D: usize> AnySet for HalfSpace<D> {
 
     fn shape(&self) -> Option<Shape<ANY>> {
         Some(Shape::HalfSpace(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> Piece for HalfSpace<D> {
+    fn kind(&self) -> Kind {
+        Self::KIND
+    }
+
+    fn values(&self) -> Vec<Value> {
+        {
+            let (normal, offset) = self.given_slice();
+            vec![Value::Vector(normal.to_vec()), Value::AtMost(offset)]
+        }
+    }
+
+    fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
+        Vec::new()
+    }
+
+    fn has(&self, x: &[f64]) -> bool {
+        {
+            let (normal, offset) = self.given_slice();
+            proof::compare_height(normal, x, offset).is_some_and(Ordering::is_le)
+        }
     }
 }
 

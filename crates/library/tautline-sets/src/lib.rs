@@ -69,7 +69,7 @@
 //! # Features
 //!
 //! `serde`, off by default: a [`Shape`] and the sets that it may be are written and read by the names
-//! of their fields, and checked when they are read. Other sets may be closures or types of your own, and
+//! of their parts, as [`kind`] has them, and checked when they are read. Other sets may be closures or types of your own, and
 //! are not written.
 
 mod affine_subspace;
@@ -79,11 +79,10 @@ mod axis_box;
 mod ball;
 mod closed_set;
 mod common_point;
-#[cfg(feature = "serde")]
-mod data;
 mod ends;
 mod finite_set;
 mod half_space;
+pub mod kind;
 #[cfg(test)]
 mod laws;
 mod numerics;

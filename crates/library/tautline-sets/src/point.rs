@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
+use crate::kind::{Kind, Part, Piece, Value};
 use crate::numerics::norm::norm_above;
 use crate::numerics::place::vector;
 use crate::numerics::proof;
@@ -12,11 +13,6 @@ use crate::{AnySet, ClosedSet, Shape};
 
 /// The set `{p}`, with `P(x) = p` and `DP = 0`.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::Point")
-)]
 pub struct Point<const D: usize> {
     position: Box<[f64]>,
 }
@@ -50,6 +46,20 @@ impl<const D: usize> Point<D> {
     #[must_use]
     pub fn position_slice(&self) -> &[f64] {
         &self.position
+    }
+
+    /// The kind of such a set: its names and parts.
+    pub const KIND: Kind = Kind {
+        key: "point",
+        name: "a point",
+        about: "A point: `point = [0, 0]`.",
+        parts: &[Part::vector("position", "The coordinates.")],
+    };
+
+    /// Returns the set of these values; `None` if their forms are not those of the parts.
+    pub(crate) fn of(values: &[Value]) -> Option<Result<Self, SetError>> {
+        let [Value::Vector(x)] = values else { return None };
+        Some(Point::from_slice(x))
     }
 
     pub(crate) fn cast<const E: usize>(self) -> Point<E> {
@@ -88,6 +98,24 @@ impl<const D: usize> AnySet for Point<D> {
 
     fn shape(&self) -> Option<Shape<ANY>> {
         Some(Shape::Point(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> Piece for Point<D> {
+    fn kind(&self) -> Kind {
+        Self::KIND
+    }
+
+    fn values(&self) -> Vec<Value> {
+        vec![Value::Vector(self.position.to_vec())]
+    }
+
+    fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
+        vec![[self.position.to_vec(), self.position.to_vec()]]
+    }
+
+    fn has(&self, x: &[f64]) -> bool {
+        *self.position == *x
     }
 }
 

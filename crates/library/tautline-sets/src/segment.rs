@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
+use crate::kind::{Kind, Part, Piece, Value};
 use crate::numerics::norm::{between, norm_above, polar};
 use crate::numerics::place::{dot, minus, vector};
 use crate::numerics::proof;
@@ -19,11 +20,6 @@ use crate::{AnySet, ClosedSet, Shape};
 /// `a = b` is allowed; then `P = a` and `DP = 0`. Beyond an end of the segment, the projection is
 /// exactly that end.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::Segment", into = "crate::data::Segment")
-)]
 pub struct Segment<const D: usize> {
     start: Box<[f64]>,
     end: Box<[f64]>,
@@ -81,6 +77,20 @@ impl<const D: usize> Segment<D> {
     #[must_use]
     pub fn end_slices(&self) -> [&[f64]; 2] {
         [&self.start, &self.end]
+    }
+
+    /// The kind of such a set: its names and parts.
+    pub const KIND: Kind = Kind {
+        key: "segment",
+        name: "a segment",
+        about: "The segment between two points.",
+        parts: &[Part::vector("from", "One end."), Part::vector("to", "The other end.")],
+    };
+
+    /// Returns the set of these values; `None` if their forms are not those of the parts.
+    pub(crate) fn of(values: &[Value]) -> Option<Result<Self, SetError>> {
+        let [Value::Vector(start), Value::Vector(end)] = values else { return None };
+        Some(Segment::from_slices(start, end))
     }
 
     pub(crate) fn cast<const E: usize>(self) -> Segment<E> {
@@ -160,6 +170,25 @@ impl<const D: usize> AnySet for Segment<D> {
 
     fn shape(&self) -> Option<Shape<ANY>> {
         Some(Shape::Segment(self.clone().cast()))
+    }
+}
+
+impl<const D: usize> Piece for Segment<D> {
+    fn kind(&self) -> Kind {
+        Self::KIND
+    }
+
+    fn values(&self) -> Vec<Value> {
+        self.end_slices().map(|end| Value::Vector(end.to_vec())).to_vec()
+    }
+
+    fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
+        {
+            let corner = |of: fn(f64, f64) -> f64| {
+                self.start.iter().zip(&self.end).map(|(&a, &b)| of(a, b)).collect()
+            };
+            vec![[corner(f64::min), corner(f64::max)]]
+        }
     }
 }
 

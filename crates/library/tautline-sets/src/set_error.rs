@@ -81,6 +81,12 @@ pub enum SetError {
         /// length of the direction.
         remainder: f64,
     },
+    /// A set is made of the parts of its [`Kind`](crate::kind::Kind).
+    #[error("these are not the parts that describe {what}")]
+    Parts {
+        /// The kind of set, in words.
+        what: &'static str,
+    },
     /// A union or a finite set must have members: a curve has to end somewhere (Proposition 7.1).
     #[error("the set is empty: it has no members (Proposition 7.1 needs non-empty sets)")]
     Empty,

@@ -1,60 +1,100 @@
 //! `Shape`: a set as data, which can be written to a file and read by another program.
 
-use std::{cmp::Ordering, sync::Arc};
+use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
 use crate::closed_set::append_pieces;
+#[cfg(feature = "serde")]
+use crate::kind::data;
+use crate::kind::{Kind, Piece, Value};
 use crate::union::Pieces;
 use crate::{
     AffineSubspace, AnySet, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment,
-    SetError, Sphere, numerics::proof,
+    SetError, Sphere,
 };
 
-/// A set that is described by finitely many numbers: one piece, or the union of several.
-///
-/// The dimension is known at compile time, or is a value if `D` is [`ANY`]. The numbers define the set
-/// exactly, as those of [`ClosedSet::member_near`] do.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Shape<const D: usize> {
-    /// One point.
-    Point(Point<D>),
-    /// Finitely many points.
-    FiniteSet(FiniteSet<D>),
-    /// A ball.
-    Ball(Ball<D>),
-    /// A sphere.
-    Sphere(Sphere<D>),
-    /// A box with sides parallel to the axes.
-    AxisBox(AxisBox<D>),
-    /// A segment.
-    Segment(Segment<D>),
-    /// A half-space.
-    HalfSpace(HalfSpace<D>),
-    /// An affine subspace.
-    AffineSubspace(AffineSubspace<D>),
-    /// The union of shapes. [`Shape::union`] checks that there are any, all in one dimension.
-    Union(Vec<Shape<D>>),
+/// Defines [`Shape`] by the sets that it may be.
+macro_rules! shapes {
+    ($($(#[$about:meta])* $set:ident,)*) => {
+        /// A set that is described by finitely many numbers: one piece, or the union of several.
+        ///
+        /// The dimension is known at compile time, or is a value if `D` is [`ANY`]. The numbers define the
+        /// set exactly, as those of [`ClosedSet::member_near`] do.
+        #[derive(Clone, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        pub enum Shape<const D: usize> {
+            $($(#[$about])* $set($set<D>),)*
+            /// The union of shapes. [`Shape::union`] checks that there are any, all in one dimension.
+            Union(Vec<Shape<D>>),
+        }
+
+        impl<const D: usize> Shape<D> {
+            /// Returns the set, or the members of a union.
+            fn piece(&self) -> Result<&dyn Piece, &[Shape<D>]> {
+                match self {
+                    $(Shape::$set(set) => Ok(set),)*
+                    Shape::Union(shapes) => Err(shapes),
+                }
+            }
+
+            fn cast<const E: usize>(self) -> Shape<E> {
+                match self {
+                    $(Shape::$set(set) => Shape::$set(set.cast()),)*
+                    Shape::Union(shapes) => {
+                        Shape::Union(shapes.into_iter().map(Shape::cast).collect())
+                    }
+                }
+            }
+        }
+
+        impl Kind {
+            /// All kinds of sets.
+            pub const ALL: &[Kind] = &[$($set::<ANY>::KIND),*];
+
+            /// Returns the set of this kind with these values.
+            ///
+            /// # Errors
+            ///
+            /// [`SetError::Parts`] if there are not as many values as parts, or if one has another form;
+            /// otherwise as the constructor of the set.
+            pub fn shape(&self, values: &[Value]) -> Result<Shape<ANY>, SetError> {
+                let other = SetError::Parts { what: self.name };
+                match self.key {
+                    $(key if key == $set::<ANY>::KIND.key => {
+                        $set::of(values).ok_or(other)?.map(Shape::$set)
+                    })*
+                    _ => Err(other),
+                }
+            }
+        }
+
+        $(
+            #[cfg(feature = "serde")]
+            data::by_parts!($set);
+        )*
+    };
 }
 
-/// Evaluates an expression for the set in a shape, or another one for a union.
-macro_rules! of_kind {
-    ($shape:expr, $set:ident => $one:expr, $shapes:ident => $many:expr) => {
-        match $shape {
-            Shape::Point($set) => $one,
-            Shape::FiniteSet($set) => $one,
-            Shape::Ball($set) => $one,
-            Shape::Sphere($set) => $one,
-            Shape::AxisBox($set) => $one,
-            Shape::Segment($set) => $one,
-            Shape::HalfSpace($set) => $one,
-            Shape::AffineSubspace($set) => $one,
-            Shape::Union($shapes) => $many,
-        }
-    };
+shapes! {
+    /// One point.
+    Point,
+    /// Finitely many points.
+    FiniteSet,
+    /// A ball.
+    Ball,
+    /// A sphere.
+    Sphere,
+    /// A box with sides parallel to the axes.
+    AxisBox,
+    /// A half-space.
+    HalfSpace,
+    /// A segment.
+    Segment,
+    /// An affine subspace.
+    AffineSubspace,
 }
 
 impl<const D: usize> Shape<D> {
@@ -85,44 +125,26 @@ impl<const D: usize> Shape<D> {
     /// point of a finite set. Those of a ball or a sphere are rounded.
     #[must_use]
     pub fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
-        let round = |centre: &[f64], r: f64| {
-            vec![[-r, r].map(|by| centre.iter().map(|x| x + by).collect())]
-        };
-        let single = |x: &[f64]| [x.to_vec(), x.to_vec()];
-        match self {
-            Shape::Point(point) => vec![single(point.position_slice())],
-            Shape::FiniteSet(set) => {
-                set.points().iter().map(|point| single(point.position_slice())).collect()
-            }
-            Shape::Ball(ball) => round(ball.centre_slice(), ball.r()),
-            Shape::Sphere(sphere) => round(sphere.centre_slice(), sphere.r()),
-            Shape::AxisBox(side) => vec![side.corner_slices().map(<[f64]>::to_vec)],
-            Shape::Segment(segment) => {
-                let [start, end] = segment.end_slices();
-                let corner = |of: fn(f64, f64) -> f64| {
-                    start.iter().zip(end).map(|(&a, &b)| of(a, b)).collect()
-                };
-                vec![[corner(f64::min), corner(f64::max)]]
-            }
-            Shape::HalfSpace(_) | Shape::AffineSubspace(_) => Vec::new(),
-            Shape::Union(shapes) => shapes.iter().flat_map(Shape::boxes).collect(),
+        match self.piece() {
+            Ok(piece) => piece.boxes(),
+            Err(shapes) => shapes.iter().flat_map(Shape::boxes).collect(),
+        }
+    }
+
+    /// Returns the kind of each piece and the values of its parts, of which [`Kind::shape`] makes the piece
+    /// again.
+    #[must_use]
+    pub fn described(&self) -> Vec<(Kind, Vec<Value>)> {
+        match self.piece() {
+            Ok(piece) => vec![(piece.kind(), piece.values())],
+            Err(shapes) => shapes.iter().flat_map(Shape::described).collect(),
         }
     }
 
     /// Returns the name of the kind of set, with its article.
     #[must_use]
     pub fn name(&self) -> &'static str {
-        match self {
-            Shape::Point(_) => "a point",
-            Shape::FiniteSet(_) => "a finite set",
-            Shape::Ball(_) => "a ball",
-            Shape::Sphere(_) => "a sphere",
-            Shape::AxisBox(_) => "a box",
-            Shape::Segment(_) => "a segment",
-            Shape::HalfSpace(_) => "a half-space",
-            Shape::AffineSubspace(_) => "an affine subspace",
-            Shape::Union(_) => "a union",
-        }
+        self.piece().map_or("a union", |piece| piece.kind().name)
     }
 
     /// Returns whether `x` is a member, decided in exact arithmetic; false if a coordinate is not
@@ -145,28 +167,9 @@ impl<const D: usize> Shape<D> {
     }
 
     fn has(&self, x: &[f64]) -> bool {
-        let is_proved = |set: &dyn AnySet| {
-            let is_finite = x.iter().all(|x| x.is_finite());
-            is_finite && set.member_near(x).is_some_and(|member| member == proof::point(x))
-        };
-        match self {
-            Shape::Point(point) => point.position_slice() == x,
-            Shape::FiniteSet(set) => set.points().iter().any(|point| point.position_slice() == x),
-            Shape::Ball(ball) => proof::compare_distance(x, ball.centre_slice(), ball.r())
-                .is_some_and(Ordering::is_le),
-            Shape::Sphere(sphere) => proof::compare_distance(x, sphere.centre_slice(), sphere.r())
-                .is_some_and(Ordering::is_eq),
-            Shape::AxisBox(side) => {
-                let [lower, upper] = side.corner_slices();
-                x.iter().zip(lower).zip(upper).all(|((x, l), u)| l <= x && x <= u)
-            }
-            Shape::HalfSpace(wall) => {
-                let (n, b) = wall.given_slice();
-                proof::compare_height(n, x, b).is_some_and(Ordering::is_le)
-            }
-            Shape::Segment(segment) => is_proved(segment),
-            Shape::AffineSubspace(subspace) => is_proved(subspace),
-            Shape::Union(shapes) => shapes.iter().any(|shape| shape.has(x)),
+        match self.piece() {
+            Ok(piece) => piece.has(x),
+            Err(shapes) => shapes.iter().any(|shape| shape.has(x)),
         }
     }
 
@@ -191,20 +194,6 @@ impl<const D: usize> Shape<D> {
     #[must_use]
     pub fn into_any(self) -> Shape<ANY> {
         self.cast()
-    }
-
-    fn cast<const E: usize>(self) -> Shape<E> {
-        match self {
-            Shape::Point(set) => Shape::Point(set.cast()),
-            Shape::FiniteSet(set) => Shape::FiniteSet(set.cast()),
-            Shape::Ball(set) => Shape::Ball(set.cast()),
-            Shape::Sphere(set) => Shape::Sphere(set.cast()),
-            Shape::AxisBox(set) => Shape::AxisBox(set.cast()),
-            Shape::Segment(set) => Shape::Segment(set.cast()),
-            Shape::HalfSpace(set) => Shape::HalfSpace(set.cast()),
-            Shape::AffineSubspace(set) => Shape::AffineSubspace(set.cast()),
-            Shape::Union(shapes) => Shape::Union(shapes.into_iter().map(Shape::cast).collect()),
-        }
     }
 
     /// Returns the shape of a union of sets; `None` if one of them has no shape.
@@ -234,43 +223,52 @@ impl Shape<ANY> {
 impl<const D: usize> AnySet for Shape<D> {
     /// Returns the dimension; that of the first member of a union, and 0 without members.
     fn dimension(&self) -> usize {
-        of_kind!(self, set => set.dimension(), shapes => shapes.first().map_or(0, Shape::dimension))
+        match self.piece() {
+            Ok(piece) => piece.dimension(),
+            Err(shapes) => shapes.first().map_or(0, Shape::dimension),
+        }
     }
 
     fn project(&self, x: &mut [f64]) {
-        of_kind!(self, set => AnySet::project(set, x), shapes => Pieces(|| shapes.iter()).project(x));
+        match self.piece() {
+            Ok(piece) => piece.project(x),
+            Err(shapes) => Pieces(|| shapes.iter()).project(x),
+        }
     }
 
     fn projection_derivative(&self, x: &[f64], derivative: &mut [f64]) {
-        of_kind!(
-            self,
-            set => AnySet::projection_derivative(set, x, derivative),
-            shapes => Pieces(|| shapes.iter()).projection_derivative(x, derivative)
-        );
+        match self.piece() {
+            Ok(piece) => piece.projection_derivative(x, derivative),
+            Err(shapes) => Pieces(|| shapes.iter()).projection_derivative(x, derivative),
+        }
     }
 
     fn radius(&self) -> Option<f64> {
-        of_kind!(self, set => AnySet::radius(set), shapes => Pieces(|| shapes.iter()).radius())
+        match self.piece() {
+            Ok(piece) => piece.radius(),
+            Err(shapes) => Pieces(|| shapes.iter()).radius(),
+        }
     }
 
     fn enclosing_ball(&self) -> Option<(Vec<f64>, f64)> {
-        of_kind!(
-            self,
-            set => AnySet::enclosing_ball(set),
-            shapes => Pieces(|| shapes.iter()).enclosing_ball()
-        )
+        match self.piece() {
+            Ok(piece) => piece.enclosing_ball(),
+            Err(shapes) => Pieces(|| shapes.iter()).enclosing_ball(),
+        }
     }
 
     fn is_convex(&self) -> bool {
-        of_kind!(self, set => AnySet::is_convex(set), shapes => Pieces(|| shapes.iter()).is_convex())
+        match self.piece() {
+            Ok(piece) => piece.is_convex(),
+            Err(shapes) => Pieces(|| shapes.iter()).is_convex(),
+        }
     }
 
     fn member_near(&self, x: &[f64]) -> Option<Vec<Interval>> {
-        of_kind!(
-            self,
-            set => AnySet::member_near(set, x),
-            shapes => Pieces(|| shapes.iter()).member_near(x)
-        )
+        match self.piece() {
+            Ok(piece) => piece.member_near(x),
+            Err(shapes) => Pieces(|| shapes.iter()).member_near(x),
+        }
     }
 
     fn shape(&self) -> Option<Shape<ANY>> {
@@ -282,15 +280,17 @@ impl<const D: usize> AnySet for Shape<D> {
             let pieces = AnySet::pieces(shape);
             if pieces.is_empty() { vec![Arc::new(shape.clone().into_any())] } else { pieces }
         };
-        of_kind!(
-            self,
-            set => AnySet::pieces(set),
-            shapes => shapes.iter().flat_map(piece).collect()
-        )
+        match self.piece() {
+            Ok(piece) => piece.pieces(),
+            Err(shapes) => shapes.iter().flat_map(piece).collect(),
+        }
     }
 
     fn seeds(&self) -> Vec<Vec<f64>> {
-        of_kind!(self, set => AnySet::seeds(set), shapes => Pieces(|| shapes.iter()).seeds())
+        match self.piece() {
+            Ok(piece) => piece.seeds(),
+            Err(shapes) => Pieces(|| shapes.iter()).seeds(),
+        }
     }
 }
 

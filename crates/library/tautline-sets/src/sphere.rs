@@ -6,6 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::{ANY, Interval};
 
 use crate::any_set::closed_set_in_any;
+use crate::kind::{Kind, Part, Piece, Value, box_around, is_at};
 use crate::numerics::norm::{norm_above, polar, sum_above};
 use crate::numerics::place::{Place, minus, tangential, vector};
 use crate::numerics::proof;
@@ -26,11 +27,6 @@ use crate::{AnySet, ClosedSet, Shape};
 ///
 /// In one dimension the sphere consists of the two points `c ± r`.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "crate::data::Ball")
-)]
 pub struct Sphere<const D: usize> {
     centre: Box<[f64]>,
     r: f64,
@@ -74,6 +70,23 @@ impl<const D: usize> Sphere<D> {
     #[must_use]
     pub fn r(&self) -> f64 {
         self.r
+    }
+
+    /// The kind of such a set: its names and parts.
+    pub const KIND: Kind = Kind {
+        key: "sphere",
+        name: "a sphere",
+        about: "The sphere `|x − centre| = radius`.",
+        parts: &[
+            Part::vector("centre", "The centre."),
+            Part::number("radius", "The radius, at least 0."),
+        ],
+    };
+
+    /// Returns the set of these values; `None` if their forms are not those of the parts.
+    pub(crate) fn of(values: &[Value]) -> Option<Result<Self, SetError>> {
+        let [Value::Vector(centre), Value::Number(r)] = values else { return None };
+        Some(Sphere::from_slice(centre, *r))
     }
 
     pub(crate) fn cast<const E: usize>(self) -> Sphere<E> {
@@ -143,6 +156,24 @@ impl<const D: usize> AnySet for Sphere<D> {
             self.centre.iter().enumerate().map(|(j, c)| c + along(j)).collect()
         };
         (0..self.centre.len()).flat_map(|i| [self.r, -self.r].map(|r| seed(i, r))).collect()
+    }
+}
+
+impl<const D: usize> Piece for Sphere<D> {
+    fn kind(&self) -> Kind {
+        Self::KIND
+    }
+
+    fn values(&self) -> Vec<Value> {
+        vec![Value::Vector(self.centre.to_vec()), Value::Number(self.r)]
+    }
+
+    fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
+        box_around(&self.centre, self.r)
+    }
+
+    fn has(&self, x: &[f64]) -> bool {
+        is_at(x, &self.centre, self.r, Ordering::is_eq)
     }
 }
 

@@ -143,8 +143,8 @@ pub use tautline_optimizers::{
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table, decimal};
 pub use tautline_sets::{
-    AffineSubspace, AnyEnds, AnySet, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point,
-    Segment, SetError, Shape, Sphere, Union,
+    self as sets, AffineSubspace, AnyEnds, AnySet, AxisBox, Ball, ClosedSet, Ends, FiniteSet,
+    HalfSpace, Point, Segment, SetError, Shape, Sphere, Union,
 };
 
 pub use nalgebra::{SMatrix, SVector};

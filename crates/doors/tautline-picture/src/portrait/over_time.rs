@@ -1,13 +1,11 @@
 //! The picture in one dimension: a graph over time.
 
-use tautline_scalar::ANY;
-use tautline_sets::Shape;
-
 use super::{
     Field, Portrait, PortraitError,
     background::{Background, contours},
     gram::Gram,
     plane::thinned,
+    shadow::intervals,
     span::Span,
     style, window,
 };
@@ -90,37 +88,4 @@ fn metric(portrait: &Portrait<'_>, time: (f64, f64), x: Span) -> Result<Backgrou
     let background = contours(time, x.ends(), "H", |_, u| gram.determinant(&[x.data(u)]))?;
     gram.check()?;
     Ok(background)
-}
-
-/// Returns the intervals of a set on the line; a point is an interval of length 0.
-fn intervals(shape: &Shape<ANY>) -> Vec<[f64; 2]> {
-    match shape {
-        Shape::Point(point) => vec![[point.position_slice()[0]; 2]],
-        Shape::FiniteSet(set) => {
-            set.points().iter().map(|point| [point.position_slice()[0]; 2]).collect()
-        }
-        Shape::Ball(ball) => {
-            let (centre, r) = (ball.centre_slice()[0], ball.r());
-            vec![[centre - r, centre + r]]
-        }
-        Shape::Sphere(sphere) => {
-            let (centre, r) = (sphere.centre_slice()[0], sphere.r());
-            vec![[centre - r; 2], [centre + r; 2]]
-        }
-        Shape::AxisBox(side) => vec![side.corner_slices().map(|corner| corner[0])],
-        Shape::HalfSpace(wall) => {
-            let (normal, offset) = wall.given_slice();
-            let at = offset / normal[0];
-            vec![if normal[0] > 0.0 { [f64::NEG_INFINITY, at] } else { [at, f64::INFINITY] }]
-        }
-        Shape::Segment(segment) => {
-            let [from, to] = segment.end_slices().map(|end| end[0]);
-            vec![[from.min(to), from.max(to)]]
-        }
-        Shape::AffineSubspace(subspace) if subspace.given_slices().is_empty() => {
-            vec![[subspace.base_slice()[0]; 2]]
-        }
-        Shape::AffineSubspace(_) => vec![[f64::NEG_INFINITY, f64::INFINITY]],
-        Shape::Union(shapes) => shapes.iter().flat_map(intervals).collect(),
-    }
 }

@@ -1,4 +1,4 @@
-//! What is seen of a set in the plane of two coordinates.
+//! What is seen of a set: its projection to the plane of two coordinates, and its intervals on the line.
 
 use std::f64::consts::{PI, TAU};
 
@@ -212,5 +212,38 @@ impl Frame {
         let (foot, far) = ((x + ahead * a, y + ahead * b), self.diagonal());
         let ends = [(foot.0 - far * a, foot.1 - far * b), (foot.0 + far * a, foot.1 + far * b)];
         Shadow::Lines(self.pieces(&ends))
+    }
+}
+
+/// Returns the intervals of a set on the line; a point is an interval of length 0.
+pub(super) fn intervals(shape: &Shape<ANY>) -> Vec<[f64; 2]> {
+    match shape {
+        Shape::Point(point) => vec![[point.position_slice()[0]; 2]],
+        Shape::FiniteSet(set) => {
+            set.points().iter().map(|point| [point.position_slice()[0]; 2]).collect()
+        }
+        Shape::Ball(ball) => {
+            let (centre, r) = (ball.centre_slice()[0], ball.r());
+            vec![[centre - r, centre + r]]
+        }
+        Shape::Sphere(sphere) => {
+            let (centre, r) = (sphere.centre_slice()[0], sphere.r());
+            vec![[centre - r; 2], [centre + r; 2]]
+        }
+        Shape::AxisBox(side) => vec![side.corner_slices().map(|corner| corner[0])],
+        Shape::HalfSpace(wall) => {
+            let (normal, offset) = wall.given_slice();
+            let at = offset / normal[0];
+            vec![if normal[0] > 0.0 { [f64::NEG_INFINITY, at] } else { [at, f64::INFINITY] }]
+        }
+        Shape::Segment(segment) => {
+            let [from, to] = segment.end_slices().map(|end| end[0]);
+            vec![[from.min(to), from.max(to)]]
+        }
+        Shape::AffineSubspace(subspace) if subspace.given_slices().is_empty() => {
+            vec![[subspace.base_slice()[0]; 2]]
+        }
+        Shape::AffineSubspace(_) => vec![[f64::NEG_INFINITY, f64::INFINITY]],
+        Shape::Union(shapes) => shapes.iter().flat_map(intervals).collect(),
     }
 }

@@ -63,3 +63,14 @@ pub(crate) struct ProblemFile {
     /// Which parameters vary, for `tautline plan` and `tautline run`.
     pub(crate) sweep: Option<Placed<SweepFile>>,
 }
+
+/// Says that a name is none of these, in the words of serde.
+fn one_of(what: &str, name: &str, known: impl Iterator<Item = &'static str>) -> String {
+    let known: Vec<String> = known.map(|name| format!("`{name}`")).collect();
+    let expected = match &known[..] {
+        [first, second] => format!("{first} or {second}"),
+        [only] => only.clone(),
+        _ => format!("one of {}", known.join(", ")),
+    };
+    format!("unknown {what} `{name}`, expected {expected}")
+}

@@ -1,12 +1,13 @@
 //! `ObstaclesFile`: regions that no curve enters.
 
-use schemars::JsonSchema;
-use serde::Deserialize;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Deserializer, de::DeserializeSeed};
+use tautline::{ANY, Ball, HalfSpace};
 
 use super::{
     expression::Text,
     placed::Placed,
-    set::{HalfSpaceFile, Round},
+    set::{PieceFile, Values, described},
 };
 
 /// Regions that no curve enters. They repel: with the distance `δₖ(x)` from each, and the margin `m`,
@@ -26,9 +27,29 @@ pub(crate) struct ObstaclesFile {
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RegionFile {
     /// The ball `|x − centre| ≤ radius`.
-    Ball(Round),
+    #[serde(deserialize_with = "ball")]
+    #[schemars(schema_with = "ball_schema")]
+    Ball(PieceFile),
     /// The half-space `normal·x ≥ at_least`, or `normal·x ≤ at_most`.
-    HalfSpace(HalfSpaceFile),
+    #[serde(deserialize_with = "half_space")]
+    #[schemars(schema_with = "half_space_schema")]
+    HalfSpace(PieceFile),
     /// Where this expression of the coordinates is not positive; it takes the place of the distance.
     Negative(Text),
+}
+
+fn ball<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PieceFile, D::Error> {
+    Values(Ball::<ANY>::KIND).deserialize(deserializer)
+}
+
+fn ball_schema(generator: &mut SchemaGenerator) -> Schema {
+    described(Ball::<ANY>::KIND, generator)
+}
+
+fn half_space<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PieceFile, D::Error> {
+    Values(HalfSpace::<ANY>::KIND).deserialize(deserializer)
+}
+
+fn half_space_schema(generator: &mut SchemaGenerator) -> Schema {
+    described(HalfSpace::<ANY>::KIND, generator)
 }

@@ -10,11 +10,10 @@ use crate::{
         ProblemFile,
         expression::Text,
         obstacles::{ObstaclesFile, RegionFile},
-        set::SetFile,
     },
     reading::{
         numbers::Numbers,
-        pieces::{Draft, drafts},
+        pieces::{Draft, draft},
     },
 };
 
@@ -46,22 +45,20 @@ pub(crate) fn obstacles<'f>(
     let margin = numbers.between(margin, 0.0, f64::INFINITY)?;
     let mut distances = Vec::new();
     for region in regions.get_ref() {
-        let set = match region {
-            RegionFile::Ball(ball) => SetFile::Ball(ball.clone()),
-            RegionFile::HalfSpace(side) => SetFile::HalfSpace(side.clone()),
+        let solid = match region {
+            RegionFile::Ball(solid) | RegionFile::HalfSpace(solid) => solid,
             RegionFile::Negative(text) => {
                 distances.push(Distance::Given(text));
                 continue;
             }
         };
-        for Draft { shape, places } in drafts(&set, numbers, dimension)? {
-            let text = shape.ok().as_ref().and_then(distance).ok_or_else(|| {
-                let place = places.last().cloned().unwrap_or(regions.span());
-                Diagnostic::new("an obstacle without inside", place)
-                    .label("expected a positive radius, or a normal that is not 0")
-            })?;
-            distances.push(Distance::Own(text));
-        }
+        let Draft { shape, places } = draft(solid, numbers, dimension)?;
+        let text = shape.ok().as_ref().and_then(distance).ok_or_else(|| {
+            let place = places.last().cloned().unwrap_or(regions.span());
+            Diagnostic::new("an obstacle without inside", place)
+                .label("expected a positive radius, or a normal that is not 0")
+        })?;
+        distances.push(Distance::Own(text));
     }
     let factor = factor(distances.len(), margin);
     Ok(Some(Obstacles { distances, factor, place: regions.span() }))

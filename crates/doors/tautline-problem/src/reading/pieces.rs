@@ -2,17 +2,14 @@
 
 use std::ops::Range;
 
-use tautline::{
-    ANY, AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, SetError, Shape,
-    Sphere,
-};
+use tautline::{ANY, AxisBox, Ball, SetError, Shape, sets::kind::Value};
 
 use crate::{
     Diagnostic,
     file::{
         placed::Placed,
         request::CertifyFile,
-        set::{AffineFile, Corners, HalfSpaceFile, Round, SegmentFile, SetFile, Vector},
+        set::{Corners, PieceFile, SetFile, ValueFile, Vector},
     },
     reading::{
         numbers::Numbers,
@@ -26,7 +23,16 @@ pub(crate) fn pieces(
     numbers: &Numbers<'_>,
     dimension: usize,
 ) -> Result<Vec<Piece>, Diagnostic> {
-    drafts(set, numbers, dimension)?.into_iter().map(Draft::checked).collect()
+    match set {
+        SetFile::Piece(piece) => Ok(vec![draft(piece, numbers, dimension)?.checked()?]),
+        SetFile::Union(sets) if sets.get_ref().is_empty() => {
+            Err(Diagnostic::new("a union of no sets", sets.span()))
+        }
+        SetFile::Union(sets) => {
+            let all = sets.get_ref().iter().map(|set| pieces(set, numbers, dimension));
+            Ok(all.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+        }
+    }
 }
 
 /// A piece whose numbers may be wrong.
@@ -44,74 +50,49 @@ impl Draft {
     }
 }
 
-/// Returns the pieces of a set as its numbers describe them.
-pub(crate) fn drafts(
-    set: &SetFile,
+/// Returns a piece as its numbers describe it.
+pub(crate) fn draft(
+    PieceFile { kind, values }: &PieceFile,
     numbers: &Numbers<'_>,
     dimension: usize,
-) -> Result<Vec<Draft>, Diagnostic> {
+) -> Result<Draft, Diagnostic> {
     let vector = |vector: &Vector| numbers.vector(vector, dimension);
-    let list = |vectors: &[Vector]| vectors.iter().map(vector).collect::<Result<Vec<_>, _>>();
-    let (shape, places): (Result<Shape<ANY>, SetError>, Vec<Range<usize>>) = match set {
-        SetFile::Point(x) => (Point::from_slice(&vector(x)?).map(Shape::Point), vec![x.span()]),
-        SetFile::Points(points) => {
-            let set = FiniteSet::from_slices(list(points.get_ref())?).map(Shape::FiniteSet);
-            (set, vec![points.span()])
-        }
-        SetFile::Ball(Round { centre, radius }) | SetFile::Sphere(Round { centre, radius }) => {
-            let places = vec![centre.span(), radius.span()];
-            let (centre, radius) = (vector(centre)?, numbers.number(radius)?);
-            if matches!(set, SetFile::Ball(_)) {
-                (Ball::from_slice(&centre, radius).map(Shape::Ball), places)
-            } else {
-                (Sphere::from_slice(&centre, radius).map(Shape::Sphere), places)
+    let mut places: Vec<Range<usize>> = Vec::new();
+    let mut read = Vec::new();
+    for value in values {
+        read.push(match value {
+            ValueFile::Vector(x) => {
+                places.push(x.span());
+                Value::Vector(vector(x)?)
             }
-        }
-        SetFile::Box(corners @ Corners { lower, upper }) => {
-            let places = vec![lower.span(), upper.span()];
-            let [low, high] = self::corners(corners, numbers, dimension)?;
-            (AxisBox::from_slices(&low, &high).map(Shape::AxisBox), places)
-        }
-        SetFile::HalfSpace(HalfSpaceFile { normal, at_least, at_most }) => {
-            let places = vec![normal.span()];
-            let (span, normal) = (normal.span(), vector(normal)?);
-            let (normal, offset): (Vec<f64>, f64) = match (at_least, at_most) {
-                (Some(at_least), None) => {
-                    (normal.iter().map(|x| -x).collect(), -numbers.number(at_least)?)
+            ValueFile::Vectors(rows) => {
+                // A single part is blamed as a whole.
+                match values.len() {
+                    1 => places.push(rows.span()),
+                    _ => places.extend(rows.get_ref().iter().map(Placed::span)),
                 }
-                (None, Some(at_most)) => (normal, numbers.number(at_most)?),
-                (Some(_), Some(other)) => {
-                    return Err(Diagnostic::new("a half-space has one side", other.span())
-                        .label("expected at_least or at_most, not both"));
-                }
-                (None, None) => {
-                    return Err(Diagnostic::new("a half-space needs at_least or at_most", span)
-                        .label("the side of this normal is not given"));
-                }
-            };
-            (HalfSpace::from_slice(&normal, offset).map(Shape::HalfSpace), places)
-        }
-        SetFile::Segment(SegmentFile { from, to }) => {
-            let places = vec![from.span(), to.span()];
-            (Segment::from_slices(&vector(from)?, &vector(to)?).map(Shape::Segment), places)
-        }
-        SetFile::Affine(AffineFile { through, directions }) => {
-            let spans = directions.get_ref().iter().map(Placed::span);
-            let places = std::iter::once(through.span()).chain(spans).collect();
-            let (base, directions) = (vector(through)?, list(directions.get_ref())?);
-            (AffineSubspace::from_slices(&base, directions).map(Shape::AffineSubspace), places)
-        }
-        SetFile::Union(sets) => {
-            let drafts_of = |set| drafts(set, numbers, dimension);
-            let all: Vec<Vec<Draft>> =
-                sets.get_ref().iter().map(drafts_of).collect::<Result<_, _>>()?;
-            if all.is_empty() {
-                return Err(Diagnostic::new("a union of no sets", sets.span()));
+                Value::Vectors(rows.get_ref().iter().map(vector).collect::<Result<_, _>>()?)
             }
-            return Ok(all.into_iter().flatten().collect());
-        }
-    };
-    Ok(vec![Draft { shape, places }])
+            ValueFile::Number(text) => {
+                places.push(text.span());
+                Value::Number(numbers.number(text)?)
+            }
+            ValueFile::Sides([Some(text), None]) => Value::AtLeast(numbers.number(text)?),
+            ValueFile::Sides([None, Some(text)]) => Value::AtMost(numbers.number(text)?),
+            ValueFile::Sides([Some(_), Some(other)]) => {
+                return Err(Diagnostic::new(format!("{} has one side", kind.name), other.span())
+                    .label("expected at_least or at_most, not both"));
+            }
+            ValueFile::Sides([None, None]) => {
+                let place = places.last().cloned().unwrap_or_default();
+                let needed = format!("{} needs at_least or at_most", kind.name);
+                return Err(
+                    Diagnostic::new(needed, place).label("the side of this normal is not given")
+                );
+            }
+        });
+    }
+    Ok(Draft { shape: kind.shape(&read), places })
 }
 
 pub(crate) fn corners(
@@ -143,9 +124,10 @@ pub(crate) fn region(
     dimension: usize,
 ) -> Result<Option<Piece>, Diagnostic> {
     let Some(within) = &certify.within else { return Ok(None) };
+    let provable = [Ball::<ANY>::KIND, AxisBox::<ANY>::KIND];
     match within.get_ref() {
-        set @ (SetFile::Ball(_) | SetFile::Box(_)) => {
-            Ok(pieces(set, numbers, dimension)?.into_iter().next())
+        SetFile::Piece(piece) if provable.contains(&piece.kind) => {
+            draft(piece, numbers, dimension)?.checked().map(Some)
         }
         _ => Err(Diagnostic::new("constants are proved in a ball or in a box", within.span())
             .label("expected ball or box")),
