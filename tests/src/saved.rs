@@ -99,7 +99,10 @@ fn points_that_make_no_sequence_are_refused() {
 fn sets_come_back_and_false_ones_are_refused() {
     let half_space = HalfSpace::new([3.0, 0.1], 0.7).expect("a normal");
     let text = round_trip(&half_space);
-    assert_eq!(text, r#"{"normal":[3.0,0.1],"offset":0.7}"#);
+    assert_eq!(text, r#"{"normal":[3.0,0.1],"at_most":0.7}"#);
+    let above: HalfSpace<2> =
+        serde_json::from_str(r#"{"normal":[-3.0,-0.1],"at_least":-0.7}"#).expect("a half-space");
+    assert_eq!(above, half_space);
     let read: HalfSpace<2> = serde_json::from_str(&text).expect("a half-space");
     assert_eq!(read.given(), half_space.given());
     let point = Point::new([0.1, 0.2]).expect("finite");
@@ -111,10 +114,16 @@ fn sets_come_back_and_false_ones_are_refused() {
         Shape::AxisBox(corners),
         Shape::HalfSpace(half_space),
     ]));
-    let message = refused::<Ball<2>>(r#"{ "centre": [0, 0], "r": -1 }"#);
+    let message = refused::<Ball<2>>(r#"{ "centre": [0, 0], "radius": -1 }"#);
     assert!(message.contains("-1"), "{message}");
+    let message = refused::<Ball<2>>(r#"{ "centre": [0, 0], "r": 1 }"#);
+    assert!(message.contains("unknown field `r`"), "{message}");
+    let message = refused::<Ball<2>>(r#"{ "centre": [0, 0] }"#);
+    assert!(message.contains("missing field `radius`"), "{message}");
     refused::<AxisBox<1>>(r#"{ "lower": [1], "upper": [0] }"#);
-    refused::<HalfSpace<2>>(r#"{ "normal": [0, 0], "offset": 0 }"#);
+    refused::<HalfSpace<2>>(r#"{ "normal": [0, 0], "at_most": 0 }"#);
+    let message = refused::<HalfSpace<2>>(r#"{ "normal": [1, 0], "at_least": 0, "at_most": 1 }"#);
+    assert!(message.contains("duplicate field `at_most`"), "{message}");
 }
 
 #[test]

@@ -60,7 +60,8 @@
 //! # Features
 //!
 //! `serde` is the only feature, and off by default. With it, these types can be written and read by
-//! [serde](https://docs.rs/serde), under the names of their fields and variants:
+//! [serde](https://docs.rs/serde), under the names of their fields and variants, and sets under the names of their
+//! [parts](sets::kind):
 //!
 //! | what | types |
 //! | --- | --- |

@@ -103,9 +103,11 @@ impl<'de> Visitor<'de> for Parts {
         let mut values = vec![None; kind.parts.len()];
         while let Some(key) = map.next_key::<String>()? {
             let Some((k, part, name)) = kind.part_named(&key) else {
-                let names: Vec<&str> = kind.names().collect();
-                let names = names.join(", ");
-                return Err(A::Error::custom(format!("unknown field {key}, expected {names}")));
+                let names: Vec<_> = kind.names().map(|name| format!("`{name}`")).collect();
+                let expected = names.join(", ");
+                return Err(A::Error::custom(format!(
+                    "unknown field `{key}`, expected {expected}"
+                )));
             };
             if values[k].is_some() {
                 return Err(A::Error::duplicate_field(name));
