@@ -11,8 +11,8 @@ use tautline::{
 };
 
 use crate::{
-    BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, LARGEST_PROVED_DIMENSION,
-    Line, UsedConstants, certified::ended, constants::too_many_coordinates,
+    BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, Line, UsedConstants,
+    certified::ended, constants::are_provable,
 };
 
 /// Returns bounds on the distance, or why there are none. `others` are the other minima of the line.
@@ -67,10 +67,8 @@ fn by_proof(
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
-    if line.sequence().dimension() > LARGEST_PROVED_DIMENSION {
-        return Err(too_many_coordinates());
-    }
-    line.metric().formula().map_err(|error| error.to_string())?;
+    let formula = line.metric().formula().map_err(|error| error.to_string())?;
+    are_provable(formula).map_err(|error| error.to_string())?;
     let proof = line.prove_watched(accuracy, watch, observe).map_err(|error| no_proof(&error))?;
     let within = proof
         .within

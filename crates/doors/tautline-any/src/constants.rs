@@ -8,7 +8,7 @@ use tautline::{
     certify::{Accuracy, Cell, Watch, certify_by_formula},
 };
 
-use crate::{Float, LARGEST_PROVED_DIMENSION};
+use crate::{Float, LARGEST_EXPANSION, LARGEST_PROVED_DIMENSION};
 
 /// The constants of a metric, and where they hold.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -58,15 +58,6 @@ impl ConstantsAnswer {
     }
 }
 
-/// Says why nothing is proved in many dimensions.
-#[must_use]
-pub fn too_many_coordinates() -> String {
-    format!(
-        "constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions; claim c1, \
-         c2 and l_h in [certify], constants"
-    )
-}
-
 /// Why no constants were sought.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ConstantsError {
@@ -80,8 +71,42 @@ pub enum ConstantsError {
     #[error(transparent)]
     NotRecorded(RecordError),
     /// There are more than [`LARGEST_PROVED_DIMENSION`].
-    #[error("constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions")]
+    #[error(
+        "constants are proved from a formula in up to {LARGEST_PROVED_DIMENSION} dimensions; claim c1, \
+         c2 and l_h in [certify], constants"
+    )]
     TooManyCoordinates,
+    /// In more than six dimensions the formula has more than [`LARGEST_EXPANSION`] numbers.
+    #[error(
+        "in {dimension} dimensions constants are proved from formulas of up to {most} steps, and this one \
+         has {steps}; claim c1, c2 and l_h in [certify], constants"
+    )]
+    TooManySteps {
+        /// The dimension.
+        dimension: usize,
+        /// The number of steps of the formula.
+        steps: usize,
+        /// The most steps in this dimension.
+        most: usize,
+    },
+}
+
+/// Returns why constants of a formula are not proved, if they take too long.
+///
+/// # Errors
+///
+/// [`ConstantsError::TooManyCoordinates`] and [`ConstantsError::TooManySteps`].
+pub(crate) fn are_provable(formula: &Formula<ANY>) -> Result<(), ConstantsError> {
+    let (dimension, steps) = (formula.dimension(), formula.operations().len());
+    let row = 1 + dimension + dimension * (dimension + 1) / 2;
+    let most = if dimension > 6 { LARGEST_EXPANSION / row } else { usize::MAX };
+    if dimension > LARGEST_PROVED_DIMENSION {
+        Err(ConstantsError::TooManyCoordinates)
+    } else if steps > most {
+        Err(ConstantsError::TooManySteps { dimension, steps, most })
+    } else {
+        Ok(())
+    }
 }
 
 /// Proves the constants of a formula, in a ball or a box or on all of space. `watch` is told of the progress,
@@ -96,9 +121,7 @@ pub fn constants(
     accuracy: Accuracy,
     watch: &dyn Watch,
 ) -> Result<ConstantsAnswer, ConstantsError> {
-    if formula.dimension() > LARGEST_PROVED_DIMENSION {
-        return Err(ConstantsError::TooManyCoordinates);
-    }
+    are_provable(formula)?;
     let (domain, region) = domain(formula, within)?;
     let if_it_settles = domain.is_declared_to_settle();
     let of = |quantity| {

@@ -7,8 +7,13 @@ pub const LARGEST_DIMENSION: usize = 256;
 pub const LARGEST_FIXED_DIMENSION: usize = 12;
 
 /// The largest dimension in which constants are proved from the formula. Beyond it the boxes of
-/// branch and bound are too many for most formulas, and the code is not compiled.
-pub const LARGEST_PROVED_DIMENSION: usize = 6;
+/// branch and bound are too many for most formulas.
+pub const LARGEST_PROVED_DIMENSION: usize = 12;
+
+/// The most numbers in the steps of a formula, each with its first and second derivatives, from which
+/// constants are proved in more than six dimensions. Each box costs so many intervals, some 10 ms; that of
+/// a larger formula, such as a decoder, costs more, and its bounds are too wide to be of use.
+pub const LARGEST_EXPANSION: usize = 1 << 16;
 
 /// What is done in a dimension.
 pub trait InDimension {

@@ -36,12 +36,11 @@ pub use answer::{
 };
 pub use bounds::Proving;
 pub use certified::{CertifiedAnswer, LevelAnswer};
-pub use constants::{
-    ConstantAnswer, ConstantsAnswer, ConstantsError, IF_IT_SETTLES, constants, too_many_coordinates,
-};
+pub use constants::{ConstantAnswer, ConstantsAnswer, ConstantsError, IF_IT_SETTLES, constants};
 pub use curve::{Curve, Observe};
 pub use dimension::{
-    InDimension, LARGEST_DIMENSION, LARGEST_FIXED_DIMENSION, LARGEST_PROVED_DIMENSION, in_dimension,
+    InDimension, LARGEST_DIMENSION, LARGEST_EXPANSION, LARGEST_FIXED_DIMENSION,
+    LARGEST_PROVED_DIMENSION, in_dimension,
 };
 pub use ends::{ends, vector};
 pub use float::Float;

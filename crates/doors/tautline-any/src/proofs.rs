@@ -14,8 +14,8 @@ pub const ACCURACY: f64 = 1e-3;
 /// more dimensions, so that a proof takes seconds, not minutes.
 #[must_use]
 pub fn default_boxes(dimension: usize) -> usize {
-    // From nine dimensions on, one is left.
-    let dear = dimension.saturating_sub(2).min(7) as u32;
+    // From six dimensions on formulas are short, or refused.
+    let dear = dimension.saturating_sub(2).min(4) as u32;
     BOXES / 5_usize.pow(dear)
 }
 
@@ -26,8 +26,8 @@ pub struct Proofs {
     pub claimed: Option<Constants>,
     /// The relative accuracy of a constant; a thousandth if absent.
     pub tolerance: Option<f64>,
-    /// The largest number of boxes for one constant; 100,000 in the plane if absent, and a fifth of
-    /// that for each further dimension.
+    /// The largest number of boxes for one constant; 100,000 in the plane if absent, a fifth of
+    /// that for each further dimension, and 160 from six dimensions on.
     pub boxes: Option<usize>,
 }
 

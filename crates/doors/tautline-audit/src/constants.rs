@@ -32,10 +32,6 @@ pub(crate) enum Unproved {
     Reason(String),
 }
 
-/// The number of boxes for each constant in two dimensions, unless the file has one. A box of `D`
-/// sides costs about `D²` times as much; what remains unsharp within a second or two is used.
-const BOXES: usize = 100_000;
-
 /// Proves constants: in the region of the file; or else on all of space; or else in the largest
 /// ball in the box of the samples.
 pub(crate) fn prove<const D: usize>(
@@ -43,9 +39,6 @@ pub(crate) fn prove<const D: usize>(
     region: &Region<D>,
 ) -> Result<Proved, Unproved> {
     let mut question = question.clone();
-    if D > 2 {
-        question.set_default_boxes((BOXES / 5_usize.pow(D as u32 - 2)).max(1));
-    }
     let ball = question.ball_of_constants();
     match proved(&question, ball.clone()) {
         Err(Unproved::Reason(everywhere)) if ball.is_none() => {

@@ -53,13 +53,6 @@ impl Question {
         self.within = Some(Piece { shape: Shape::Ball(ball), places });
         Ok(())
     }
-
-    /// Sets the largest number of boxes for one constant, if the file has none.
-    pub fn set_default_boxes(&mut self, boxes: usize) {
-        if self.problem.certify.boxes.is_none() {
-            self.boxes = boxes;
-        }
-    }
 }
 
 /// Returns a point of an unbounded shape, the nearest of a half-space.
@@ -180,15 +173,5 @@ mod tests {
         }
         let none = "dimension = 2\n[metric]\nphi = 1\n";
         assert_eq!(Question::read(none).expect("a file").extents(), None);
-    }
-
-    #[test]
-    fn the_boxes_of_a_file_come_before_those_of_an_audit() {
-        let file = "dimension = 2\n[metric]\nphi = 1\n";
-        for (section, expected) in [("", 7), ("[certify]\nboxes = 123\n", 123)] {
-            let mut question = Question::read(&format!("{file}{section}")).expect("a file");
-            question.set_default_boxes(7);
-            assert_eq!((question.boxes, question.accuracy().budget), (expected, expected));
-        }
     }
 }

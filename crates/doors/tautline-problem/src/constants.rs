@@ -1,7 +1,7 @@
 //! The constants of the metric of a file, proved from its formula.
 
 use tautline::certify::{Progress, Watch};
-use tautline_any::{ConstantsAnswer, ConstantsError, constants, too_many_coordinates};
+use tautline_any::{ConstantsAnswer, ConstantsError, constants};
 
 use crate::{Diagnostic, Failure, Question};
 
@@ -36,7 +36,6 @@ impl Question {
                 "no constants on all of space: {error}. Constants in a region need [certify] with \
                  within = {{ ball = … }} or {{ box = … }}"
             )),
-            (ConstantsError::TooManyCoordinates, _) => Failure::NotComputed(too_many_coordinates()),
             (error, _) => Failure::NotComputed(error.to_string()),
         })
     }

@@ -328,8 +328,8 @@ mod tests {
     /// A fifth for each dimension beyond the plane, as [`Proofs`](tautline_any::Proofs) says.
     #[test]
     fn a_constant_has_fewer_boxes_in_more_dimensions() {
-        let boxes = [1, 2, 3, 4, 5, 6].map(default_boxes);
-        assert_eq!(boxes, [100_000, 100_000, 20_000, 4000, 800, 160]);
+        let boxes = [1, 2, 3, 4, 5, 6, 12].map(default_boxes);
+        assert_eq!(boxes, [100_000, 100_000, 20_000, 4000, 800, 160, 160]);
         let accuracy = question("").accuracy();
         assert_eq!((accuracy.budget, accuracy.tolerance), (100_000, 1e-3));
         let accuracy = question("[certify]\nboxes = 77\ntolerance = \"1/8\"\n").accuracy();

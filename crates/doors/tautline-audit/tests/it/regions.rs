@@ -89,17 +89,29 @@ fn constants_that_are_not_global_are_proved_in_the_largest_ball_of_the_box() {
 }
 
 #[test]
-fn in_many_dimensions_nothing_is_proved_but_the_formula_is_tried() {
+fn in_twelve_dimensions_constants_are_proved_and_tried() {
     let file = "dimension = 12\n[metric]\nphi = \"3 + sin(x1)*cos(x12)\"\n";
-    let ran = run_on(&["-", "--json"], file);
+    let ran = run_on(&["-", "--json", "--cases", "16"], file);
     let audit = ran.json();
-    assert_eq!((ran.code, audit["verdict"].as_str()), (1, Some("incomplete")));
-    let why = audit["no_constants"].as_str().expect("a reason");
-    assert!(why.contains("up to 6 dimensions"), "{why}");
-    assert_eq!(crate::program::with_status(&audit, "holds").len(), 3);
+    assert!(audit["no_constants"].is_null() && audit["constants"]["c1"].as_f64() == Some(2.0));
+    assert!(crate::program::with_status(&audit, "fails").is_empty(), "{audit}");
     // Least and largest eigenvalue are 2 and 4.
     let measured = audit["measured"].as_array().expect("an array");
     for (found, exact) in measured.iter().zip([2.0, 4.0]) {
-        assert!((found["value"].as_f64().expect("a number") - exact).abs() < 1e-5, "{found}");
+        assert!((found["value"].as_f64().expect("a number") - exact).abs() < 1e-2, "{found}");
     }
+}
+
+#[test]
+fn where_a_formula_is_too_long_nothing_is_proved_but_the_formula_is_tried() {
+    let sum = (1..=12).map(|i| format!("sin({i}*x{i})")).collect::<Vec<_>>().join(" + ");
+    let outputs: Vec<String> =
+        (1..=12).map(|k| format!("\"x{k} + tanh({k}*({sum}))/9\"")).collect();
+    let file = format!("dimension = 12\n[metric]\npullback = [{}]\n", outputs.join(", "));
+    let ran = run_on(&["-", "--json", "--cases", "16"], &file);
+    let audit = ran.json();
+    assert_eq!((ran.code, audit["verdict"].as_str()), (1, Some("incomplete")));
+    let why = audit["no_constants"].as_str().expect("a reason");
+    assert!(why.contains("in 12 dimensions constants are proved from formulas of up to 720 steps"));
+    assert_eq!(crate::program::with_status(&audit, "holds").len(), 3);
 }

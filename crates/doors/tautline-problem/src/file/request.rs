@@ -93,8 +93,8 @@ pub(crate) struct CertifyFile {
     /// The region in which `tautline constants` proves constants, and `tautline audit` tests those that you
     /// claim: a ball or a box. Without it that is all of space. `tautline solve` finds its own ball.
     pub(crate) within: Option<Placed<SetFile>>,
-    /// The largest number of boxes for one constant; unless said otherwise 100,000 in the plane, and a
-    /// fifth of that for each further dimension.
+    /// The largest number of boxes for one constant; unless said otherwise 100,000 in the plane, a fifth of
+    /// that for each further dimension, and 160 from six dimensions on.
     pub(crate) boxes: Option<Placed<usize>>,
     /// The relative accuracy of a constant; 0.001 unless said otherwise.
     pub(crate) tolerance: Option<Text>,

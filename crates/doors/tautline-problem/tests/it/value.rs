@@ -214,13 +214,13 @@ fn what_cannot_be_proved_is_said() {
     let growing = Given::parse("phi(1 + x1^2)", 1, &[], &[]).expect("a formula");
     let sphere = Shape::Sphere(Sphere::from_slice(&[0.0; 2], 1.0).expect("a radius"));
     let line = ball(&[0.0], 1.0);
-    let large = Given::parse("1 I", 7, &[], &[]).expect("a formula");
+    let large = Given::parse("1 I", 13, &[], &[]).expect("a formula");
     for (metric, within, message) in [
         (&black_box, None, "by its values only"),
         (&growing, None, "name a ball or a box"),
         (&hill(), Some(&sphere), "a ball or a box, not"),
         (&hill(), Some(&line), "1 coordinates in 2 dimensions"),
-        (&large, None, "in up to 6 dimensions"),
+        (&large, None, "in up to 12 dimensions"),
     ] {
         let said = constants(metric, within);
         assert!(said.contains(message), "{said}");

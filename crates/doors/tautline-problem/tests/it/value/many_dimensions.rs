@@ -34,9 +34,9 @@ fn a_file_is_solved_in_256_dimensions_and_no_more() {
         // It is no straight line, whose length is √13/3 (6 − sin 3).
         let straight = 13.0_f64.sqrt() / 3.0 * (6.0 - 3.0_f64.sin());
         assert!(found < straight * (1.0 - 1e-3), "{dimension}: {found} {straight}");
-        // Constants are proved in up to six dimensions.
+        // Constants are proved in up to twelve dimensions.
         let reason = answer.no_bounds.expect("a reason");
-        assert!(reason.contains("up to 6 dimensions"), "{reason}");
+        assert!(reason.contains("up to 12 dimensions"), "{reason}");
     }
     let refused = Question::read(&file(257, "")).expect_err("too many");
     assert_eq!(refused.message, "dimension 257");
@@ -109,7 +109,7 @@ fn what_needs_fewer_dimensions_is_refused() {
         }
     };
     let proved = "[solve]\nn = 8\n";
-    assert!(reason(proved).contains("up to 6 dimensions; claim c1"), "{}", reason(proved));
+    assert!(reason(proved).contains("up to 12 dimensions; claim c1"), "{}", reason(proved));
     let corners = |x: f64| vec![x; 20];
     let lattice = format!(
         "[solve]\nn = 8\nlattice = {{ lower = {:?}, upper = {:?}, spacing = 1 }}\n",
@@ -127,4 +127,40 @@ fn what_needs_fewer_dimensions_is_refused() {
     let request = Request { lattice: Some(nodes), grid: Grid::Chords(8), ..Request::default() };
     let refused = metric.solve([&point, &point], &request).expect_err("no lattice");
     assert!(matches!(refused, GivenError::Request(RequestError::Lattice(_))), "{refused}");
+}
+
+/// `3 + sin x₁ cos x₁₂` runs from 2 to 4; its gradient and its second derivatives are at most 1.
+#[test]
+fn constants_are_proved_in_twelve_dimensions() {
+    let text = "dimension = 12\n[metric]\nphi = \"3 + sin(x1)*cos(x12)\"\n";
+    let found = Question::read(text).expect("a metric").constants().expect("bounds");
+    assert_eq!(found.region, "all of space");
+    for (constant, best) in found.constants.iter().zip([2.0, 4.0, 1.0, 1.0]) {
+        let [lower, upper] =
+            [&constant.lower, &constant.upper].map(|bound| bound.as_ref().expect("a bound").value);
+        assert!(lower <= best && best <= upper && upper <= 2.5 * lower, "{constant:?}");
+    }
+    let file = file(12, "[solve]\nn = 16\n");
+    let bounds = Question::read(&file).expect("a problem").solve(&mut |_| ()).expect("a curve");
+    let bounds = bounds.bounds.expect("proved constants");
+    assert!(bounds.constants.proved && bounds.lower.value > 0.0, "{bounds:?}");
+}
+
+/// A decoder in twelve dimensions: 40 hidden units of each coordinate.
+#[test]
+fn a_long_formula_in_many_dimensions_is_refused_with_its_steps() {
+    let unit = |k: usize| {
+        let sum = (1..=12).map(|i| format!("{}*x{i}", (k * 7 + i * 5) % 11)).collect::<Vec<_>>();
+        format!("\"tanh({})\"", sum.join(" + "))
+    };
+    let outputs: Vec<String> = (0..40).map(unit).collect();
+    let text = format!(
+        "dimension = 12\n[metric]\npullback = [{}]\n[certify]\nwithin = {{ ball = {{ centre = {:?}, \
+         radius = 1 }} }}\n",
+        outputs.join(", "),
+        [0.0; 12]
+    );
+    let error = Question::read(&text).expect("a metric").constants().expect_err("too long");
+    let message = error.to_string();
+    assert!(message.contains("formulas of up to 720 steps, and this one has "), "{message}");
 }
