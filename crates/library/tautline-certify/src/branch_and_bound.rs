@@ -61,6 +61,10 @@ pub(crate) struct Maximum {
 /// change the search.
 const BATCH: usize = 64;
 
+/// How many boxes are looked at, in more than six dimensions, before the search may be ended. Each takes
+/// milliseconds to seconds there.
+const DEAR_BATCH: usize = 4;
+
 /// A box to be cut.
 struct Open {
     upper: f64,
@@ -80,7 +84,7 @@ struct Open {
 /// too large. The search therefore returns the larger of the best value and the largest remaining
 /// bound, which holds on the dropped boxes as well as on the others.
 ///
-/// After each round `goes_on` is told the number of boxes and the two bounds so far, the best value
+/// After each round, and within it in many dimensions, `goes_on` is told the number of boxes and the two bounds so far, the best value
 /// and the upper one. If it returns false, the search ends as if the budget was spent.
 pub(crate) fn maximise(
     function: &dyn Bounded,
@@ -93,29 +97,39 @@ pub(crate) fn maximise(
         Maximum { upper: f64::INFINITY, at: None, refuted: None, boxes: 0, reached: false };
     // The boxes to bound next, and an upper bound that holds on all of them.
     let (mut next, mut unseen) = (region.patches(), f64::INFINITY);
-    while !next.is_empty() && found.boxes + next.len() <= accuracy.budget {
-        let looked_at: Vec<_> = next
-            .par_drain(..)
-            .filter(|patch| !region.misses(patch))
-            .map(|patch| {
-                let bound = function.bound(&patch);
-                let value = region.point_in(&patch).map(|x| {
-                    let value = if x == patch.middle() { bound.middle } else { function.value(&x) };
-                    (x, value)
-                });
-                (patch, bound, value)
-            })
-            .collect();
-        for (patch, bound, value) in looked_at {
-            found.boxes += 1;
-            if let Some((x, value)) = value {
-                if function.is_refuted(&x, value) {
-                    found.refuted = Some(x);
-                    return found;
+    'search: while !next.is_empty() && found.boxes + next.len() <= accuracy.budget {
+        while let Some(first) = next.first() {
+            let at_once = if first.middle().at.len() > 6 { DEAR_BATCH } else { next.len() };
+            let later = next.split_off(at_once.min(next.len()));
+            let looked_at: Vec<_> = next
+                .par_drain(..)
+                .filter(|patch| !region.misses(patch))
+                .map(|patch| {
+                    let bound = function.bound(&patch);
+                    let value = region.point_in(&patch).map(|x| {
+                        let value =
+                            if x == patch.middle() { bound.middle } else { function.value(&x) };
+                        (x, value)
+                    });
+                    (patch, bound, value)
+                })
+                .collect();
+            for (patch, bound, value) in looked_at {
+                found.boxes += 1;
+                if let Some((x, value)) = value {
+                    if function.is_refuted(&x, value) {
+                        found.refuted = Some(x);
+                        return found;
+                    }
+                    search.meet(x, value, function);
                 }
-                search.meet(x, value, function);
+                search.keep(patch, bound, found.boxes);
             }
-            search.keep(patch, bound, found.boxes);
+            next = later;
+            if !next.is_empty() && !goes_on(found.boxes, search.wanted, search.upper().max(unseen))
+            {
+                break 'search;
+            }
         }
         (next, unseen) = search.cut(accuracy.tolerance);
         if !next.is_empty() && !goes_on(found.boxes, search.wanted, search.upper().max(unseen)) {

@@ -143,7 +143,9 @@ impl Request {
                 return Err(RequestError::Coordinates { found: x.len(), dimension });
             }
             let start = PointSequence::<ANY>::from_coordinates(dimension, start.concat())?;
-            starts.extend(start.into_dimension());
+            let found = start.dimension();
+            let start = start.into_dimension();
+            starts.push(start.ok_or(RequestError::Coordinates { found, dimension: D })?);
         }
         let starts = match (starts.is_empty(), self.only_these_starts) {
             (_, true) => Starts::Only(starts),

@@ -117,7 +117,9 @@ fn factor(length: &Integral, estimate: Option<Estimate>, tolerance: f64) -> Opti
     let doubt = OPTIMISM * estimate.error + 2.0 * length.value * length.error;
     let error = (excess + doubt) / (2.0 * estimate.value);
     let finer = (1.1 * error / tolerance).sqrt().max(1.5);
-    (error > tolerance).then_some(if doubt > excess { finer.min(BLIND) } else { finer })
+    // An error that is no number is none that a tolerance allows.
+    let reached = error <= tolerance;
+    (!reached).then_some(if doubt > excess { finer.min(BLIND) } else { finer })
 }
 
 #[cfg(test)]

@@ -32,7 +32,11 @@ pub(crate) fn superfluous(formula: &Formula<ANY>) -> Vec<bool> {
     superfluous
 }
 
-/// Returns the gradients of the entries of `H` at a few generic points, one gradient in each row.
+/// More gradients than these are not looked at: in many dimensions a point has thousands.
+const ENOUGH: usize = 4096;
+
+/// Returns the gradients of the entries of `H` at a few generic points, one gradient in each row. Entries
+/// that do not change have none, and a multiple of the identity has one at each point.
 fn gradients(formula: &Formula<ANY>) -> DMatrix<f64> {
     let d = formula.dimension();
     let mut rows: Vec<f64> = Vec::new();
@@ -44,9 +48,14 @@ fn gradients(formula: &Formula<ANY>) -> DMatrix<f64> {
         let gram = Expansion::of(formula, &x, Order::First);
         for (i, j) in (0..d).flat_map(|j| (0..=j).map(move |i| (i, j))) {
             let gradient = (0..d).map(|k| gram.first(k, i, j));
-            if gradient.clone().all(|g| g.is_finite()) {
+            let is_new = gradient.clone().any(|g| g != 0.0)
+                && !gradient.clone().eq(rows[rows.len().saturating_sub(d)..].iter().copied());
+            if is_new && gradient.clone().all(|g| g.is_finite()) {
                 rows.extend(gradient);
             }
+        }
+        if rows.len() > ENOUGH * d {
+            break;
         }
     }
     DMatrix::from_row_iterator(rows.len() / d.max(1), d, rows)

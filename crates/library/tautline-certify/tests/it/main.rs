@@ -7,6 +7,7 @@ mod every_metric;
 mod exact_constants;
 mod extreme_formulas;
 mod gallery_constants;
+mod many_dimensions;
 mod metrics_against_high_precision;
 mod partly_undefined;
 #[path = "../../../tautline-scalar/tests/it/precise/mod.rs"]

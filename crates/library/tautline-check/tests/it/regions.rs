@@ -83,6 +83,23 @@ fn a_facet_beside_a_box_counts() {
     }
 }
 
+/// With `φ = ψ = 0`, nothing tells that a curve does not leave the cube, and a short one does.
+#[test]
+fn a_curve_may_leave_in_each_dimension() {
+    fn refused<const D: usize>() {
+        let mut far = [0.5; D];
+        far[D - 1] = 3.0;
+        let sets = [point([0.5; D]), point(far)];
+        let zero: Function<'_, D> = &|_| 0.0;
+        let found = on_cubes("1 I", sets, 100.0, Region::ExitOne, 0, &[[0; D]], [zero, zero]);
+        assert!(matches!(found, Err(CheckError::Exit { .. })), "{D}: {found:?}");
+    }
+    refused::<1>();
+    refused::<2>();
+    refused::<3>();
+    refused::<4>();
+}
+
 /// The curve from 0 to 1.2 leaves the cubes near 0 and ends outside of those near 10.
 #[test]
 fn both_sets_lie_in_the_cubes_of_exit_two() {
