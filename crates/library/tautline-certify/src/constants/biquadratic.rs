@@ -157,6 +157,13 @@ mod tests {
         }
 
         #[test]
+        fn what_is_added_vanishes_on_products_in_four_dimensions(
+            b in second::<4>(), c in second::<4>(), at in [unit(4), unit(4), unit(4), unit(4)],
+        ) {
+            changes_nothing(b, c, at)?;
+        }
+
+        #[test]
         fn the_bound_is_the_maximum_in_the_plane(b in second::<2>()) {
             let angle = |step: i32| {
                 let (sin, cos) = (f64::from(step) * std::f64::consts::PI / 400.0).sin_cos();
