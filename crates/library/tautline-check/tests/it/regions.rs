@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use tautline_check::{CheckError, Place, Region};
 use tautline_sets::{HalfSpace, Shape};
 
-use crate::helpers::{axis_box, formula, on_cubes, point, proves_at_most};
+use crate::helpers::{Function, axis_box, formula, on_cubes, point, proves_at_most};
 
 /// `H` falls from 1 to 0.38 between 2 and 4.
 const STEP: &str = "1/(1 + (0.25*x1)^8) I";
