@@ -185,8 +185,10 @@ impl<const D: usize> Shape<D> {
                 let shapes: Option<_> = shapes.into_iter().map(Shape::into_elementary).collect();
                 shapes.map(Shape::Union)
             }
-            Shape::Sphere(_) | Shape::Segment(_) | Shape::AffineSubspace(_) => None,
-            elementary => Some(elementary),
+            Shape::Point(_) | Shape::Ball(_) | Shape::AxisBox(_) | Shape::HalfSpace(_) => {
+                Some(self)
+            }
+            _ => None,
         }
     }
 
