@@ -96,16 +96,17 @@ impl Program {
     }
 
     /// A metric by functions of an array of points of shape (m, D): H of shape (m, D, D), and
-    /// optionally its derivatives.
+    /// optionally its derivatives, or those along vectors, an array of shape (m, D).
     #[staticmethod]
     fn black_box(
         dimension: usize,
         gram: Py<PyAny>,
-        first: Option<Py<PyAny>>,
-        second: Option<Py<PyAny>>,
+        derivatives: [Option<Py<PyAny>>; 4],
         step: f64,
     ) -> PyResult<Self> {
-        let callback = Arc::new(Callback::new(dimension, [Some(gram), first, second]));
+        let [first, second, first_along, second_along] = derivatives;
+        let along = [first_along, second_along];
+        let callback = Arc::new(Callback::new(dimension, [Some(gram), first, second], along));
         let given = Given::black_box(callback.clone(), dimension, step);
         Ok(Self {
             given: given.map_err(|error| raised(&error))?,

@@ -199,6 +199,8 @@ class Metric:
         *,
         first: Callable[[Any], Any] | None = None,
         second: Callable[[Any], Any] | None = None,
+        first_along: Callable[[Any, Any], Any] | None = None,
+        second_along: Callable[[Any, Any], Any] | None = None,
         step: float = 1e-3,
     ) -> Metric:
         """A metric by a function of many points: `h` maps an array of shape (m, D) to (m, D, D).
@@ -213,6 +215,12 @@ class Metric:
         of the length over which H changes is a good one. All return real numbers in double precision;
         complex ones and those of float16 and float32 are refused.
 
+        From 33 dimensions on these arrays are too large. Then give the derivatives along a vector for each
+        point, the rows of a second array v of shape (m, D): `first_along(x, v)` returns those of H v, of
+        shape (m, D, D) with the direction last, and `second_along(x, v)` those of v·H v, of the same shape;
+        without it they are differences. With JAX they are `jax.vmap(jax.jacfwd(lambda x, v: h1(x) @ v))` and
+        `jax.vmap(jax.hessian(lambda x, v: v @ h1(x) @ v))`.
+
         >>> def h(x):
         ...     cost = np.where(x[:, 0] > 1, 2 + (x[:, 0] - 1) ** 4, 2)
         ...     return cost[:, None, None] ** 2 * np.eye(2)
@@ -221,7 +229,10 @@ class Metric:
         >>> round(float(curve.extrapolated), 6)
         4.2
         """
-        return _made(True, (dimension, h, first, second, step), None, None)
+        if second_along is not None and first_along is None:
+            raise ValueError("second_along without first_along")
+        derivatives = (first, second, first_along, second_along)
+        return _made(True, (dimension, h, derivatives, step), None, None)
 
     @classmethod
     def cost(cls, f: Any, dimension: int | None = None, **options: Any) -> Metric:

@@ -266,8 +266,7 @@ class Program:
     def black_box(
         dimension: int,
         gram: Callable[[NDArray[np.float64]], Any],
-        first: Callable[[NDArray[np.float64]], Any] | None,
-        second: Callable[[NDArray[np.float64]], Any] | None,
+        derivatives: tuple[Callable[..., Any] | None, ...],
         step: float,
     ) -> Program: ...
     @property

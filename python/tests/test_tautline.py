@@ -266,6 +266,76 @@ class BlackBoxes(unittest.TestCase):
         exact = tl.solve(self.hill, *self.ends)
         self.assertGreater(abs(float(found.length) - float(exact.length)), 1e-6)
 
+    def test_derivatives_along_a_vector(self):
+        def along(x, v):
+            """The factors of the cost c = 1 + 4 e, of which H is c² I: c, its slope and second derivatives."""
+            e = 4 * np.exp(-2 * np.sum(x**2, axis=1))
+            slope = -4 * e[:, None] * x
+            bend = e[:, None, None] * (16 * x[:, :, None] * x[:, None, :] - 4 * np.eye(2))
+            return 1 + e, slope, bend
+
+        def first(x, v):
+            c, slope, _ = along(x, v)
+            return v[:, :, None] * (2 * c[:, None] * slope)[:, None, :]
+
+        def second(x, v):
+            c, slope, bend = along(x, v)
+            outer = slope[:, :, None] * slope[:, None, :]
+            return np.sum(v**2, axis=1)[:, None, None] * 2 * (outer + c[:, None, None] * bend)
+
+        for given in ({"first_along": first}, {"first_along": first, "second_along": second}):
+            self.assert_same_minimum(tl.Metric.black_box(self.values, 2, **given))
+        swapped = tl.Metric.black_box(self.values, 2, first_along=lambda x, v: np.moveaxis(first(x, v), 2, 1))
+        found, exact = (tl.solve(metric, *self.ends) for metric in (swapped, self.hill))
+        self.assertGreater(abs(float(found.length) - float(exact.length)), 1e-6)
+        with self.assertRaisesRegex(ValueError, "second_along without first_along"):
+            tl.Metric.black_box(self.values, 2, second_along=second)
+        flat = tl.Metric.black_box(self.values, 2, first_along=lambda x, v: np.zeros((len(x), 2)))
+        with self.assertRaisesRegex(tl.ProblemError, r"the first derivative has the shape \[\d+, 2\]"):
+            tl.solve(flat, *self.ends)
+
+    def test_a_decoder_of_forty_latent_dimensions(self):
+        """x ↦ (x, W tanh(A x)): the pullback as a black box along vectors, in more dimensions than 32."""
+        d, hidden, outputs = 40, 24, 30
+        random = np.random.default_rng(65)
+        a, w = random.normal(size=(hidden, d)) / d**0.5, random.normal(size=(outputs, hidden)) / hidden**0.5
+        inner = w.T @ w
+
+        def slopes(x):
+            t = np.tanh(x @ a.T)
+            return t, 1 - t**2
+
+        def h(x):
+            s = slopes(x)[1]
+            return np.eye(d) + np.einsum("ki,mk,kl,ml,lj->mij", a, s, inner, s, a, optimize=True)
+
+        def first(x, v):
+            # H v = v + Aᵀ S M S A v, with S = diag(s(A x)) and s′ = −2 t s.
+            t, s = slopes(x)
+            u = v @ a.T
+            back = (s * u) @ inner
+            bent = -2 * t * s
+            one = np.einsum("ki,mk,kj->mij", a, bent * back, a, optimize=True)
+            return one + np.einsum("ki,mk,kl,ml,lj->mij", a, s, inner, bent * u, a, optimize=True)
+
+        metric = tl.Metric.black_box(h, d, first_along=first)
+        with self.assertRaisesRegex(tl.ProblemError, "at most 32 dimensions without"):
+            tl.Metric.black_box(h, d)
+        start, goal = -np.ones(d) / 2, random.normal(size=d) / 4
+        curve = tl.solve(metric, start, goal, n=16)
+        self.assertTrue(curve.converged, curve)
+        images = np.concatenate([curve.points, np.tanh(curve.points @ a.T) @ w.T], axis=1)
+        middle = 0.5 * (curve.points[1:] + curve.points[:-1])
+        chords = np.diff(curve.points, axis=0)
+        lengths = np.einsum("mi,mij,mj->m", chords, h(middle), chords) ** 0.5
+        # A minimiser of the energy has chords of nearly one length, and is shorter than the straight line.
+        self.assertLess(np.ptp(lengths), 1e-2 * lengths.mean())
+        self.assertAlmostEqual(lengths.sum(), np.linalg.norm(np.diff(images, axis=0), axis=1).sum(), delta=1e-2)
+        line = start + np.linspace(0, 1, 17)[:, None] * (goal - start)
+        straight = np.concatenate([line, np.tanh(line @ a.T) @ w.T], axis=1)
+        straight = np.linalg.norm(np.diff(straight, axis=0), axis=1).sum()
+        self.assertLess(float(curve.length), straight)
+
     def test_what_a_function_raises_is_raised(self):
         def broken(x):
             raise KeyError("of the user")

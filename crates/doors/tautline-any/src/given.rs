@@ -53,7 +53,7 @@ impl Given {
         step: f64,
     ) -> Result<Self, GivenError> {
         check_dimension(dimension)?;
-        if dimension > BlackBox::<ANY>::LARGEST_DIMENSION {
+        if dimension > BlackBox::<ANY>::LARGEST_DIMENSION && !values.is_along() {
             return Err(GivenError::BlackBoxDimension { dimension });
         }
         let metric = BlackBox::new_in(dimension, values, step).ok_or(GivenError::Step { step })?;

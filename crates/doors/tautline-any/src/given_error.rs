@@ -16,7 +16,8 @@ pub enum GivenError {
     },
     /// A black box has too many dimensions.
     #[error(
-        "a metric that is no formula has at most {} dimensions, not {dimension}",
+        "a metric that is no formula has at most {} dimensions without its derivatives along a vector, not \
+         {dimension}",
         BlackBox::<ANY>::LARGEST_DIMENSION
     )]
     BlackBoxDimension {

@@ -50,7 +50,8 @@ impl AnyBatches for BlackBoxBatches {
     }
 
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
-        let most = LANES.min(SECOND_DERIVATIVES / self.dimension().pow(4));
+        let second = self.dimension().pow(if self.metric.values.is_along() { 2 } else { 4 });
+        let most = LANES.min(SECOND_DERIVATIVES / second);
         let lanes = unit.saturating_mul(units).clamp(unit, unit.max(most));
         Registers::empty(rows(self.layout(kind), self.dimension()), lanes)
     }
@@ -58,19 +59,22 @@ impl AnyBatches for BlackBoxBatches {
     fn evaluate(&self, kind: Kind, registers: &mut Registers) {
         let (n, lanes) = (self.dimension(), registers.count());
         let input = |lane: usize, k: usize| registers.row(k as u32)[lane];
-        let points: Vec<f64> = (0..lanes)
-            .flat_map(|lane| (0..n).map(move |k| (lane, k)))
-            .map(|(lane, k)| input(lane, k))
-            .collect();
+        let inputs = |from: usize| -> Vec<f64> {
+            let places = (0..lanes).flat_map(|lane| (from..from + n).map(move |k| (lane, k)));
+            places.map(|(lane, k)| input(lane, k)).collect()
+        };
+        let (points, vectors) = (inputs(0), inputs(n));
         let order = match kind {
             Kind::Square | Kind::Checked => 0,
             Kind::Momentum => 1,
             Kind::Contraction => 2,
         };
+        let along = self.metric.along(&points, &vectors, order);
+        let order = if along.is_some() { 0 } else { order };
         let Derivatives { gram, first, second } = self.metric.derivatives(&points, order);
         let layout = self.layout(kind);
         for lane in 0..lanes {
-            let d: Vec<f64> = (n..2 * n).map(|k| registers.row(k as u32)[lane]).collect();
+            let d = &vectors[lane * n..][..n];
             let full = &gram[lane * n * n..][..n * n];
             // The half i ≤ j is used, as everywhere.
             let half = |i: usize, j: usize| i.min(j) * n + i.max(j);
@@ -82,6 +86,14 @@ impl AnyBatches for BlackBoxBatches {
             registers.set_all(&layout.gram, lane, &h);
             let is_metric = if are_gram(&transposed(full, n), n) { 1.0 } else { -1.0 };
             registers.set_all(&layout.positive, lane, &[is_metric]);
+            if let Some(along) = &along {
+                let turn = &along.first[lane * n * n..][..n * n];
+                registers.set_all(&layout.slope, lane, &slope(turn, d));
+                registers.set_all(&layout.turn, lane, turn);
+                if let Some(bend) = along.second.get(lane * n * n..(lane + 1) * n * n) {
+                    registers.set_all(&layout.bend, lane, bend);
+                }
+            }
             if order == 0 {
                 continue;
             }
@@ -90,8 +102,7 @@ impl AnyBatches for BlackBoxBatches {
             let turn: Vec<f64> = (0..n * n)
                 .map(|place| sum(&|j| first[half(place / n, j) * n + place % n] * d[j]))
                 .collect();
-            let slope: Vec<f64> = (0..n).map(|k| sum(&|i| turn[i * n + k] * d[i])).collect();
-            registers.set_all(&layout.slope, lane, &slope);
+            registers.set_all(&layout.slope, lane, &slope(&turn, d));
             registers.set_all(&layout.turn, lane, &turn);
             if order == 2 {
                 let second = &second[lane * n * n * n * n..][..n * n * n * n];
@@ -110,6 +121,12 @@ impl AnyBatches for BlackBoxBatches {
             }
         }
     }
+}
+
+/// Returns `Gₖ = Σᵢ dᵢ Pᵢₖ`.
+fn slope(turn: &[f64], d: &[f64]) -> Vec<f64> {
+    let rows = || d.iter().zip(turn.chunks(d.len()));
+    (0..d.len()).map(|k| rows().fold(0.0, |sum, (d, row)| sum + row[k] * d)).collect()
 }
 
 /// Returns the transpose of a matrix.

@@ -11,6 +11,13 @@ pub(super) struct Derivatives {
     pub(super) second: Vec<f64>,
 }
 
+/// Derivatives of `H` along a vector at some points; the second ones are empty if nobody asked for them.
+#[derive(Debug)]
+pub(super) struct Along {
+    pub(super) first: Vec<f64>,
+    pub(super) second: Vec<f64>,
+}
+
 /// The offsets, in steps, at which `H` is taken in each direction.
 const OFFSETS: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
 
@@ -39,6 +46,58 @@ impl<const D: usize> BlackBox<D> {
             None => self.by_differences(x, order, &mut at),
         }
         at
+    }
+
+    /// Returns the derivatives along a vector for each point, up to an order; `None` if they are not given, or
+    /// not asked for.
+    pub(super) fn along(&self, x: &[f64], v: &[f64], order: usize) -> Option<Along> {
+        if order == 0 || !self.values.is_along() {
+            return None;
+        }
+        let wanted = x.len() * self.dimension;
+        // What is not there is undefined.
+        let whole = |found: Option<Vec<f64>>| {
+            found.filter(|all| all.len() == wanted).unwrap_or_else(|| vec![f64::NAN; wanted])
+        };
+        let first = whole(self.values.first_along(x, v));
+        let second = match order {
+            2 => match self.values.second_along(x, v) {
+                Some(second) => whole(Some(second)),
+                None => self.bends_along(x, v),
+            },
+            _ => Vec::new(),
+        };
+        Some(Along { first, second })
+    }
+
+    /// Returns `∂ₖ∂ₗ(vᵀHv)` from differences of `∂ₖ(H v)`.
+    fn bends_along(&self, x: &[f64], v: &[f64]) -> Vec<f64> {
+        let d = self.dimension;
+        let slopes = |l: usize, offset: f64| -> Vec<f64> {
+            let moved = self.moved(x, &[[(l, offset), (l, 0.0)]]);
+            let turns = self.values.first_along(&moved, v).unwrap_or_default();
+            if turns.len() != x.len() * d {
+                return vec![f64::NAN; x.len()];
+            }
+            let of_point = |(turn, v): (&[f64], &[f64])| -> Vec<f64> {
+                let sum = |k: usize| v.iter().zip(turn.chunks(d)).map(|(v, row)| row[k] * v).sum();
+                (0..d).map(sum).collect()
+            };
+            turns.chunks(d * d).zip(v.chunks(d)).flat_map(of_point).collect()
+        };
+        let mut second = vec![0.0; x.len() * d];
+        for l in 0..d {
+            for (offset, weight) in OFFSETS.into_iter().zip(SLOPE) {
+                for (place, slope) in slopes(l, offset).into_iter().enumerate() {
+                    // The two orders of differentiation differ by the error of the differences.
+                    let (point, k) = (place / d * d * d, place % d);
+                    let share = 0.5 * weight * slope / self.step;
+                    second[point + k * d + l] += share;
+                    second[point + l * d + k] += share;
+                }
+            }
+        }
+        second
     }
 
     /// Returns the points moved in some directions by some steps, one copy of all points after the

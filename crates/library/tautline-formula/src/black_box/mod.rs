@@ -36,6 +36,24 @@ pub trait Values: Send + Sync {
     fn second(&self, _x: &[f64]) -> Option<Vec<f64>> {
         None
     }
+
+    /// Returns whether [`first_along`](Values::first_along) has an answer. The other derivatives are then not
+    /// asked for: a point has `D²` numbers, not `D⁴`, so that the dimension has no limit.
+    fn is_along(&self) -> bool {
+        false
+    }
+
+    /// Returns the derivatives `∂ₖ(H v)ᵢ` along a vector `v` for each point, as `m D²` numbers with `k`
+    /// last.
+    fn first_along(&self, _x: &[f64], _v: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// Returns the derivatives `∂ₖ∂ₗ(vᵀHv)`, as `m D²` numbers, or `None` if they are to be computed from
+    /// differences of those of [`first_along`](Values::first_along).
+    fn second_along(&self, _x: &[f64], _v: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
 }
 
 /// A metric that is known by its values only. It can be solved, evaluated and compared; what needs a
@@ -70,7 +88,7 @@ impl<const D: usize> BlackBox<D> {
     /// The default step of differences: a thousandth of a unit of the coordinates.
     pub const STEP: f64 = 1e-3;
 
-    /// The largest dimension. A point has `D⁴` second derivatives, and differences take twice as many
+    /// The largest dimension, unless derivatives are given [along a vector](Values::is_along). A point has `D⁴` second derivatives, and differences take twice as many
     /// values: 25 MB for each of at least eight points.
     pub const LARGEST_DIMENSION: usize = 32;
 
@@ -84,15 +102,19 @@ impl<const D: usize> BlackBox<D> {
     /// The second derivatives, which only steer the search, are known to `10⁻⁸`.
     ///
     /// Returns `None` if the step is not positive and finite, or if the dimension is 0 or more than
-    /// [`LARGEST_DIMENSION`](BlackBox::LARGEST_DIMENSION).
+    /// [`LARGEST_DIMENSION`](BlackBox::LARGEST_DIMENSION) without derivatives along a vector.
     #[must_use]
     pub fn new(values: Arc<dyn Values>, step: f64) -> Option<Self> {
         Self::checked(D, values, step)
     }
 
     fn checked(dimension: usize, values: Arc<dyn Values>, step: f64) -> Option<Self> {
-        let is_small = (1..=Self::LARGEST_DIMENSION).contains(&dimension);
-        (is_small && step > 0.0 && step.is_finite()).then_some(Self { dimension, values, step })
+        let is_small = values.is_along() || dimension <= Self::LARGEST_DIMENSION;
+        (dimension > 0 && is_small && step > 0.0 && step.is_finite()).then_some(Self {
+            dimension,
+            values,
+            step,
+        })
     }
 
     /// Returns the dimension of the space.

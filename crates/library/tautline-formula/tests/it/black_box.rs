@@ -10,7 +10,7 @@ use tautline_formula::{
     AnyBatches, Batch, BlackBox, Formula, Kind, Plain, Prepared, RecordError, Values,
 };
 use tautline_metrics::Metric;
-use tautline_scalar::{Interval, Jet2, Scalar};
+use tautline_scalar::{ANY, Interval, Jet2, Scalar};
 
 use crate::parsed;
 
@@ -117,6 +117,100 @@ fn a_black_box_has_the_rows_of_its_formula() {
             }
         }
     }
+}
+
+/// The same derivatives along vectors.
+struct Along<const D: usize>(Arc<Hidden<D>>);
+
+impl<const D: usize> Along<D> {
+    /// Returns the sums over the entries `(i, j)`, each with `size` numbers, times `weights(v)`.
+    fn sums(all: &[f64], v: &[f64], size: usize, rows: bool) -> Vec<f64> {
+        let at = |(all, v): (&[f64], &[f64])| -> Vec<f64> {
+            let entry = |i: usize, j: usize| &all[(i * D + j) * size..][..size];
+            let row = |i: usize, n: usize| (0..D).map(|j| entry(i, j)[n] * v[j]).sum::<f64>();
+            if rows {
+                return (0..D)
+                    .flat_map(|i| (0..size).map(move |n| (i, n)))
+                    .map(|(i, n)| row(i, n))
+                    .collect();
+            }
+            (0..size).map(|n| (0..D).map(|i| v[i] * row(i, n)).sum()).collect()
+        };
+        all.chunks(D * D * size).zip(v.chunks(D)).flat_map(at).collect()
+    }
+}
+
+impl<const D: usize> Values for Along<D> {
+    fn gram(&self, x: &[f64]) -> Vec<f64> {
+        self.0.gram(x)
+    }
+
+    fn is_along(&self) -> bool {
+        true
+    }
+
+    fn first_along(&self, x: &[f64], v: &[f64]) -> Option<Vec<f64>> {
+        Some(Self::sums(&self.0.first(x)?, v, D, true))
+    }
+
+    fn second_along(&self, x: &[f64], v: &[f64]) -> Option<Vec<f64>> {
+        Some(Self::sums(&self.0.second(x)?, v, D * D, false))
+    }
+}
+
+/// Derivatives along vectors are exact if they are given; the second ones are otherwise differences.
+#[test]
+fn derivatives_along_vectors_give_the_same_rows() {
+    let plain = Plain::new(parsed::<3>(FULL));
+    let rounding = f64::EPSILON * SIZE;
+    let first = H.powi(4) * SIZE / 30.0 + 2.0 * rounding / H;
+    for (order, bends) in [(2, rounding), (1, first)] {
+        let values = Arc::new(Along(Hidden::<3>::new(FULL, order)));
+        let black_box = BlackBox::<3>::new(values, H).expect("a step");
+        let black_box = Prepared::of_black_box(parsed::<3>(FULL), black_box);
+        for kind in [Kind::Square, Kind::Checked, Kind::Momentum, Kind::Contraction] {
+            for ((name, found), (_, expected)) in
+                rows(&black_box, kind).iter().zip(rows(&plain, kind))
+            {
+                let tolerance = if *name == "bend" { bends } else { rounding };
+                assert_eq!(found.len(), expected.len(), "{name} {kind:?}");
+                for (found, expected) in found.iter().zip(expected) {
+                    let off = (found - expected).abs();
+                    assert!(off <= tolerance, "order {order}, {name} {kind:?}: {off:e}");
+                }
+            }
+        }
+    }
+}
+
+/// Numbers that are missing are undefined, and no panic; along vectors the dimension has no limit.
+#[test]
+fn derivatives_along_vectors_in_many_dimensions_or_missing() {
+    struct Short;
+    impl Values for Short {
+        fn gram(&self, x: &[f64]) -> Vec<f64> {
+            x.chunks(3).flat_map(|_| [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]).collect()
+        }
+
+        fn is_along(&self) -> bool {
+            true
+        }
+
+        fn first_along(&self, x: &[f64], _v: &[f64]) -> Option<Vec<f64>> {
+            Some(vec![0.0; x.len()])
+        }
+    }
+    let short = BlackBox::<3>::new(Arc::new(Short), H).expect("a step");
+    let short = Prepared::of_black_box(parsed::<3>("1 I"), short);
+    let of = |name: &str| {
+        let found = rows(&short, Kind::Contraction);
+        found.into_iter().find(|&(other, _)| other == name).expect("a row").1
+    };
+    assert!(of("turn").iter().chain(&of("bend")).all(|x| x.is_nan()));
+    let dimension = BlackBox::<ANY>::LARGEST_DIMENSION + 1;
+    assert!(BlackBox::<ANY>::new_in(dimension, Arc::new(Short), H).is_some());
+    assert!(BlackBox::<ANY>::new_in(dimension, Hidden::<3>::new(FULL, 2), H).is_none());
+    assert!(BlackBox::<ANY>::new_in(0, Arc::new(Short), H).is_none());
 }
 
 /// A black box whose derivatives are not filled in below the diagonal.
