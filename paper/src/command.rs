@@ -29,6 +29,8 @@ usage: paper figures [ID …] [--check | --quick | --list]
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Mode {
     Write,
+    /// Write all but the measured times, if everything else is as before.
+    Keep,
     Check,
     Quick,
     List,
@@ -98,6 +100,11 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
     for artefact in unchecked {
         say(format!("not checked: paper/{}, which contains times", artefact.data_file()));
     }
+    // Whoever makes everything wants the times of before as long as all other numbers are the same, and
+    // the tree unchanged. Who names an artefact wants new times.
+    let keeps = |artefact: &Artefact| {
+        mode == Mode::Write && ids.is_empty() && artefact.times == Times::Free
+    };
     // Artefacts with measured times come last, one at a time, so that nothing else runs on the
     // machine. A check ignores the times.
     let (timed, others): (Vec<_>, Vec<_>) = chosen
@@ -105,21 +112,32 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
         .partition(|artefact| mode != Mode::Check && artefact.times != Times::None);
     let results = parallel::map(&others, |&artefact| make_and_tell(artefact, mode));
     results.into_iter().collect::<Result<(), Failure>>()?;
-    timed.into_iter().try_for_each(|artefact| make_and_tell(artefact, mode))
+    timed.into_iter().try_for_each(|artefact| {
+        // What is not as it was is made anew, and that says why it cannot be made.
+        let kept = keeps(artefact) && make_and_tell(artefact, Mode::Keep).is_ok();
+        if kept { Ok(()) } else { make_and_tell(artefact, mode) }
+    })
 }
 
 fn make_and_tell(artefact: &Artefact, mode: Mode) -> Result<(), Failure> {
     let begun = Instant::now();
     // It is printed at once, since others are still running and may fail as well.
-    let files =
-        make(artefact, mode).inspect_err(|failure| say(format!("{}: {failure}", artefact.id)))?;
+    let files = make(artefact, mode).inspect_err(|failure| {
+        if mode != Mode::Keep {
+            say(format!("{}: {failure}", artefact.id));
+        }
+    })?;
     let (done, folder) = match mode {
         Mode::Check => ("checked", "paper"),
         Mode::Quick => ("wrote", "target/quick"),
         _ => ("wrote", "paper"),
     };
     let files: Vec<String> = files.iter().map(|file| format!("{folder}/{file}")).collect();
-    say(format!("{done} {} in {:.1} s", files.join(", "), begun.elapsed().as_secs_f64()));
+    let times = match mode {
+        Mode::Keep => format!(", with the times of before; name {} to measure them", artefact.id),
+        _ => String::new(),
+    };
+    say(format!("{done} {} in {:.1} s{times}", files.join(", "), begun.elapsed().as_secs_f64()));
     Ok(())
 }
 
@@ -141,7 +159,7 @@ fn make(artefact: &Artefact, mode: Mode) -> Result<Vec<String>, Failure> {
     let (data_file, comment) = (artefact.data_file(), artefact.comment());
     let output = if quick { Output::quick() } else { Output::committed() };
     let check = mode == Mode::Check;
-    let (printed, bytes) = if check {
+    let (printed, bytes) = if check || mode == Mode::Keep {
         let old = output.read(&data_file)?;
         let header: String = comment.lines().map(|line| format!("# {line}\n")).collect();
         if !old.starts_with(header.as_bytes()) {
