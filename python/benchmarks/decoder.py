@@ -2,8 +2,9 @@
 
     python benchmarks/decoder.py [LATENT HIDDEN OUTPUTS CHORDS]
 
-The metric is the pullback J^T J, by its values and its derivatives along vectors. Prints the time, the
-Newton steps, the residual, and the length beside that of the straight line.
+The metric is the pullback J^T J, by its values and its derivatives along vectors. The search starts from
+the straight line alone: the automatic starts bend it to both sides of every axis, and take 2 D times as
+long. Prints the time, the residual, and the length beside that of the straight line.
 """
 
 import sys
@@ -60,10 +61,11 @@ def main(latent=64, hidden=256, outputs=784, chords=100):
     random = np.random.default_rng(2)
     start, goal = random.normal(size=(2, latent))
     began = time.perf_counter()
-    curve = tautline.solve(metric, start, goal, n=chords, scope="local")
+    line = np.stack([start, goal])
+    curve = tautline.solve(metric, start, goal, n=chords, starts=line, only_these_starts=True)
     seconds = time.perf_counter() - began
-    line = start + np.linspace(0, 1, 1001)[:, None] * (goal - start)
-    images = np.tanh(line @ a.T) @ w.T
+    fine = start + np.linspace(0, 1, 1001)[:, None] * (goal - start)
+    images = np.tanh(fine @ a.T) @ w.T
     straight = np.linalg.norm(np.diff(images, axis=0), axis=1).sum()
     print(f"{latent} latent dimensions, {hidden} hidden units, {outputs} outputs, {chords} chords:")
     print(f"  {seconds:.2f} s, converged: {curve.converged}, residual {curve.residual:.1e}")
