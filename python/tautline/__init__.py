@@ -12,12 +12,22 @@ matrix, or a Python function, which is called once with symbols; see `Metric`.
 
 from typing import TYPE_CHECKING
 
-from . import _sets
 from ._audit import Audit, audit
 from ._check import check
 from ._metric import Metric
 from ._plot import plot
-from ._sets import *
+from ._sets import (
+    Set,
+    affine_subspace,
+    ball,
+    box,
+    half_space,
+    point,
+    points,
+    segment,
+    sphere,
+    union,
+)
 from ._solve import UnresolvedWarning, distance_matrix, solve, solve_batch
 from ._table import Table
 from ._tautline import (
@@ -39,7 +49,6 @@ from ._tautline import (
 from ._trace import TraceError, Traced
 
 __all__ = [
-    "RULES",
     "Audit",
     "Bounds",
     "Certificate",
@@ -51,22 +60,32 @@ __all__ = [
     "NotCertified",
     "ProblemError",
     "Program",
+    "RULES",
+    "Set",
     "Table",
     "TraceError",
     "Traced",
     "UnresolvedWarning",
     "Verdict",
     "__version__",
+    "affine_subspace",
     "audit",
+    "ball",
+    "box",
     "check",
     "distance_matrix",
+    "half_space",
     "plot",
+    "point",
+    "points",
+    "segment",
     "solve",
     "solve_batch",
+    "sphere",
     "theorem_1_1_excess",
     "theorem_1_3_excess",
+    "union",
 ]
-__all__ += _sets.__all__
 
 if TYPE_CHECKING:
     from . import sweep as sweep

@@ -15,20 +15,6 @@ from ._tautline import Set
 SetLike: TypeAlias = Union[Set, npt.ArrayLike]
 
 
-__all__ = [
-    "Set",
-    "affine_subspace",
-    "ball",
-    "box",
-    "half_space",
-    "point",
-    "points",
-    "segment",
-    "sphere",
-    "union",
-]
-
-
 def as_set(x: SetLike, what: str) -> Set:
     """A set as it is, and the set of one point of its coordinates."""
     return x if isinstance(x, Set) else _point(x, what)
@@ -59,8 +45,9 @@ def sphere(centre: npt.ArrayLike, radius: float) -> Set:
 
 
 def _round(kind: str, centre: npt.ArrayLike, radius: float) -> Set:
-    parts = {"centre": vector(centre, "the centre"), "radius": number(radius, "the radius")}
-    return Set([(kind, parts)])
+    return Set(
+        [(kind, {"centre": vector(centre, "the centre"), "radius": number(radius, "the radius")})]
+    )
 
 
 def box(lower: npt.ArrayLike, upper: npt.ArrayLike) -> Set:

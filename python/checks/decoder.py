@@ -1,6 +1,6 @@
 """The time of a shortest curve in the latent space of a decoder x -> W tanh(A x), from Python.
 
-    python benchmarks/decoder.py [LATENT HIDDEN OUTPUTS CHORDS]
+    python checks/decoder.py [LATENT HIDDEN OUTPUTS CHORDS]
 
 The metric is the pullback J^T J, by its values and its derivatives along vectors. The search starts from
 the straight line alone: the automatic starts bend it to both sides of every axis, and take 2 D times as
