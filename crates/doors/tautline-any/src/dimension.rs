@@ -11,7 +11,7 @@ pub const LARGEST_FIXED_DIMENSION: usize = 12;
 pub const LARGEST_PROVED_DIMENSION: usize = 12;
 
 /// The most numbers in the steps of a formula, each with its first and second derivatives, from which
-/// constants are proved in more than six dimensions. Each box costs so many intervals, some 10 ms; that of
+/// constants are proved in more than six dimensions. Each box costs so many intervals. A box of
 /// a larger formula, such as a decoder, costs more, and its bounds are too wide to be of use.
 pub const LARGEST_EXPANSION: usize = 1 << 16;
 

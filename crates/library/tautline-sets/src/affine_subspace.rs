@@ -243,10 +243,8 @@ impl<const D: usize> Piece for AffineSubspace<D> {
     }
 
     fn values(&self) -> Vec<Value> {
-        {
-            let directions = self.given_slices().iter().map(|v| v.to_vec()).collect();
-            vec![Value::Vector(self.base_slice().to_vec()), Value::Vectors(directions)]
-        }
+        let directions = self.given_slices().iter().map(|v| v.to_vec()).collect();
+        vec![Value::Vector(self.base_slice().to_vec()), Value::Vectors(directions)]
     }
 
     fn boxes(&self) -> Vec<[Vec<f64>; 2]> {

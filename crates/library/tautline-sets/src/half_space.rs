@@ -226,10 +226,8 @@ impl<const D: usize> Piece for HalfSpace<D> {
     }
 
     fn values(&self) -> Vec<Value> {
-        {
-            let (normal, offset) = self.given_slice();
-            vec![Value::Vector(normal.to_vec()), Value::AtMost(offset)]
-        }
+        let (normal, offset) = self.given_slice();
+        vec![Value::Vector(normal.to_vec()), Value::AtMost(offset)]
     }
 
     fn boxes(&self) -> Vec<[Vec<f64>; 2]> {
@@ -237,10 +235,8 @@ impl<const D: usize> Piece for HalfSpace<D> {
     }
 
     fn has(&self, x: &[f64]) -> bool {
-        {
-            let (normal, offset) = self.given_slice();
-            proof::compare_height(normal, x, offset).is_some_and(Ordering::is_le)
-        }
+        let (normal, offset) = self.given_slice();
+        proof::compare_height(normal, x, offset).is_some_and(Ordering::is_le)
     }
 }
 

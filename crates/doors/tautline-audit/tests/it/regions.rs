@@ -98,7 +98,7 @@ fn in_twelve_dimensions_constants_are_proved_and_tried() {
     // Least and largest eigenvalue are 2 and 4.
     let measured = audit["measured"].as_array().expect("an array");
     for (found, exact) in measured.iter().zip([2.0, 4.0]) {
-        assert!((found["value"].as_f64().expect("a number") - exact).abs() < 1e-2, "{found}");
+        assert!((found["value"].as_f64().expect("a number") - exact).abs() < 1e-5, "{found}");
     }
 }
 

@@ -86,9 +86,7 @@ pub(crate) fn draft(
             ValueFile::Sides([None, None]) => {
                 let place = places.last().cloned().unwrap_or_default();
                 let needed = format!("{} needs at_least or at_most", kind.name);
-                return Err(
-                    Diagnostic::new(needed, place).label("the side of this normal is not given")
-                );
+                return Err(Diagnostic::new(needed, place).label("its side is not given"));
             }
         });
     }

@@ -281,3 +281,23 @@ fn the_best_value_is_the_largest_and_not_the_last() {
         assert!(found.upper <= most + 4e-3, "{found:?}");
     }
 }
+
+/// In seven dimensions a search is asked after every four boxes. Wherever it ends, also within a round,
+/// the bound holds for the boxes that it has not looked at.
+#[test]
+fn a_search_that_ends_within_a_round_keeps_its_bound() {
+    let cell = Domain::cell(Cell::new([-2.0; 7], [2.0; 7]).expect("in order"));
+    let mut within = 0;
+    for end in 0..60 {
+        let (mut calls, mut boxes) = (0, 0);
+        let found = super::maximise(&Waves::default(), &cell, EFFORT, &mut |seen, _, upper| {
+            assert!(upper >= greatest(), "{upper} after {seen} boxes");
+            within += usize::from(calls > 0 && seen - boxes == super::DEAR_BATCH);
+            (calls, boxes) = (calls + 1, seen);
+            calls <= end
+        });
+        assert!(found.upper >= greatest(), "{found:?}");
+        assert!(!found.reached && calls == end + 1, "{found:?}");
+    }
+    assert!(within > 100, "{within}");
+}

@@ -41,7 +41,7 @@ pub struct Kind {
 /// A part of what describes a set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// The name. A [`Form::Side`] is written under the name of the side in place of this one.
+    /// The name. Files and Python name a [`Form::Side`] `at_least` or `at_most`.
     pub name: &'static str,
     /// What the part consists of.
     pub form: Form,
