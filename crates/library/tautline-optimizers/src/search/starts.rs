@@ -18,7 +18,8 @@ use crate::{
 pub enum Starts<const D: usize> {
     /// Starts from nearest points of the sets, and from further points of nonconvex sets. Between
     /// two such points the starts are the straight line, the line bent to every side, and the best
-    /// of all sequences on a grid of the line.
+    /// of all sequences on a grid of the line. In more than seven dimensions these are the twelve
+    /// bent lines of least energy.
     #[default]
     Automatic,
     /// Starts from these sequences only, on any grid. Their ends are projected to the sets. Up to
@@ -35,6 +36,10 @@ pub enum Starts<const D: usize> {
 /// The height of a bent line, relative to its length. It is near the height of a half circle, ½,
 /// which is enough to pass an obstacle in the middle on either side.
 const BEND: f64 = 0.4;
+
+/// The largest number of bent lines between two points. A line has `2 (D − 1)` bends, and a search
+/// from each would take `D` times as long as the search from the straight line.
+const BENDS: usize = 12;
 
 /// The number of alternating projections that search for nearest points. The points only provide a
 /// start, so the projections need not converge.
@@ -80,7 +85,7 @@ impl Starts<ANY> {
         if !matches!(self, Starts::Only(_) | Starts::OnTheGrid(_)) && (bent || !lines.is_empty()) {
             for [a, b] in end_points(dimension, first, second) {
                 if bent {
-                    starts.extend(bent_lines(&a, &b, n));
+                    starts.extend(cheapest(energy, bent_lines(&a, &b, n)));
                 }
                 let line = |&intervals| line_minimum(energy, &a, &b, n, intervals);
                 starts.extend(lines.iter().filter_map(line));
@@ -152,6 +157,19 @@ fn end_points(dimension: usize, first: &dyn AnySet, second: &dyn AnySet) -> Vec<
     pairs
 }
 
+/// Returns the straight line, which is the first of these lines, and the [`BENDS`] bends of least energy.
+/// The metric need not be defined along a bend, as long as it is along others.
+fn cheapest(energy: &DiscreteEnergy<'_>, mut lines: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    if lines.len() <= 1 + BENDS {
+        return lines;
+    }
+    let cost = |line: Vec<f64>| (energy.admissible(&line).unwrap_or(f64::INFINITY), line);
+    let mut bends: Vec<_> = lines.drain(1..).map(cost).collect();
+    bends.sort_by(|a, b| a.0.total_cmp(&b.0));
+    lines.extend(bends.into_iter().take(BENDS).map(|(_, line)| line));
+    lines
+}
+
 /// Returns the straight line from `a` to `b`, and its bends.
 fn bent_lines(a: &[f64], b: &[f64], n: usize) -> Vec<Vec<f64>> {
     let d = a.len();
@@ -194,10 +212,10 @@ mod tests {
     use nalgebra::SVector;
     use tautline_discretizations::{PointSequence, Rule};
     use tautline_formula::Prepared;
-    use tautline_metrics::gallery::Valleys;
+    use tautline_metrics::gallery::{Bump, Valleys};
     use tautline_sets::{Ball, ClosedSet, HalfSpace, InAny, Point, Sphere};
 
-    use super::{BEND, Starts};
+    use super::{BEND, BENDS, Starts};
     use crate::newton::discrete_energy::DiscreteEnergy;
 
     /// Returns the starts between two sets of the plane, or of space.
@@ -337,5 +355,23 @@ mod tests {
         // Each of the 50 rounds of alternating projections at least halves the error, so only
         // rounding remains.
         assert!((starts[0].first() - nalgebra::vector![r, 2.0 + r]).amax() < 1e-6);
+    }
+
+    /// Over the centre of a bump, the bend away from the centre is the cheapest of sixteen, and the bend
+    /// through it is left out.
+    #[test]
+    fn in_nine_dimensions_the_cheapest_twelve_bends_are_tried() {
+        let mut end = [0.0; 9];
+        (end[0], end[8]) = (1.0, 0.2);
+        let b = Point::new(end).expect("finite");
+        end[0] = -1.0;
+        let a = Point::new(end).expect("finite");
+        let bump = Prepared::<_, 9>::new(Bump::new(4.0, 0.5).expect("positive"));
+        let energy = DiscreteEnergy::new(Rule::TRAPEZOIDAL, &bump);
+        let starts = between(&Starts::Automatic, &energy, [&a, &b], 10, true, &[]);
+        assert_eq!(starts.len(), 1 + BENDS);
+        let heights: Vec<f64> = starts.iter().map(|start| start.points()[5][8]).collect();
+        assert_eq!(heights[..2], [0.2, 0.2 + 2.0 * BEND]);
+        assert!(heights[2..].iter().all(|height| *height == 0.2), "{heights:?}");
     }
 }
