@@ -188,17 +188,34 @@ impl<'f> ChordBatch<'f> {
     /// nodes takes the pair of lanes `k m + j`.
     #[inline(always)]
     fn fill_facing(&mut self, d: usize, count: usize, first: &[f64], last: &[f64]) {
-        let nodes = self.nodes;
-        let (first, last) = (&first[..(count + 1) * d], &last[..(count + 1) * d]);
+        let (nodes, m) = (self.nodes, self.nodes.len().max(1));
+        let (first, later) = first[..(count + 1) * d].split_at(d);
+        let (earlier, last) = last[..(count + 1) * d].split_at(count * d);
         for i in 0..d {
             let [places, vectors] = self.batch.input(i);
-            let places = &mut places.as_chunks_mut::<2>().0[..count * nodes.len()];
-            let vectors = &mut vectors.as_chunks_mut::<2>().0[..count * nodes.len()];
-            let m = nodes.len().max(1);
+            let places = &mut places.as_chunks_mut::<2>().0[..count * m];
+            let vectors = &mut vectors.as_chunks_mut::<2>().0[..count * m];
+            let (mut x, mut z) = (first[i], last[i]);
+            // From x on to the next point, and from z back to the point before it.
+            let mut step_to = |next: &[f64], before: &[f64]| {
+                let (near, y) = ([x, before[i]], before[i]);
+                let steps = [next[i] - x, z - y];
+                (x, z) = (next[i], y);
+                (near, steps)
+            };
+            let points = later.chunks_exact(d).zip(earlier.rchunks_exact(d));
+            if let [node] = nodes {
+                let pairs = places.iter_mut().zip(vectors);
+                for ((place, vector), (next, before)) in pairs.zip(points) {
+                    let ([x, y], steps) = step_to(next, before);
+                    *place = [x + steps[0] * node.fraction, y + steps[1] * node.fraction];
+                    *vector = [steps[0], -steps[1]];
+                }
+                continue;
+            }
             let pairs = places.chunks_exact_mut(m).zip(vectors.chunks_exact_mut(m));
-            for (k, (places, vectors)) in pairs.enumerate() {
-                let (x, y) = (first[k * d + i], last[(count - 1 - k) * d + i]);
-                let steps = [first[(k + 1) * d + i] - x, last[(count - k) * d + i] - y];
+            for ((places, vectors), (next, before)) in pairs.zip(points) {
+                let ([x, y], steps) = step_to(next, before);
                 for ((node, place), vector) in nodes.iter().zip(places).zip(vectors) {
                     *place = [x + steps[0] * node.fraction, y + steps[1] * node.fraction];
                     *vector = [steps[0], -steps[1]];

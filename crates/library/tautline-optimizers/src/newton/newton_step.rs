@@ -53,7 +53,8 @@ pub fn newton_step<const D: usize>(
     let mut pass = NewtonPass::new(energy, [&first, &second], &sequence, about, false, workspace)?;
     let at = pass.stationarity();
     Some(NewtonStep {
-        step: bytemuck::cast_slice(&pass.take_step()).to_vec(),
+        step: bytemuck::try_cast_vec(pass.take_step())
+            .unwrap_or_else(|(_, step)| bytemuck::cast_slice(&step).to_vec()),
         energy: at.magnitude.energy,
         decrement: at.decrement,
     })

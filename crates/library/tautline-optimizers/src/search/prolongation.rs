@@ -43,17 +43,64 @@ fn prolong_widest(sequence: &PointSequence<ANY>, n: usize, fine: &mut Vec<f64>) 
 
 #[inline(always)]
 fn prolong_inline(sequence: &PointSequence<ANY>, n: usize, fine: &mut Vec<f64>) {
-    // The usual dimensions are constants that the compiler can use.
     match sequence.dimension() {
-        1 => prolong_in(1, sequence, n, fine),
-        2 => prolong_in(2, sequence, n, fine),
-        3 => prolong_in(3, sequence, n, fine),
-        d => prolong_in(d, sequence, n, fine),
+        1 => prolong_in::<1>(sequence, n, fine),
+        2 => prolong_in::<2>(sequence, n, fine),
+        3 => prolong_in::<3>(sequence, n, fine),
+        d => prolong_in_any(d, sequence, n, fine),
     }
 }
 
+/// Prolongs in one of the usual dimensions.
 #[inline(always)]
-fn prolong_in(d: usize, sequence: &PointSequence<ANY>, n: usize, fine: &mut Vec<f64>) {
+fn prolong_in<const D: usize>(sequence: &PointSequence<ANY>, n: usize, fine: &mut Vec<f64>) {
+    let points = sequence.coordinates().as_chunks::<D>().0;
+    let coarse = sequence.n().get();
+    let count = (coarse + 1).min(POINTS);
+    let fraction = 1.0 / n as f64;
+    // The place of the next point on the coarse grid is whole + rest / n, without rounding.
+    let (mut whole, mut rest) = (0, 0);
+    while whole < coarse {
+        let first = whole.saturating_sub(POINTS / 2 - 1).min(coarse + 1 - count);
+        let mut coefficients = [[0.0; D]; POINTS];
+        coefficients[..count].copy_from_slice(&points[first..first + count]);
+        // The usual number is a constant that the compiler can use.
+        if count == POINTS {
+            differences(&mut coefficients, whole - first);
+        } else {
+            differences(&mut coefficients[..count], whole - first);
+        }
+        coefficients[0] = points[whole];
+        let inside = (n - rest).div_ceil(coarse);
+        for begin in (0..inside).step_by(LANES) {
+            let mut s = [0.0; LANES];
+            for lane in 0..LANES {
+                s[lane] = (rest + (begin + lane) * coarse) as f64 * fraction;
+            }
+            let mut all = [[0.0; LANES]; D];
+            for i in 0..D {
+                all[i] = values(|k| coefficients[k][i], &s);
+            }
+            for lane in 0..LANES.min(inside - begin) {
+                let mut point = [0.0; D];
+                for i in 0..D {
+                    point[i] = all[i][lane];
+                }
+                fine.extend_from_slice(&point);
+            }
+        }
+        rest += inside * coarse;
+        // If the new grid is coarser than the grid of `sequence`, this moves on by several
+        // intervals.
+        whole += rest / n;
+        rest %= n;
+    }
+    fine.extend_from_slice(&points[coarse]);
+}
+
+/// Prolongs in a dimension that is a value: the same arithmetic, four coordinates at a time.
+#[inline(always)]
+fn prolong_in_any(d: usize, sequence: &PointSequence<ANY>, n: usize, fine: &mut Vec<f64>) {
     let points = sequence.coordinates();
     let coarse = sequence.n().get();
     let count = (coarse + 1).min(POINTS);
@@ -110,36 +157,23 @@ fn follow(
             s[lane] = (rest + (begin + lane) * step) as f64 * fraction;
         }
         let lanes = LANES.min(count - begin);
-        if d <= WIDTH {
-            let mut all = [[0.0; LANES]; WIDTH];
-            for i in 0..d {
-                all[i] = values(&coefficients[i], &s);
-            }
-            for lane in 0..lanes {
-                let mut point = [0.0; WIDTH];
-                for i in 0..d {
-                    point[i] = all[i][lane];
-                }
-                fine.extend_from_slice(&point[..d]);
-            }
-        } else {
-            let end = fine.len();
-            fine.resize(end + lanes * d, 0.0);
-            for i in 0..d {
-                let values = values(&coefficients[i], &s);
-                for (lane, point) in fine[end..].chunks_exact_mut(d).enumerate() {
-                    point[i] = values[lane];
-                }
+        let end = fine.len();
+        fine.resize(end + lanes * d, 0.0);
+        for i in 0..d {
+            let values = values(|k| coefficients[i][k], &s);
+            for (lane, point) in fine[end..].chunks_exact_mut(d).enumerate() {
+                point[i] = values[lane];
             }
         }
     }
 }
 
-/// Returns the values of a polynomial.
+/// Returns the values of a polynomial, given its coefficients.
 #[inline(always)]
-fn values(coefficients: &[f64; POINTS], s: &[f64; LANES]) -> [f64; LANES] {
-    let mut values = [coefficients[POINTS - 1]; LANES];
-    for coefficient in coefficients[..POINTS - 1].iter().rev() {
+fn values(coefficient: impl Fn(usize) -> f64, s: &[f64; LANES]) -> [f64; LANES] {
+    let mut values = [coefficient(POINTS - 1); LANES];
+    for k in (0..POINTS - 1).rev() {
+        let coefficient = coefficient(k);
         for lane in 0..LANES {
             values[lane] = values[lane] * s[lane] + coefficient;
         }
