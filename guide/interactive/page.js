@@ -20,7 +20,7 @@ class Page {
     this.prover = prover;
     this.picture = new Picture(by("plot"));
     this.picture.onresize = () => this.draw();
-    this.curve = { points: [], others: [] };
+    this.curve = { points: [], others: [], doubts: [] };
     for (const { name } of EXAMPLES) by("example").append(new Option(name));
     by("example").append(new Option("Your own", "own"));
     by("example").oninput = () => this.choose(EXAMPLES[by("example").selectedIndex]);
@@ -124,7 +124,7 @@ class Page {
       by("time").textContent = `solved in ${took.toFixed(1)} ms`;
       this.list(Ok.others);
       by("bound").textContent = "…";
-      by("status").textContent = Ok.is_local_minimum ? "" : "The search did not converge to a strict local minimum.";
+      this.say("");
       this.proving = setTimeout(() => this.prove(), 200);
     } else {
       for (const id of ["length", "bound", "others"]) by(id).textContent = "–";
@@ -133,21 +133,27 @@ class Page {
     this.draw();
   }
 
+  // Says something of the bounds, after the doubts about the curve.
+  say(words) {
+    const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}.`;
+    by("status").textContent = [...this.curve.doubts.map(sentence), words].join(" ");
+  }
+
   prove() {
-    by("status").textContent = "Proving …";
+    this.say("Proving …");
     this.prover.ask(this.question, ({ Ok, Err }) => {
       const { lower, upper, assumes_global_minimum: assumes, reason } = Ok ?? { reason: Err.message };
       if (lower != null) {
         const [from, to] = bounds(lower, upper);
         by("bound").innerHTML = `${from} ≤ <var>d</var> ≤ ${to}`;
-        by("status").textContent = assumes
-          ? `The upper bound is certain. The lower one assumes that no other curve of ${by("chords").value} chords is shorter.`
-          : "Both bounds are proved, with no assumption.";
+        this.say(assumes
+          ? `The upper bound is certain. The lower one assumes that no other curve of ${this.curve.points.length - 1} chords is shorter.`
+          : "Both bounds are proved, with no assumption.");
       } else {
         by("bound").innerHTML = upper == null ? "–" : `<var>d</var> ≤ ${bounds(0.99999 * upper, upper)[1]}`;
         // Four digits are enough in a sentence.
         const four = (digits) => Number(Number(digits).toPrecision(4));
-        by("status").textContent = `No lower bound: ${reason.replace(/\d+\.\d{4,}/g, four)}.`;
+        this.say(`No lower bound: ${reason.replace(/\d+\.\d{4,}/g, four)}.`);
       }
     });
   }
@@ -157,8 +163,9 @@ class Page {
     by("complaint").replaceChildren();
     if (!complaint) return;
     const words = document.createElement("p");
-    const { message, start, end } = complaint;
-    words.textContent = message[0].toUpperCase() + message.slice(1) + ".";
+    const { message, start, end, help } = complaint;
+    const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}${text.endsWith("?") ? "" : "."}`;
+    words.textContent = [message, help].filter(Boolean).map(sentence).join(" ");
     by("complaint").append(words);
     if (start == null) return;
     const text = document.createElement("pre");

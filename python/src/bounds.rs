@@ -57,8 +57,9 @@ pub(crate) struct Bounds {
     lower_by: String,
     /// What the upper bound is.
     upper_by: String,
-    /// The constants c1, c2, L_H and M_H that were used; M_H may be None.
-    constants: FourConstants,
+    /// The constants c1, c2, L_H and M_H that were used; M_H may be None. None if the lower bound is that of
+    /// a certificate, because none were proved.
+    constants: Option<FourConstants>,
     /// Whether the constants are proved from the formula, or claimed.
     constants_proved: bool,
     /// The centre and the radius of the ball in which they hold; None if that is all of space.
@@ -67,7 +68,7 @@ pub(crate) struct Bounds {
 
 impl From<problem::Bounds> for Bounds {
     fn from(bounds: problem::Bounds) -> Self {
-        let UsedConstants { c1, c2, l_h, m_h, proved, within, .. } = bounds.constants;
+        let used = bounds.constants;
         Self {
             lower: bounds.lower.value,
             upper: bounds.upper.value,
@@ -80,15 +81,18 @@ impl From<problem::Bounds> for Bounds {
             .to_owned(),
             lower_by: bounds.lower_by,
             upper_by: bounds.upper_by,
-            constants: (c1, c2, l_h, m_h),
-            constants_proved: proved,
-            within: within.map(|BallAnswer { centre, radius }| (centre, radius)),
+            constants_proved: used.as_ref().is_some_and(|used| used.proved),
+            constants: used.as_ref().map(|&UsedConstants { c1, c2, l_h, m_h, .. }| (c1, c2, l_h, m_h)),
+            within: used
+                .and_then(|used| used.within)
+                .map(|BallAnswer { centre, radius }| (centre, radius)),
         }
     }
 }
 
 /// What bounds are made of.
-type BoundsParts = (f64, f64, String, String, String, FourConstants, bool, Option<(Vec<f64>, f64)>);
+type BoundsParts =
+    (f64, f64, String, String, String, Option<FourConstants>, bool, Option<(Vec<f64>, f64)>);
 
 #[pymethods]
 impl Bounds {
@@ -103,7 +107,7 @@ impl Bounds {
         global_minimum: String,
         lower_by: String,
         upper_by: String,
-        constants: FourConstants,
+        constants: Option<FourConstants>,
         constants_proved: bool,
         within: Option<(Vec<f64>, f64)>,
     ) -> Self {

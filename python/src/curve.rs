@@ -37,11 +37,13 @@ pub(crate) struct Curve {
     pub(crate) curve: Arc<value::Curve>,
     /// The length of a shorter minimum, once it was looked for.
     shorter: Arc<OnceLock<Option<f64>>>,
+    /// The doubts, once they were asked for.
+    doubts: Arc<OnceLock<Vec<String>>>,
 }
 
 impl From<Arc<value::Curve>> for Curve {
     fn from(curve: Arc<value::Curve>) -> Self {
-        Self { curve, shorter: Arc::default() }
+        Self { curve, shorter: Arc::default(), doubts: Arc::default() }
     }
 }
 
@@ -159,18 +161,11 @@ impl Curve {
         py.detach(|| *self.shorter.get_or_init(|| self.curve.shorter_minimum()))
     }
 
-    /// Why the curve may not be a shortest one, in words: it is not resolved, or another minimum is
-    /// shorter. Empty if neither is known.
+    /// Why the curve may not be a shortest one, in words: it is not resolved, another minimum is shorter,
+    /// or the search did not converge. Empty if no reason is known.
     #[getter]
     fn doubts(&self, py: Python<'_>) -> Vec<String> {
-        let mut doubts = Vec::new();
-        if !py.detach(|| self.curve.is_resolved()) {
-            doubts.push(format!("not resolved by {} chords", self.n()));
-        }
-        if let Some(length) = self.shorter_minimum(py) {
-            doubts.push(format!("another minimum is shorter: {length:?}"));
-        }
-        doubts
+        py.detach(|| self.doubts.get_or_init(|| self.curve.doubts()).clone())
     }
 
     /// Bounds on the distance by the theorems of the paper, from constants that are proved, or claimed:

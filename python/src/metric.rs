@@ -260,7 +260,7 @@ impl Program {
     }
 
     /// The lengths of the curves that solve_batch finds, NaN where there is none, and how many of the
-    /// curves are doubtful: not resolved, or longer than another minimum that was met.
+    /// curves are doubtful: not resolved, not converged, or longer than another minimum that was met.
     fn lengths<'py>(
         &self,
         py: Python<'py>,
@@ -272,8 +272,7 @@ impl Program {
         let (curves, _) = self.solve_batch(py, starts, goals, options)?;
         let length = |curve: &Option<Curve>| {
             let Some(Curve { curve, .. }) = curve else { return (f64::NAN, false) };
-            let is_doubtful = !curve.is_resolved() || curve.shorter_minimum().is_some();
-            (curve.length().value, is_doubtful)
+            (curve.length().value, !curve.doubts().is_empty())
         };
         let pool = threads.map_or_else(|| pool(py), pool::threads)?;
         let found: Vec<(f64, bool)> =

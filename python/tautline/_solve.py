@@ -100,10 +100,8 @@ def solve(
     if tolerance is not None and not curve.is_within(tolerance):
         doubts.append(f"the relative error of its length may exceed {tolerance} with {curve.n} chords")
     if doubts:
-        help = "Other `starts`" if tolerance is not None else "More chords `n` or other `starts`"
         warnings.warn(
-            f"the curve of length {float(curve.length)!r} may not be a shortest one: "
-            f"{'; '.join(doubts)}. {help} may help",
+            f"the curve of length {float(curve.length)!r} may not be a shortest one: {'; '.join(doubts)}",
             UnresolvedWarning,
             stacklevel=2,
         )
@@ -211,8 +209,8 @@ def distance_matrix(
 
     Without `b` the rows of `a` are paired with each other: the matrix is symmetric, and each pair is
     solved once, with the `scope` of `solve`: "local" takes less time. NaN where there is no curve. The `lattice` of an image is not searched. Warns with
-    `UnresolvedWarning` how many of the curves are not resolved, or longer than another local minimum that
-    was met.
+    `UnresolvedWarning` how many of the curves are not resolved, not at a strict minimum, or longer than
+    another local minimum that was met.
     """
     options, x = _options(metric, n, rule, None, threads, scope=scope), finite_rows(a, "a")
     if b is None:
@@ -234,8 +232,8 @@ def _lengths(
     lengths, doubtful = metric.program.lengths(starts, goals, options)
     if doubtful:
         warnings.warn(
-            f"{doubtful} of {len(lengths)} curves are not resolved by {options['n']} chords, or longer "
-            "than another minimum that was met. More chords `n` may help; `solve` says which it is",
+            f"{doubtful} of {len(lengths)} curves are not resolved by {options['n']} chords, not at a strict "
+            "minimum, or longer than another minimum that was met; `curve.doubts` of `solve` says which it is",
             UnresolvedWarning,
             stacklevel=3,
         )

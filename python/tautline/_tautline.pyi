@@ -85,7 +85,7 @@ class Bounds:
         global_minimum: str,
         lower_by: str,
         upper_by: str,
-        constants: tuple[float, float, float, float | None],
+        constants: tuple[float, float, float, float | None] | None,
         constants_proved: bool,
         within: tuple[list[float], float] | None,
     ) -> Bounds: ...
@@ -103,7 +103,7 @@ class Bounds:
     @property
     def upper_by(self) -> str: ...
     @property
-    def constants(self) -> tuple[float, float, float, float | None]: ...
+    def constants(self) -> tuple[float, float, float, float | None] | None: ...
     @property
     def constants_proved(self) -> bool: ...
     @property

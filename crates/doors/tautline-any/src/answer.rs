@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use schemars::JsonSchema;
 use serde::Serialize;
 use tautline::{
-    ANY, Constants, Curvature, Integral, PointSequence, Stop, TIE, certify::Watch,
+    ANY, Constants, Curvature, Doubt, Integral, PointSequence, Stop, TIE, certify::Watch,
     decimal::shortly_down, distance::Progress,
 };
 
@@ -51,6 +51,24 @@ pub struct Answer {
     pub curve: Vec<Vec<f64>>,
     /// Other local minima that were met, shortest first, with `n` chords or 512, whichever is less.
     pub other_minima: Vec<OtherMinimum>,
+    /// Why the curve may not be a shortest one, or its numbers not what they seem; empty if no reason is
+    /// known.
+    pub doubts: Vec<DoubtAnswer>,
+}
+
+/// A reason why a curve may not be a shortest one, or its numbers not what they seem.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DoubtAnswer {
+    /// Which kind of reason it is.
+    pub kind: &'static str,
+    /// The reason, in words.
+    pub text: String,
+}
+
+impl From<&Doubt> for DoubtAnswer {
+    fn from(doubt: &Doubt) -> Self {
+        Self { kind: doubt.key(), text: doubt.to_string() }
+    }
 }
 
 impl Answer {
@@ -58,22 +76,28 @@ impl Answer {
     /// relative error of the length that was asked for.
     #[must_use]
     pub fn of(line: &Line, tolerance: Option<f64>) -> Self {
-        let minimum = line.minimum();
+        let (minimum, mut doubts) = (line.minimum(), line.own_doubts());
+        let n = minimum.sequence.n().get();
+        let within_tolerance = tolerance.map(|tolerance| line.is_within(tolerance));
+        if within_tolerance == Some(false) {
+            doubts.push(Doubt::Tolerance { chords: n });
+        }
         Self {
             dimension: minimum.sequence.dimension(),
             rule: line.rule().name(),
-            n: minimum.sequence.n().get(),
+            n,
             length: line.length().into(),
             energy: line.energy().into(),
             discrete_energy: minimum.energy,
             extrapolated: extrapolated(line),
             search: search(line),
             resolved: line.is_resolved(),
-            within_tolerance: tolerance.map(|tolerance| line.is_within(tolerance)),
+            within_tolerance,
             bounds: None,
             no_bounds: None,
             curve: points(&minimum.sequence),
             other_minima: Vec::new(),
+            doubts: doubts.iter().map(DoubtAnswer::from).collect(),
         }
     }
 
@@ -94,15 +118,24 @@ impl Answer {
             curve: points(other.sequence()),
         });
         self.other_minima = minima.collect();
-        if self.other_minima.iter().any(|other| other.is_shorter_than(&self)) {
-            self.is_not_resolved();
+        let shorter = self.other_minima.iter().find(|other| other.is_shorter_than(&self));
+        if let Some(length) = shorter.map(|other| other.length.value) {
+            self.is_not_resolved(&Doubt::Shorter { length });
         }
         solved(&self);
         let Some(proving) = proving else { return self };
         match bounds(proving, line, &others, watch, observe) {
             Ok(bounds) => {
                 if bounds.exceed(&self.length) {
-                    self.is_not_resolved();
+                    self.is_not_resolved(&Doubt::Longer { upper: bounds.upper.value });
+                }
+                // An estimate beyond a proved bound is wrong by at least the difference.
+                if let Some(extrapolated) = &mut self.extrapolated {
+                    let above = extrapolated.value - bounds.upper.value;
+                    if above > 0.0 {
+                        extrapolated.value = bounds.upper.value;
+                        extrapolated.error = extrapolated.error.max(above);
+                    }
                 }
                 (self.bounds, self.no_bounds) = (Some(bounds), None);
             }
@@ -112,9 +145,10 @@ impl Answer {
     }
 
     /// Says that the distance is not what the energies of the curve tend to.
-    fn is_not_resolved(&mut self) {
+    fn is_not_resolved(&mut self, doubt: &Doubt) {
         (self.resolved, self.extrapolated) = (false, None);
         self.within_tolerance = self.within_tolerance.and(Some(false));
+        self.doubts.push(doubt.into());
     }
 }
 
@@ -159,8 +193,8 @@ pub struct Bounds {
     pub upper: Float,
     /// What the lower bound rests on besides the constants.
     pub global_minimum: GlobalMinimum,
-    /// The constants.
-    pub constants: UsedConstants,
+    /// The constants; absent if the lower bound is that of a certificate, because none were proved.
+    pub constants: Option<UsedConstants>,
     /// The statement that gives the lower bound.
     pub lower_by: String,
     /// What the upper bound is.
@@ -291,10 +325,17 @@ impl OtherMinimum {
 pub(crate) fn extrapolated(line: &Line) -> Option<Estimated> {
     let square = line.distance_squared_estimate()?;
     let value = square.value.max(0.0).sqrt();
-    // An estimate that may be 0 is none.
-    let is_known = square.error < square.value;
+    // An estimate that may be 0 is none, nor is one above the length, which is an upper bound: the grids
+    // disagree.
+    let length = line.length();
+    let is_known =
+        square.error < square.value && value <= (length.value + length.error) * (1.0 + ROUNDING);
     is_known.then(|| Estimated { value, error: 0.5 * square.error / value })
 }
+
+/// How far above the length an estimate may be for rounding, relative to it: where the length is exact, as
+/// on a straight line, it takes nothing off.
+const ROUNDING: f64 = 1e-9;
 
 /// Returns how the search for a minimum ended.
 pub(crate) fn search(line: &Line) -> Search {

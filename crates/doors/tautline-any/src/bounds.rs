@@ -7,7 +7,7 @@ use tautline::{
     RayleighQuotient, Short, Stop, are_gram,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
-    distance::{Ended, Progress},
+    distance::{AnyFound, Ended, Progress},
 };
 
 use crate::{
@@ -23,10 +23,11 @@ pub(crate) fn bounds(
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
-    line.rule().paper_rule().map_err(|error| error.to_string())?;
     let Some(claimed) = proving.claimed else {
-        return by_proof(proving.accuracy, line, others, watch, observe);
+        return by_proof(proving.accuracy, line, others, watch, observe)
+            .or_else(|reason| by_certificate(reason, line, others, observe));
     };
+    line.rule().paper_rule().map_err(|error| error.to_string())?;
     if proving.is_in_a_region {
         return Err(IN_A_REGION.to_owned());
     }
@@ -41,7 +42,7 @@ fn by_claims(claimed: Constants, line: &Line, others: &[Line]) -> Result<Bounds,
     let enclosure = line.enclosure_given(claimed, curve.as_ref());
     let enclosure = enclosure.map_err(|error| error.to_string())?;
     let constants = UsedConstants::new(claimed, false, None);
-    let mut found = in_words(enclosure, constants, line.minimum().is_local_minimum());
+    let mut found = in_words(enclosure, Some(constants), line.minimum().is_local_minimum());
     if curve.is_none() {
         let quadrature = ", with the estimated error of quadrature";
         found.upper_by += quadrature;
@@ -67,6 +68,7 @@ fn by_proof(
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
+    line.rule().paper_rule().map_err(|error| error.to_string())?;
     let formula = line.metric().formula().map_err(|error| error.to_string())?;
     are_provable(formula).map_err(|error| error.to_string())?;
     let proof = line.prove_watched(accuracy, watch, observe).map_err(|error| no_proof(&error))?;
@@ -74,16 +76,50 @@ fn by_proof(
         .within
         .map(|ball| BallAnswer { centre: ball.centre_slice().to_vec(), radius: ball.r() });
     let constants = UsedConstants::new(proof.constants, true, within);
-    let mut found = in_words(proof.enclosure, constants, line.minimum().is_local_minimum());
+    let mut found = in_words(proof.enclosure, Some(constants), line.minimum().is_local_minimum());
     if proof.enclosure.from_below == FromBelow::Certificate {
-        found.certificate = proof.found.map(|found| CertificateAnswer {
-            cubes: found.levels().iter().map(|(cubes, _)| cubes).sum(),
-            reached: found.ended() == Ended::Reached,
-            ended: ended(found.ended()),
-        });
+        found.certificate = proof.found.as_ref().map(CertificateAnswer::of);
     }
     found = found.after(line.minimum().stop);
     Ok(found.and_no_longer_than(others.iter().filter_map(length_above)))
+}
+
+/// Returns bounds by a certificate, which needs no constants, or the reason why constants give none.
+fn by_certificate(
+    reason: String,
+    line: &Line,
+    others: &[Line],
+    observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Bounds, String> {
+    // Before the first level: if time has run out, there is none.
+    let start = Progress { levels: 0, cubes: 0, lower: 0.0, upper: line.length().value };
+    if observe(start).is_break() {
+        return Err(reason);
+    }
+    // The least gap takes some seconds too.
+    let Ok(found) = line.quick_certificate(0.0, observe) else { return Err(reason) };
+    let Some(upper) = found.upper().filter(|_| found.lower() > 0.0) else { return Err(reason) };
+    let bounds = Bounds {
+        lower: found.lower().into(),
+        upper: upper.into(),
+        global_minimum: GlobalMinimum::NotNeeded,
+        constants: None,
+        lower_by: BY_CERTIFICATE.to_owned(),
+        upper_by: BY_LENGTH.to_owned(),
+        certificate: Some(CertificateAnswer::of(&found)),
+    };
+    Ok(bounds.and_no_longer_than([line].into_iter().chain(others).filter_map(length_above)))
+}
+
+impl CertificateAnswer {
+    /// Says how large the certificate is, and why the search for it ended.
+    fn of(found: &AnyFound) -> Self {
+        Self {
+            cubes: found.levels().iter().map(|(cubes, _)| cubes).sum(),
+            reached: found.ended() == Ended::Reached,
+            ended: ended(found.ended()),
+        }
+    }
 }
 
 /// Returns a proved upper bound on the length of a line, if there is one.
@@ -108,6 +144,12 @@ pub struct Proving {
 const WIDTH: f64 = 1e-6;
 
 impl Bounds {
+    /// Returns whether the lower bound rests on constants that are claimed.
+    #[must_use]
+    pub fn rests_on_claims(&self) -> bool {
+        self.constants.as_ref().is_some_and(|used| !used.proved)
+    }
+
     /// Returns whether the curve is longer than its quadrature says, which then has missed a part of
     /// the metric.
     pub(crate) fn exceed(&self, length: &Estimated) -> bool {
@@ -164,6 +206,12 @@ impl Bounds {
 const IN_A_REGION: &str = "the constants are claimed in the region of `within` in [certify], and curves \
     may leave it; without `constants` they are proved where shorter curves may run, and without `within` \
     they are claims on all of space";
+
+/// What gives the lower bound of a certificate.
+const BY_CERTIFICATE: &str = "a certificate";
+
+/// What gives the upper bound, unless the energy is closer.
+const BY_LENGTH: &str = "the length of the curve";
 
 /// What gives a lower bound of 0.
 const NOTHING: &str = "nothing: a distance is not negative";
@@ -250,7 +298,7 @@ fn no_proof(error: &ProofError) -> String {
 
 /// Turns bounds on the squared distance into bounds on the distance, rounded outwards. `converged`
 /// says whether the line is a local minimum.
-fn in_words(enclosure: Enclosure, constants: UsedConstants, converged: bool) -> Bounds {
+fn in_words(enclosure: Enclosure, constants: Option<UsedConstants>, converged: bool) -> Bounds {
     let lower = enclosure.lower.max(0.0).sqrt();
     let lower = if lower > 0.0 { lower.next_down() } else { lower };
     let upper = enclosure.upper.sqrt();
@@ -273,11 +321,11 @@ fn in_words(enclosure: Enclosure, constants: UsedConstants, converged: bool) -> 
         FromBelow::Euclidean => "Proposition 3.3",
         FromBelow::Minimum => "Lemma S.4",
         FromBelow::Convexity => "Proposition S.9",
-        FromBelow::Certificate => "a certificate",
+        FromBelow::Certificate => BY_CERTIFICATE,
         _ => NOTHING,
     };
     let upper_by = match enclosure.from_above {
-        FromAbove::Length => "the length of the curve",
+        FromAbove::Length => BY_LENGTH,
         FromAbove::Energy => "the root of the energy of the curve",
     };
     Bounds {

@@ -4,22 +4,16 @@ use core::ops::ControlFlow;
 use std::sync::Arc;
 
 use tautline::{
-    ANY, CertificateError, Interpolation, Other, PointSequence, Rule,
+    ANY, CertificateError, PointSequence, Rule,
     certify::Watch,
     distance::{Progress, Wanted},
 };
 
 use crate::{
     Bounds, CertifiedAnswer, Estimated, Line, Proofs, Search,
-    answer::{extrapolated, is_shorter, search},
+    answer::{extrapolated, search},
     bounds::bounds,
 };
-
-/// How much more energy another minimum may have, and be shorter.
-const NEAR: f64 = 1.02;
-
-/// The same, where the chords do not resolve the metric.
-const NOT_RESOLVED: f64 = 1.2;
 
 /// Is told of every level of a certificate, and may end the search.
 pub type Observe<'o> = &'o mut dyn FnMut(Progress) -> ControlFlow<()>;
@@ -126,33 +120,17 @@ impl Curve {
         self.0.other_minima().into_iter().map(|line| Arc::new(Self(line))).collect()
     }
 
-    /// Returns the length of another local minimum that was met, in `m`, if it is shorter than this curve
-    /// by more than 10⁻⁵ of it. Those whose energy is far higher are not looked at.
+    /// Returns the length of another local minimum that was met, in `m`, if it is
+    /// [shorter](tautline::TautLine::shorter_minimum) than this curve.
     #[must_use]
     pub fn shorter_minimum(&self) -> Option<f64> {
-        let others = &self.0.minimum().others;
-        if others.is_empty() {
-            return None;
-        }
-        let energy = self.0.discrete_energy().max(self.0.energy().value);
-        let length = || self.0.length().value;
-        if self.0.is_resolved() {
-            // Their polygons are curves too. To follow them to the grid of this one takes as long as to
-            // find it.
-            let near = others.iter().filter(|other| other.energy <= NEAR * energy);
-            let length_of = |other: &Other<ANY>| {
-                Interpolation::new(&other.sequence).length_by_batches(self.0.metric()).value
-            };
-            let mut lengths = near.map(length_of);
-            return lengths.find(|&other| is_shorter(other, length()));
-        }
-        if others.iter().all(|other| other.energy > NOT_RESOLVED * energy) {
-            return None;
-        }
-        let length = length();
-        let others = self.0.other_minima();
-        let lengths = others.iter().map(|other| other.length().value);
-        lengths.into_iter().find(|&other| is_shorter(other, length))
+        Some(self.0.shorter_minimum()?.length().value)
+    }
+
+    /// Returns why the curve may not be a shortest one, in words; empty if no reason is known.
+    #[must_use]
+    pub fn doubts(&self) -> Vec<String> {
+        self.0.doubts().iter().map(ToString::to_string).collect()
     }
 
     /// Proves bounds on the distance, as [`TautLine::prove`](tautline::TautLine::prove) does, or

@@ -31,8 +31,8 @@ mod proofs;
 mod region;
 
 pub use answer::{
-    Answer, BallAnswer, Bounds, CertificateAnswer, Estimated, GlobalMinimum, OtherMinimum, Search,
-    UsedConstants,
+    Answer, BallAnswer, Bounds, CertificateAnswer, DoubtAnswer, Estimated, GlobalMinimum,
+    OtherMinimum, Search, UsedConstants,
 };
 pub use bounds::Proving;
 pub use certified::{CertifiedAnswer, LevelAnswer};
@@ -51,7 +51,7 @@ pub use proofs::{ACCURACY, Proofs, default_boxes};
 pub use region::{Region, distance, factor};
 
 pub use tautline::{
-    CHORDS, Grid, LEAST_TOLERANCE, Nodes, Request, RequestError, TextError, Values,
+    CHORDS, Doubt, Grid, LEAST_TOLERANCE, Nodes, Request, RequestError, TextError, Values,
 };
 
 /// A set in a dimension that is known when the program runs.

@@ -48,29 +48,13 @@ pub(crate) fn answer(answer: &Answer) -> String {
             format!("{printed} ± {}, an estimate", one_digit_up(error + rounding)),
         );
     }
-    let others = &answer.other_minima;
-    if let Some(shorter) = others.iter().find(|other| other.is_shorter_than(answer)) {
-        let length = nearest(shorter.length.value);
-        line(
-            "warning",
-            format!("another minimum is shorter, {length}, but has more energy by the"),
-        );
-        line("", format!("rule; use more than {}", counted(chords)));
-    } else if !answer.resolved {
-        let seen = nearest(answer.discrete_energy.sqrt());
-        line(
-            "warning",
-            "the metric changes between the points of the rule, which sees a".to_owned(),
-        );
-        line("", format!("length of {seen}; use more than {}", counted(chords)));
+    for doubt in &answer.doubts {
+        let mut name = "warning";
+        for part in wrapped(&doubt.text) {
+            line(std::mem::take(&mut name), part);
+        }
     }
-    if answer.within_tolerance == Some(false) {
-        line("warning", format!("the tolerance is not reached with {}", counted(chords)));
-    }
-    let search = &answer.search;
-    if !search.converged {
-        line("warning", "the search did not end at a strict minimum".to_owned());
-    }
+    let (search, others) = (&answer.search, &answer.other_minima);
     if answer.length.value > 0.0 {
         line("search", format!("{}, Hessian {}", search.stop, search.hessian));
     } else {
@@ -80,8 +64,8 @@ pub(crate) fn answer(answer: &Answer) -> String {
         "residual",
         format!("{:.1e}; rounding alone {:.1e}", search.residual, search.residual_floor),
     );
-    if let Some(bounds) = &answer.bounds {
-        line("constants", constants(&bounds.constants));
+    if let Some(used) = answer.bounds.as_ref().and_then(|bounds| bounds.constants.as_ref()) {
+        line("constants", constants(used));
     }
     let (ties, other): (Vec<_>, Vec<_>) = others.iter().partition(|other| other.ties_with(answer));
     match ties.len() {
@@ -94,6 +78,24 @@ pub(crate) fn answer(answer: &Answer) -> String {
         line("other minima", lengths.collect::<Vec<_>>().join(", "));
     }
     text
+}
+
+/// The width of a warning, beside its name.
+const WIDTH: usize = 67;
+
+/// Breaks a sentence into lines.
+fn wrapped(text: &str) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.len() + 1 + word.len() <= WIDTH => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
 
 fn counted(chords: usize) -> String {
@@ -148,7 +150,7 @@ fn note(bounds: &Bounds, converged: bool) -> Option<String> {
         GlobalMinimum::Assumed => {
             "the lower bound assumes that the minimum found is the global one"
         }
-        GlobalMinimum::Refuted if bounds.constants.proved || !converged => {
+        GlobalMinimum::Refuted if !bounds.rests_on_claims() || !converged => {
             "the minimum found is not the global one; the lower bound does without it"
         }
         GlobalMinimum::Refuted => {
@@ -240,7 +242,8 @@ pub(crate) fn certified(answer: &CertifiedAnswer) -> String {
 mod tests {
     use tautline_problem::{
         Answer, BallAnswer, CertificateAnswer, CertifiedAnswer, ConstantAnswer, ConstantsAnswer,
-        Estimated, Float, GlobalMinimum, LevelAnswer, OtherMinimum, Question, UsedConstants,
+        Doubt, DoubtAnswer, Estimated, Float, GlobalMinimum, LevelAnswer, OtherMinimum, Question,
+        UsedConstants,
     };
 
     use super::{answer, certified, constants, note, places, point, proved_constants};
@@ -289,15 +292,14 @@ mod tests {
             let length = Estimated { value: length, error: 0.0 };
             OtherMinimum { length, curve: Vec::new() }
         };
-        let (count, text) = warnings(&|answer| answer.resolved = false);
-        assert!(count == 1 && text.contains("the metric changes between the points"), "{text}");
-        let (count, text) = warnings(&|answer| answer.within_tolerance = Some(false));
-        assert!(count == 1 && text.contains("the tolerance is not reached with 256"), "{text}");
-        let (count, text) = warnings(&|answer| answer.search.converged = false);
-        assert!(count == 1 && text.contains("did not end at a strict minimum"), "{text}");
-        // A shorter minimum is named wherever it stands.
-        let (count, text) = warnings(&|answer| answer.other_minima = vec![other(1.5), other(0.75)]);
-        assert!(count == 1 && text.contains("another minimum is shorter, 0.75"), "{text}");
+        for kind in Doubt::KEYS {
+            let text = format!("of {kind} ").repeat(9);
+            let doubt = DoubtAnswer { kind, text: text.trim_end().to_owned() };
+            let (count, printed) = warnings(&|answer| answer.doubts = vec![doubt.clone()]);
+            let words: Vec<_> = printed.split_whitespace().filter(|word| *word == kind).collect();
+            assert!(count == 1 && words.len() == 9, "{printed}");
+            assert!(printed.lines().all(|line| line.len() <= 80), "{printed}");
+        }
         // Two ties, and one that is longer.
         let (count, text) =
             warnings(&|answer| answer.other_minima = [1.0, 1.0, 1.25].map(other).to_vec());
@@ -432,7 +434,7 @@ mod tests {
         for (proved, converged, is_a_claim) in
             [(true, true, false), (false, true, true), (false, false, false)]
         {
-            bounds.constants.proved = proved;
+            bounds.constants.as_mut().expect("proved").proved = proved;
             let note = note(&bounds, converged).expect("a note");
             assert_eq!(note.contains("a claimed constant is wrong"), is_a_claim, "{note}");
         }

@@ -1,5 +1,7 @@
 //! `Bound`: proved bounds on the distance between two points.
 
+use core::ops::ControlFlow;
+
 use serde::Serialize;
 use tautline::certify::Accuracy;
 
@@ -40,11 +42,13 @@ impl Bound {
             }),
             Err(reason) => {
                 let curve = line.admissible_curve().map_err(|error| Complaint::about(&error))?;
+                let found = line.quick_certificate(0.0, &mut |_| ControlFlow::Continue(())).ok();
+                let lower = found.map(|found| found.lower()).filter(|lower| *lower > 0.0);
                 Ok(Self {
-                    lower: None,
+                    reason: lower.is_none().then(|| reason.to_string()),
+                    lower,
                     upper: curve.distance_squared_at_most().sqrt().next_up(),
                     assumes_global_minimum: false,
-                    reason: Some(reason.to_string()),
                 })
             }
         }

@@ -14,8 +14,8 @@ pub struct Curve {
     pub length: f64,
     /// The estimated error of the length, in `m`.
     pub error: f64,
-    /// Whether the search converged to a strict local minimum.
-    pub is_local_minimum: bool,
+    /// Why the curve may not be a shortest one, in words; empty if no reason is known.
+    pub doubts: Vec<String>,
     /// The other local minima that were found, shortest first, up to eight.
     pub others: Vec<Other>,
 }
@@ -37,7 +37,7 @@ impl Curve {
     /// [`Complaint`] if the solver finds no curve.
     pub fn new(question: &Question) -> Result<Self, Complaint> {
         let line = question.line()?;
-        let (length, minimum) = (line.length(), line.minimum());
+        let length = line.length();
         let others = line.other_minima();
         let others = others
             .iter()
@@ -46,7 +46,7 @@ impl Curve {
             points: points(line.sequence()),
             length: length.value,
             error: length.error,
-            is_local_minimum: minimum.is_local_minimum(),
+            doubts: line.doubts().iter().map(ToString::to_string).collect(),
             others: others.collect(),
         })
     }
@@ -73,7 +73,7 @@ mod tests {
         assert!((curve.length - 10.0).abs() <= 1e-14 * 10.0, "{}", curve.length);
         assert_eq!(curve.points.len(), 65);
         assert_eq!((curve.points[0], curve.points[64]), ([-1.0, 0.5], [2.0, 4.5]));
-        assert!(curve.is_local_minimum && curve.others.is_empty(), "{curve:?}");
+        assert!(curve.doubts.is_empty() && curve.others.is_empty(), "{curve:?}");
     }
 
     /// A hill that is a little nearer to one of the two ways around it.

@@ -1,7 +1,7 @@
 //! `Question`: a metric on the plane, two points, and the number of chords between them.
 
 use tautline::{
-    Ends, Formula, Metric, PointSequence, Problem, Rule, TautLine,
+    Ends, Formula, Metric, PointSequence, Problem, Request, TautLine,
     formula::{Form, Part},
 };
 
@@ -47,14 +47,14 @@ impl Question {
         Ok(Self { problem: Problem::new(metric, ends), squared, chords: chords as usize })
     }
 
-    /// Solves the problem, by the trapezoidal rule.
+    /// Solves the problem, as a file without further options does.
     ///
     /// # Errors
     ///
     /// [`Complaint`] if the solver finds no curve, for instance because the metric is not positive
     /// definite, or if a cost or a speed is negative at a point of the curve or in the middle of a chord.
     pub fn line(&self) -> Result<TautLine<Formula<2>, 2>, Complaint> {
-        let line = self.problem.solve(Rule::TRAPEZOIDAL, self.chords);
+        let line = self.problem.answer(&Request::chords(self.chords));
         let line = line.map_err(|error| Complaint::about(&error))?;
         self.check_sign(line.sequence())?;
         Ok(line)

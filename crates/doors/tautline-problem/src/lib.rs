@@ -55,8 +55,9 @@ pub use tautline::{
 };
 pub use tautline_any::{
     Answer, BallAnswer, Bounds, CertificateAnswer, CertifiedAnswer, ConstantAnswer,
-    ConstantsAnswer, ConstantsError, Estimated, Float, GlobalMinimum, Grid, IF_IT_SETTLES,
-    InDimension, LARGEST_DIMENSION, LARGEST_FIXED_DIMENSION, LARGEST_PROVED_DIMENSION,
-    LEAST_TOLERANCE, LevelAnswer, OtherMinimum, Search, UsedConstants, in_dimension,
+    ConstantsAnswer, ConstantsError, Doubt, DoubtAnswer, Estimated, Float, GlobalMinimum, Grid,
+    IF_IT_SETTLES, InDimension, LARGEST_DIMENSION, LARGEST_FIXED_DIMENSION,
+    LARGEST_PROVED_DIMENSION, LEAST_TOLERANCE, LevelAnswer, OtherMinimum, Search, UsedConstants,
+    in_dimension,
 };
 pub use tautline_picture::{Scene, pdf, png, svg};

@@ -189,10 +189,25 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
         if !(enclosure.assumes_global_minimum || is_trivial && gap > GAP_IN_SPACE) {
             return None;
         }
+        self.quick_certificate(gap, observe).ok()
+    }
+
+    /// Searches for a certificate for some seconds: with a gap of `gap`, but at least 10⁻⁴ and at most 10⁻³,
+    /// on a line or in the plane, and of 10⁻² in more dimensions. A [proof](TautLine::prove) does so where
+    /// the theorems would assume something.
+    ///
+    /// # Errors
+    ///
+    /// As for [`any_certificate`](TautLine::any_certificate).
+    pub fn quick_certificate(
+        &self,
+        gap: f64,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<AnyFound, CertificateError> {
         let [least, most] = GAPS_IN_THE_PLANE;
         let is_flat = self.any_ends().dimension() <= 2;
         let gap = if is_flat { gap.clamp(least, most) } else { GAP_IN_SPACE };
-        self.any_certificate(Wanted { gap, cubes: MOST_CUBES }, observe).ok()
+        self.any_certificate(Wanted { gap, cubes: MOST_CUBES }, observe)
     }
 
     /// Returns the coordinates of the points of this line, or of a finer one from the same start, if this one

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tautline_discretizations::PointSequence;
+use tautline_discretizations::{Interpolation, PointSequence};
 use tautline_formula::Prepare;
 use tautline_optimizers::{Minimum, Options, Starts, Workspace, are_apart, minimise_any};
 use tautline_sets::{AnyEnds, AnySet};
@@ -17,11 +17,45 @@ const FINEST: usize = 512;
 /// little longer.
 pub const TIE: f64 = 1e-5;
 
+/// How much more energy another minimum may have, and be shorter.
+const NEAR: f64 = 1.02;
+
+/// The same, where the chords do not resolve the metric.
+const NOT_RESOLVED: f64 = 1.2;
+
 impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// Returns whether this line is shorter than another one by more than a [tie](TIE).
     #[must_use]
     pub fn is_shorter_than(&self, other: &Self) -> bool {
         self.length().value <= other.length().value * (1.0 - TIE)
+    }
+
+    /// Returns the shortest of the [other minima](TautLine::other_minima) if it is
+    /// [shorter](TautLine::is_shorter_than) than this line. By the energy of the rule it is no lower. Those
+    /// whose energy is far higher are not looked at.
+    #[must_use]
+    pub fn shorter_minimum(&self) -> Option<Self> {
+        let others = &self.minimum().others;
+        if others.is_empty() {
+            return None;
+        }
+        let energy = self.discrete_energy().max(self.energy().value);
+        let bound = self.length().value * (1.0 - TIE);
+        let may_be_shorter = if self.is_resolved() {
+            // The polygons of the search are curves too. To follow them to the grid of this line takes as
+            // long as to find it.
+            others.iter().any(|other| {
+                let polygon = Interpolation::new(&other.sequence);
+                other.energy <= NEAR * energy
+                    && polygon.length_by_batches(&**self.prepared()).value <= bound
+            })
+        } else {
+            others.iter().any(|other| other.energy <= NOT_RESOLVED * energy)
+        };
+        let mut others = may_be_shorter.then(|| self.other_minima())?;
+        (!others.is_empty())
+            .then(|| others.swap_remove(0))
+            .filter(|other| other.is_shorter_than(self))
     }
 
     /// Returns the [other local minima](tautline_optimizers::Minimum::others) of the search as

@@ -15,7 +15,9 @@ use crate::{
 /// How fine the grid is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Grid {
-    /// The number of chords.
+    /// The number of chords. Where the rule does not [see the metric](TautLine::is_resolved), or another
+    /// minimum is shorter by the length of its curve, they are doubled, up to four times as many; if that
+    /// does not help, Simpson's rule is tried too. A search of [`Scope::Local`] does neither.
     Chords(usize),
     /// The relative error of the length that extrapolation expects.
     Tolerance(f64),
@@ -166,8 +168,8 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
         self.answer_watched(request, &mut |_| ControlFlow::Continue(()))
     }
 
-    /// Does the same. With a tolerance, `coarser` is told of the line on each coarser grid, and may end the
-    /// search for finer ones; the line on the last grid is then the result.
+    /// Does the same. `coarser` is told of the line on each coarser grid, and may end the search for finer
+    /// ones; the result is then one of the lines that are known.
     ///
     /// # Errors
     ///
@@ -179,8 +181,17 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
     ) -> Result<TautLine<M, D>, RequestError> {
         let options = request.options(self.any_ends().dimension())?;
         Ok(match (request.grid, &request.lattice) {
-            (Grid::Chords(n), None) => self.solve_with(request.rule, n, &options)?,
-            (Grid::Chords(n), Some(nodes)) => self.solve_along(request.rule, n, nodes, &options)?,
+            (Grid::Chords(n), None) => {
+                let line = self.solve_with(request.rule, n, &options)?;
+                if request.scope == Scope::Local {
+                    return Ok(line);
+                }
+                self.resolved(line, &options, coarser)
+            }
+            (Grid::Chords(n), Some(nodes)) => {
+                let line = self.solve_along(request.rule, n, nodes, &options)?;
+                self.resolved(line, &options, coarser)
+            }
             (Grid::Tolerance(_), Some(_)) => return Err(RequestError::LatticeAndTolerance),
             (Grid::Tolerance(tolerance), None) => {
                 if !(LEAST_TOLERANCE..1.0).contains(&tolerance) {

@@ -50,9 +50,7 @@ pub(crate) fn refined<M: Prepare<D>, const D: usize>(
         let mut starts = vec![line.sequence().clone()];
         let finer = line.finer_grid(tolerance).or_else(|| {
             // On a finer grid a minimum that is shorter should have less energy too.
-            let others = line.other_minima();
-            let shorter = others.iter().find(|other| other.is_shorter_than(&line))?;
-            starts.push(shorter.sequence().clone());
+            starts.push(line.shorter_minimum()?.sequence().clone());
             Some(2 * n)
         });
         let finer = finer.map(|finer| finer.min(FINEST_GRID / line.sequence().dimension()));
@@ -75,7 +73,7 @@ pub(crate) fn refined<M: Prepare<D>, const D: usize>(
 
 /// Returns starts with further ones. What was found on a coarse grid is then not lost on a finer one,
 /// which has other coarse grids of its own.
-fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Starts<D> {
+pub(crate) fn also<const D: usize>(starts: Starts<D>, found: Vec<PointSequence<D>>) -> Starts<D> {
     let only = matches!(starts, Starts::Only(_));
     let mut given = match starts {
         Starts::Also(given) | Starts::Only(given) => given,

@@ -59,8 +59,7 @@ pub(crate) fn solve(arguments: &Solve) -> Result<ExitCode, CommandError> {
 
 /// Returns whether an answer is what was asked for.
 fn is_done(answer: &Answer) -> bool {
-    let is_close = answer.resolved && answer.within_tolerance != Some(false);
-    answer.search.converged && is_close && answer.no_bounds.is_none()
+    answer.doubts.is_empty() && answer.no_bounds.is_none()
 }
 
 /// Returns the answer, or the part that is known when time runs out.
@@ -82,7 +81,7 @@ pub(crate) fn solved(
 
 #[cfg(test)]
 mod tests {
-    use tautline_problem::{Answer, Question};
+    use tautline_problem::{Answer, Doubt, Question};
 
     use super::is_done;
 
@@ -91,10 +90,8 @@ mod tests {
         let file = "[metric]\nphi = 1\n[from]\npoint = [0]\n[to]\npoint = [1]\n";
         let answer = Question::read(file).expect("a problem").solve(&mut |_| ()).expect("a line");
         assert!(is_done(&answer));
-        let changes: [fn(&mut Answer); 4] = [
-            |answer| answer.search.converged = false,
-            |answer| answer.resolved = false,
-            |answer| answer.within_tolerance = Some(false),
+        let changes: [fn(&mut Answer); 2] = [
+            |answer| answer.doubts.push((&Doubt::NotConverged).into()),
             |answer| answer.no_bounds = Some("not finished".to_owned()),
         ];
         for change in changes {

@@ -71,7 +71,7 @@ fn the_problems_of_all_pieces_are_counted() {
     // H is height + 5x². It is negative at 0 for three heights. The rule sees it in the middle only, which
     // is more than a tenth too little of the energy, 5/12 of height + 5/3, for heights below 5/2.
     let file = "[parameters]\nheight = 1\n[metric]\nphi = \"height + 5*x1^2\"\n[from]\npoint = [0]\n\
-                [to]\npoint = [1]\n[solve]\nn = 1\n[sweep.vary]\n\
+                [to]\npoint = [1]\n[solve]\nn = 1\nscope = \"local\"\n[sweep.vary]\n\
                 height = { from = -2.6, to = 4096.4, count = 4100 }\n";
     fs::write(folder.join("sweep.toml"), file).expect("written");
     let run = ["run", "sweep.toml", "--to", "results", "--times", "times.csv"];

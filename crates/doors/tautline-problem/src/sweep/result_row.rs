@@ -63,10 +63,10 @@ pub(crate) fn fields(answer: &Result<Answer, Failure>) -> ([String; COLUMNS.len(
             set("residual", number(answer.search.residual));
             set("newton_steps", answer.search.newton_steps.to_string());
             set("other_minima", answer.other_minima.len().to_string());
-            match doubt(answer) {
-                Some(reason) => (Status::Doubtful, reason.to_owned()),
-                None => (Status::Solved, String::new()),
-            }
+            let doubts = answer.doubts.iter().map(|doubt| doubt.text.as_str());
+            let reason = doubts.collect::<Vec<_>>().join("; ");
+            let status = if reason.is_empty() { Status::Solved } else { Status::Doubtful };
+            (status, reason)
         }
         Err(Failure::BadInput(diagnostic)) => (Status::Failed, in_words(diagnostic)),
         Err(Failure::NotComputed(reason)) => (Status::Failed, reason.clone()),
@@ -75,21 +75,6 @@ pub(crate) fn fields(answer: &Result<Answer, Failure>) -> ([String; COLUMNS.len(
     // A row is a line.
     set("reason", reason.split_whitespace().collect::<Vec<_>>().join(" "));
     (fields, status)
-}
-
-/// Returns why a curve may not be what was asked for.
-fn doubt(answer: &Answer) -> Option<&'static str> {
-    if !answer.search.converged {
-        Some("the search did not end at a strict minimum")
-    } else if answer.other_minima.iter().any(|other| other.is_shorter_than(answer)) {
-        Some("another minimum is shorter")
-    } else if !answer.resolved {
-        Some("too few chords for the metric")
-    } else if answer.within_tolerance == Some(false) {
-        Some("the tolerance is not reached")
-    } else {
-        None
-    }
 }
 
 fn in_words(diagnostic: &Diagnostic) -> String {
@@ -102,9 +87,9 @@ fn in_words(diagnostic: &Diagnostic) -> String {
 #[cfg(test)]
 mod tests {
     use super::{COLUMNS, Status, fields};
-    use crate::{Answer, Estimated, Failure, OtherMinimum, Question};
+    use crate::{Answer, Doubt, Estimated, Failure, OtherMinimum, Question};
 
-    /// Each doubt alone is the reason why a problem is not solved.
+    /// Every doubt is a reason why a problem is not solved.
     #[test]
     fn every_doubt_is_named() {
         let file = "[metric]\nphi = \"1 + x1^2\"\n[from]\npoint = [0]\n[to]\npoint = [1]\n\
@@ -120,26 +105,11 @@ mod tests {
         let solved = (Status::Solved, String::new());
         assert_eq!(with(&|_| ()), solved);
         assert_eq!(with(&|answer| answer.within_tolerance = Some(true)), solved);
-        let shorter = OtherMinimum {
-            length: Estimated { value: 0.99 * answer.length.value, error: 0.0 },
-            curve: answer.curve.clone(),
-        };
-        let doubtful = |reason: &str| (Status::Doubtful, reason.to_owned());
+        let doubts = [Doubt::NotConverged, Doubt::Shorter { length: 0.5 }];
+        let [first, second] = doubts.each_ref().map(ToString::to_string);
         assert_eq!(
-            with(&|answer| answer.search.converged = false),
-            doubtful("the search did not end at a strict minimum")
-        );
-        assert_eq!(
-            with(&|answer| answer.other_minima.push(shorter.clone())),
-            doubtful("another minimum is shorter")
-        );
-        assert_eq!(
-            with(&|answer| answer.resolved = false),
-            doubtful("too few chords for the metric")
-        );
-        assert_eq!(
-            with(&|answer| answer.within_tolerance = Some(false)),
-            doubtful("the tolerance is not reached")
+            with(&|answer| answer.doubts = doubts.iter().map(Into::into).collect()),
+            (Status::Doubtful, format!("{first}; {second}"))
         );
     }
 

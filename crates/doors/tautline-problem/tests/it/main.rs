@@ -6,6 +6,7 @@ mod certified;
 mod constants;
 mod corridor;
 mod gallery;
+mod known_distances;
 mod lattice;
 mod meaning;
 mod obstacles;

@@ -9,14 +9,20 @@ fn answer(name: &str, solve: &str, n: usize) -> Answer {
     question.solve(&mut |_| ()).expect("solved")
 }
 
-/// With three chords the left-endpoint rule prefers a longer way between the obstacles.
+/// With three chords the left-endpoint rule prefers a longer way between the obstacles. A local search keeps
+/// to these chords, and says so.
 #[test]
 fn a_shorter_minimum_is_the_upper_bound_and_shows_too_few_chords() {
-    let left = "\n[solve]\nrule = \"left_endpoint\"\n";
+    let left = "\n[solve]\nrule = \"left_endpoint\"\nscope = \"local\"\n";
     let coarse = answer("obstacles", left, 3);
     let shortest = &coarse.other_minima[0];
     assert!(shortest.is_shorter_than(&coarse) && !shortest.ties_with(&coarse), "{shortest:?}");
     assert!(!coarse.resolved);
+    assert!(
+        coarse.doubts.iter().any(|doubt| doubt.kind == "shorter_minimum"),
+        "{:?}",
+        coarse.doubts
+    );
     let bounds = coarse.bounds.expect("proved");
     assert_eq!(bounds.upper_by, "the length of another minimum");
     let excess = bounds.upper.value / shortest.length.value - 1.0;
@@ -25,13 +31,22 @@ fn a_shorter_minimum_is_the_upper_bound_and_shows_too_few_chords() {
     let fine = answer("obstacles", left, 256);
     assert!(fine.resolved && fine.other_minima.iter().all(|other| !other.is_shorter_than(&fine)));
     assert_eq!(fine.bounds.expect("proved").upper_by, "the length of the curve");
+    // An automatic search takes more chords, until the shortest curve that it met has the least energy.
+    let automatic = answer("obstacles", "\n[solve]\nrule = \"left_endpoint\"\n", 3);
+    assert!(
+        automatic.n > 3 && automatic.doubts.is_empty(),
+        "{} {:?}",
+        automatic.n,
+        automatic.doubts
+    );
+    assert!(automatic.length.value < coarse.length.value);
 }
 
 /// By claimed constants, too, the length of another minimum is enclosed.
 #[test]
 fn the_length_of_another_minimum_is_enclosed_also_beside_claims() {
     // The metric is at least 1, and these claims are far from close.
-    let claims = "\n[solve]\nrule = \"left_endpoint\"\n\
+    let claims = "\n[solve]\nrule = \"left_endpoint\"\nscope = \"local\"\n\
                   [certify.constants]\nc1 = 1\nc2 = 1e4\nl_h = 1e6\n";
     let answer = answer("obstacles", claims, 3);
     let (bounds, length) = (answer.bounds.expect("claimed"), &answer.other_minima[0].length);

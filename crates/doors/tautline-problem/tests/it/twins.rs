@@ -40,9 +40,13 @@ fn assert_twins<M: Metric<D>, const D: usize>(
         // An error e of the distance d is an error 2de of its square.
         let square = line.distance_squared_estimate().expect("an estimate");
         let (value, error) = (found.value.powi(2), 2.0 * found.value * found.error);
-        assert!((value / square.value - 1.0).abs() < 1e-15, "{name}: {found:?} {square:?}");
+        // It is no larger than a proved bound, to which rounding may bring it down.
+        let upper = answer.bounds.as_ref().map_or(f64::INFINITY, |bounds| bounds.upper.value);
+        assert!(found.value <= upper, "{name}: {found:?} {upper}");
+        let rounding = if found.value == upper { 1e-9 } else { 1e-15 };
+        assert!((value / square.value - 1.0).abs() < rounding, "{name}: {found:?} {square:?}");
         assert!(
-            (error - square.error).abs() <= 1e-15 * square.error,
+            (error - square.error).abs() <= 1e-15 * square.error || found.value == upper,
             "{name}: {found:?} {square:?}"
         );
     }
@@ -234,12 +238,9 @@ fn a_file_chooses_rule_and_tolerance() {
             format!("{file}\n[solve]\nrule = \"{rule}\"\nn = 100\n")
         });
         assert_eq!((answer.rule, answer.n), (rule.name(), 100));
-        match rule.paper_rule() {
-            Ok(_) => assert!(answer.bounds.is_some(), "{rule}"),
-            Err(error) => {
-                assert!(answer.bounds.is_none(), "{rule}");
-                assert_eq!(answer.no_bounds, Some(error.to_string()));
-            }
-        }
+        // A certificate takes the place of a theorem.
+        let bounds = answer.bounds.expect("bounds");
+        assert_eq!(bounds.constants.is_some(), rule.paper_rule().is_ok(), "{rule}");
+        assert!(rule.paper_rule().is_ok() || bounds.lower_by == "a certificate", "{rule}");
     }
 }

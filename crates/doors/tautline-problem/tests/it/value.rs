@@ -200,7 +200,7 @@ fn bounds_and_constants_are_those_of_a_file() {
     let claimed = Constants::new(1.0, 9.0, 5.0).expect("constants");
     let loose = Proofs { claimed: Some(claimed), ..proofs };
     let loose = curve.bounds(&loose, &watch, go_on).expect("bounds");
-    assert!(!loose.constants.proved && loose.lower.value <= answer.length.value);
+    assert!(loose.rests_on_claims() && loose.lower.value <= answer.length.value);
 }
 
 #[test]
@@ -230,9 +230,26 @@ fn what_cannot_be_proved_is_said() {
     let curve = black_box.solve(ends, &Request::default()).expect("solved");
     let said = curve.bounds(&proofs, &watch, go_on).expect_err("refused");
     assert!(said.contains("by its values only"), "{said}");
+}
+
+/// No theorem is about this rule. A certificate needs none, and no constants.
+#[test]
+fn a_certificate_takes_the_place_of_a_theorem() {
+    let (watch, go_on) = (|_: certify::Progress| true, &mut |_| ControlFlow::Continue(()));
+    let ends = [point(&[-1.5, 0.05]), point(&[1.5, -0.1])];
     let request = Request { rule: Rule::TRUE_TRAPEZOID, ..Request::default() };
-    let curve = hill().solve(ends, &request).expect("solved");
-    let said = curve.bounds(&proofs, &watch, go_on).expect_err("refused");
+    let curve = hill().solve([&ends[0], &ends[1]], &request).expect("solved");
+    let bounds = curve.bounds(&Proofs::default(), &watch, go_on).expect("a certificate");
+    assert_eq!((bounds.lower_by.as_str(), bounds.constants.as_ref()), ("a certificate", None));
+    // The distance is 4.675271172 to ten digits, by extrapolation.
+    let d = 4.675_271_17;
+    assert!(bounds.lower.value < d && bounds.lower.value > d * (1.0 - 1e-3), "{bounds:?}");
+    assert!(bounds.upper.value > d && bounds.upper.value <= curve.length().value * 1.000_001);
+    // Claims are about theorems.
+    let claimed = Constants::new(1.0, 25.0, 50.0).expect("constants");
+    let proofs = Proofs { claimed: Some(claimed), ..Proofs::default() };
+    let said = curve.bounds(&proofs, &watch, &mut |_| ControlFlow::Continue(()));
+    let said = said.expect_err("no theorem");
     assert!(said.contains("no theorem is about the rule true_trapezoid"), "{said}");
 }
 

@@ -1,0 +1,150 @@
+//! Problems with known distances that a search by the energy of a rule alone, or bounds by constants alone,
+//! get wrong or leave open.
+
+use tautline_problem::{Answer, Question};
+
+fn answer(metric: &str, from: &str, to: &str, rest: &str) -> Answer {
+    let file = format!("{metric}\n[from]\npoint = {from}\n[to]\npoint = {to}\n{rest}");
+    Question::read(&file).expect("a problem").solve(&mut |_| ()).expect("solved")
+}
+
+const NO_BOUNDS: &str = "[certify]\nbound = false\n";
+
+/// `∫₀ʳ (1 − e^{−s²}) ds`, by its series `Σ (−1)ᵏ⁺¹ r^{2k+1}/(k! (2k + 1))`, of which 60 terms are enough for
+/// `r ≤ 2`.
+fn to_the_centre(r: f64) -> f64 {
+    let (mut power, mut sum) = (r, 0.0);
+    for k in 1..60 {
+        power *= -r * r / f64::from(k);
+        sum -= power / f64::from(2 * k + 1);
+    }
+    sum
+}
+
+/// The cost vanishes at the origin, so that a long chord over it has no energy by the rule: a curve that is
+/// three times as long has less energy, on every grid.
+#[test]
+fn the_answer_is_the_shortest_curve_by_its_length() {
+    let metric = "[metric]\ncost = \"1 - exp(-x1^2 - x2^2)\"";
+    let found = answer(metric, "[-1.5, 0.1]", "[1.5, 0.05]", NO_BOUNDS);
+    // Straight to the origin, and straight on.
+    let exact = to_the_centre(1.5_f64.hypot(0.1)) + to_the_centre(1.5_f64.hypot(0.05));
+    let error = found.length.value / exact - 1.0;
+    assert!((0.0..1e-4).contains(&error), "{} {exact}", found.length.value);
+    assert!(found.other_minima.iter().all(|other| !other.is_shorter_than(&found)));
+    assert_eq!((found.rule, found.doubts.as_slice()), ("simpson", &[][..]));
+    let left = answer(
+        metric,
+        "[-1.5, 0.1]",
+        "[1.5, 0.05]",
+        &format!("[solve]\nscope = \"local\"\n{NO_BOUNDS}"),
+    );
+    assert!(left.rule == "trapezoidal" && left.length.value > 3.0, "{}", left.length.value);
+    assert!(left.doubts.iter().any(|doubt| doubt.kind == "not_resolved"), "{:?}", left.doubts);
+}
+
+/// Under the cost `|∇V|` a shortest curve between two minima runs along the gradient, and its length is the sum
+/// of the climbs and falls of `V`. The cost vanishes at both ends, and at three points between them.
+#[test]
+fn the_cost_of_a_gradient_is_the_climb_of_its_potential() {
+    // Müller and Brown's potential.
+    let term = |a: f64, p: [f64; 5]| {
+        let [b, c, d, x, y] = p;
+        let at = format!(
+            "{a}*exp(({b})*(x1 - ({x}))^2 + ({c})*(x1 - ({x}))*(x2 - ({y})) + ({d})*(x2 - ({y}))^2)"
+        );
+        [
+            format!("(2*({b})*(x1 - ({x})) + ({c})*(x2 - ({y})))*{at}"),
+            format!("(({c})*(x1 - ({x})) + 2*({d})*(x2 - ({y})))*{at}"),
+        ]
+    };
+    let terms = [
+        term(-200.0, [-1.0, 0.0, -10.0, 1.0, 0.0]),
+        term(-100.0, [-1.0, 0.0, -10.0, 0.0, 0.5]),
+        term(-170.0, [-6.5, 11.0, -6.5, -0.5, 1.5]),
+        term(15.0, [0.7, 0.6, 0.7, -1.0, 1.0]),
+    ];
+    let sum = |i: usize| terms.each_ref().map(|term| term[i].as_str()).join(" + ");
+    let metric =
+        format!("[let]\ng1 = \"{}\"\ng2 = \"{}\"\n[metric]\nphi = \"g1^2 + g2^2\"", sum(0), sum(1));
+    let found = answer(&metric, "[-0.558224, 1.441726]", "[0.623499, 0.028038]", NO_BOUNDS);
+    // Its values at three minima and the two saddles between them, below 0.
+    let [first, saddle, middle, second, last] = [146.6995, 40.6648, 80.7678, 72.2489, 108.1667];
+    let exact = (first - saddle) + (middle - saddle) + (middle - second) + (last - second);
+    let error = found.length.value / exact - 1.0;
+    assert!((-1e-6..1e-4).contains(&error), "{} {exact}", found.length.value);
+    assert!(found.doubts.is_empty(), "{:?}", found.doubts);
+}
+
+/// Under `|x|⁻²` the inversion `x/|x|²` is an isometry to the plane without the origin. With 256 chords
+/// the search leaps over the pole and its quadrature sees a length of 4.5.
+#[test]
+fn chords_are_doubled_until_the_rule_sees_the_metric() {
+    let metric = "[metric]\ncost = \"1/(x1^2 + x2^2)\"";
+    let inverted = |x: f64, y: f64| (x / (x * x + y * y), y / (x * x + y * y));
+    let (a, b) = (inverted(-1.5, 0.1), inverted(1.5, 0.05));
+    let exact = (a.0 - b.0).hypot(a.1 - b.1);
+    let found = answer(metric, "[-1.5, 0.1]", "[1.5, 0.05]", NO_BOUNDS);
+    assert!(found.n > 256 && found.doubts.is_empty(), "{} {:?}", found.n, found.doubts);
+    assert!((found.length.value / exact - 1.0).abs() < 1e-4, "{} {exact}", found.length.value);
+    let local = answer(
+        metric,
+        "[-1.5, 0.1]",
+        "[1.5, 0.05]",
+        "[solve]\nscope = \"local\"\n[certify]\nbound = false\n",
+    );
+    assert!(local.n == 256 && !local.resolved, "a local search keeps to its chords");
+}
+
+/// Two minima that differ by a ten-thousandth: by the energies of 256 chords the longer one is lower.
+#[test]
+fn the_shorter_of_two_minima_is_followed_to_the_grid_that_tells_them_apart() {
+    let peaks = "[metric]\ngraph = \"3*(1 - x1)^2*exp(-x1^2 - (x2 + 1)^2) \
+                 - 10*(x1/5 - x1^3 - x2^5)*exp(-x1^2 - x2^2) - exp(-(x1 + 1)^2 - x2^2)/3\"";
+    let found = answer(peaks, "[0.5, -3]", "[-0.5, 3]", NO_BOUNDS);
+    // By collocation of the geodesic equation, to nine digits.
+    let exact = 8.454_167_268;
+    assert!((found.length.value / exact - 1.0).abs() < 1e-4, "{}", found.length.value);
+    let extrapolated = found.extrapolated.expect("several grids");
+    assert!((extrapolated.value / exact - 1.0).abs() < 1e-6, "{extrapolated:?}");
+}
+
+/// A ridge between the nodes: the energies of the grids tend to more than the length of the curve, which is
+/// an upper bound.
+#[test]
+fn an_estimate_is_not_above_an_upper_bound() {
+    let metric = "[metric]\ncost = \"1 + 30*exp(-200*x1^2)\"";
+    for n in [64, 256, 512, 1024, 2048] {
+        let found = answer(metric, "[-1.5, 0.1]", "[1.5, 0.05]", &format!("[solve]\nn = {n}\n"));
+        let bounds = found.bounds.expect("proved");
+        // Across the ridge straight on: 3 + 30 √(π/200) to three digits.
+        assert!(bounds.lower.value < 6.76 && bounds.upper.value < 6.762, "{bounds:?}");
+        if let Some(estimate) = found.extrapolated {
+            assert!(estimate.value <= bounds.upper.value, "N = {n}: {estimate:?} {bounds:?}");
+            assert!(estimate.value >= 6.759 - estimate.error, "N = {n}: {estimate:?}");
+        }
+    }
+}
+
+/// No constants are proved: curves may come near the edge of the half-plane, near a pole, or far away. A
+/// certificate needs none.
+#[test]
+fn a_certificate_bounds_the_distance_where_no_constants_are_proved() {
+    let half_plane = (1.0_f64 + 4.0 / 2.0).acosh();
+    let degrees = |x: f64| x.to_radians();
+    let ([a, b], [c, d]) = ([13.4, 52.5].map(degrees), [139.7, 35.7].map(degrees));
+    let cosine = b.sin() * d.sin() + b.cos() * d.cos() * (c - a).cos();
+    let globe = "[parameters]\nr = \"6371*pi/180\"\n\
+                 [metric]\ndiag = [\"(r*cos(x2*pi/180))^2\", \"r^2\"]";
+    for (metric, from, to, exact) in [
+        ("[metric]\nphi = \"1/x2^2\"", "[-1, 1]", "[1, 1]", half_plane),
+        (globe, "[13.4, 52.5]", "[139.7, 35.7]", 6371.0 * cosine.acos()),
+    ] {
+        let found = answer(metric, from, to, "");
+        let bounds = found.bounds.expect("a certificate");
+        assert_eq!((bounds.lower_by.as_str(), &bounds.constants), ("a certificate", &None));
+        let (lower, upper) = (bounds.lower.value, bounds.upper.value);
+        assert!(lower <= exact && exact <= upper, "{lower} {exact} {upper}");
+        assert!(upper - lower <= 1e-3 * upper, "{lower} {upper}");
+    }
+}
