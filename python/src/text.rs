@@ -1,24 +1,18 @@
 //! What is wrong with a text, shown in the user's own words.
 
-use tautline_any::{GivenError, TextError};
-
-/// The functions of texts, as `Metric` lists them.
-const FUNCTIONS: &str = "sqr, recip, sqrt, exp, ln, sin, cos, tan, atan, sinh, cosh, tanh";
+use tautline::formula::{Problem, TextError};
+use tautline_any::GivenError;
 
 /// Returns an error as a message. Places in a text are shown with its line, and count from the end of
 /// the `skipped` bytes that were put before it.
 pub(crate) fn message(error: &GivenError, text: &str, skipped: usize) -> String {
-    let GivenError::Text(TextError { at, problem }) = error else { return error.to_string() };
-    let problem = problem.to_string();
-    let hint = if problem == "unknown function log" {
-        format!("; the natural logarithm is ln; there are {FUNCTIONS}")
-    } else if problem.starts_with("unknown function") {
-        format!("; there are {FUNCTIONS}")
-    } else if problem.starts_with("unknown name") {
-        "; coordinates are x1, x2, …, and `parameters` gives values to other names".to_owned()
-    } else {
-        String::new()
-    };
+    let GivenError::Text(error) = error else { return error.to_string() };
+    let TextError { at, problem } = error;
+    let help = error.help(text.get(..at.start).unwrap_or_default(), &[]).or_else(|| {
+        let is_name = matches!(problem, Problem::UnknownName { .. });
+        is_name.then(|| "coordinates are x1, x2, …, and `parameters` gives values to other names".into())
+    });
+    let hint = help.map_or(String::new(), |help| format!("; {help}"));
     let place = at.start.max(skipped).min(text.len());
     // The beginning of the character there.
     let start = (0..=place).rev().find(|&byte| text.is_char_boundary(byte)).unwrap_or(0);

@@ -13,6 +13,8 @@ pub struct Complaint {
     pub start: Option<usize>,
     /// Where that part ends. At the end of the formula, it is empty.
     pub end: Option<usize>,
+    /// What may help, as a sentence without its full stop.
+    pub help: Option<String>,
 }
 
 impl Complaint {
@@ -24,12 +26,13 @@ impl Complaint {
             message: error.problem.to_string(),
             start: units(error.at.start),
             end: units(error.at.end),
+            help: error.help(formula.get(..error.at.start).unwrap_or_default(), &[]),
         }
     }
 
     /// Passes on an error that has no place in the formula.
     pub(crate) fn about(error: &impl ToString) -> Self {
-        Self { message: error.to_string(), start: None, end: None }
+        Self { message: error.to_string(), start: None, end: None, help: None }
     }
 }
 
@@ -47,7 +50,7 @@ mod tests {
             let error = Formula::<2>::parse(text, &[]).expect_err("broken");
             Complaint::about_text(text, &error)
         };
-        let Complaint { message, start, end } = complaint("(2 - foo) I");
+        let Complaint { message, start, end, .. } = complaint("(2 - foo) I");
         assert_eq!((message.as_str(), start, end), ("unknown name foo", Some(5), Some(8)));
         let Complaint { start, end, .. } = complaint("(2 + 𝑥) I");
         assert_eq!((start, end), (Some(5), Some(7)));

@@ -265,7 +265,7 @@ impl Question {
     }
 
     pub(crate) fn numbers(&self) -> Numbers<'_> {
-        Numbers { file: &self.file, parameters: self.parameters.clone() }
+        Numbers::evaluated(&self.file, self.parameters.clone())
     }
 }
 

@@ -1,5 +1,7 @@
 //! The axes of a sweep, from the section of a file to numbers.
 
+use tautline::formula::probably_meant;
+
 use crate::{
     Axis, Diagnostic, Sweep, Values,
     file::{
@@ -7,10 +9,7 @@ use crate::{
         placed::Placed,
         sweep::{EntryFile, RangeFile, SweepFile, ValuesFile},
     },
-    reading::{
-        meant::probably_meant,
-        numbers::{Numbers, counted},
-    },
+    reading::numbers::{Numbers, counted},
 };
 
 /// Returns what varies, with its numbers evaluated for the parameters as they stand in the file.

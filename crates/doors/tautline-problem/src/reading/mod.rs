@@ -1,7 +1,6 @@
 //! From the text of a problem file to numbers and sets.
 
 pub(crate) mod axes;
-pub(crate) mod meant;
 pub(crate) mod numbers;
 pub(crate) mod obstacles;
 pub(crate) mod parse;

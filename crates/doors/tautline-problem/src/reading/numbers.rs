@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use tautline::{
     Short,
-    formula::{self, Function, Problem as TextProblem, TextError},
+    formula::{self, Problem as TextProblem, TextError},
 };
 
 use crate::{
@@ -14,23 +14,31 @@ use crate::{
         expression::{Expression, Text, place},
         set::Vector,
     },
-    reading::{meant::probably_meant, parse::all},
 };
 
 /// The file, and its parameters in their order.
 pub(crate) struct Numbers<'f> {
     pub(crate) file: &'f str,
+    /// The names of all parameters, also of those that have no value yet.
+    names: Vec<String>,
     pub(crate) parameters: Vec<(String, f64)>,
 }
 
 impl<'f> Numbers<'f> {
+    /// Returns a file with the values of all of its parameters.
+    pub(crate) fn evaluated(file: &'f str, parameters: Vec<(String, f64)>) -> Self {
+        let names = parameters.iter().map(|(name, _)| name.clone()).collect();
+        Self { file, names, parameters }
+    }
+
     /// Evaluates the parameters of a file, some of them with other values in place of their own.
     pub(crate) fn new(
         file: &'f str,
         problem: &ProblemFile,
         replaced: &[(&str, f64)],
     ) -> Result<Self, Diagnostic> {
-        let mut numbers = Self { file, parameters: Vec::new() };
+        let names = problem.parameters.keys().map(|name| name.get_ref().clone()).collect();
+        let mut numbers = Self { file, names, parameters: Vec::new() };
         let mut parameters: Vec<_> = problem.parameters.iter().collect();
         parameters.sort_by_key(|(name, _)| name.span().start);
         for (name, value) in parameters {
@@ -103,71 +111,29 @@ impl<'f> Numbers<'f> {
         names: &[&str],
     ) -> Diagnostic {
         let at = place(self.file, span, &error.at);
-        let parameters = self.parameters.iter().map(|(name, _)| name.as_str());
-        let known = Function::NAMES.iter().copied().chain(["pi"]).chain(names.iter().copied());
-        let known = known.chain(parameters).filter(|word| word.len() > 1 || *word != "-");
-        match &error.problem {
+        let known: Vec<&str> =
+            names.iter().copied().chain(self.names.iter().map(String::as_str)).collect();
+        let help = error.help(self.file.get(..at.start).unwrap_or_default(), &known);
+        let (diagnostic, help) = match &error.problem {
             TextProblem::Unexpected { found, expected } => {
-                let ends = |c: char| c.is_alphanumeric() || c == ')';
-                let before = self.file.get(..at.start).map(str::trim_end);
-                let is_product = before.is_some_and(|before| before.ends_with(ends));
-                let begins = |c: char| c.is_alphabetic() || c == '(';
-                let diagnostic = Diagnostic::new(format!("found {found} in an expression"), at)
-                    .label(format!("expected {expected}"));
-                match found.chars().next() {
-                    Some('−' | '–') => diagnostic.help("the minus of a formula is -"),
-                    Some(first) if is_product && begins(first) && found != "the end" => {
-                        diagnostic.help("a product has a sign, such as 2*x1")
-                    }
-                    _ => diagnostic,
-                }
+                let diagnostic = Diagnostic::new(format!("found {found} in an expression"), at);
+                (diagnostic.label(format!("expected {expected}")), help)
             }
             TextProblem::NoCoordinate { name, dimension: 0 } => {
-                Diagnostic::new(format!("{name} in a number"), at)
-                    .help("a function of the coordinates belongs in [metric] or in [let]")
+                let belongs = "a function of the coordinates belongs in [metric] or in [let]";
+                (Diagnostic::new(format!("{name} in a number"), at), Some(belongs.to_owned()))
             }
-            problem @ (TextProblem::UnknownName { name }
-            | TextProblem::UnknownFunction { name }) => {
-                let diagnostic = Diagnostic::new(problem.to_string(), at);
-                match (name.as_str(), probably_meant(name, known)) {
-                    ("abs", _) => diagnostic.help(
-                        "a metric must be smooth: write sqrt(u^2 + e^2) with a small e for abs(u)",
-                    ),
-                    ("max" | "min", _) => diagnostic.help(
-                        "a metric must be smooth: write ln(exp(k*u) + exp(k*v))/k with a large k \
-                         for max(u, v)",
-                    ),
-                    ("log", _) => diagnostic.help("the natural logarithm is ln"),
-                    ("x" | "X" | "y", _) => diagnostic.help("the coordinates are x1, x2 and so on"),
-                    (name, _) if Function::NAMES.contains(&name) => {
-                        diagnostic.help(format!("a function has parentheses, such as {name}(x1)"))
-                    }
-                    (name, _) if names.contains(&name) => {
-                        diagnostic.help(format!("{name} is not defined before this"))
-                    }
-                    (name, _) if is_coordinate(&name.to_lowercase()) => {
-                        diagnostic.help(format!("did you mean {}?", name.to_lowercase()))
-                    }
-                    (_, Some(meant)) => diagnostic.help(format!("did you mean {meant}?")),
-                    (_, None) if matches!(problem, TextProblem::UnknownFunction { .. }) => {
-                        let names: Vec<&str> =
-                            Function::NAMES.iter().copied().filter(|name| *name != "-").collect();
-                        diagnostic.help(format!("the functions are {}", all(&names)))
-                    }
-                    (_, None) => diagnostic
-                        .help(format!("{name} may be defined in [parameters] or in [let]")),
-                }
+            problem @ TextProblem::UnknownName { name } => {
+                let defined = || format!("{name} may be defined in [parameters] or in [let]");
+                (Diagnostic::new(problem.to_string(), at), Some(help.unwrap_or_else(defined)))
             }
-            problem @ TextProblem::Exponent => Diagnostic::new(problem.to_string(), at)
-                .help("a root is sqrt(u), another power is exp(p*ln(u))"),
-            problem => Diagnostic::new(problem.to_string(), at),
+            problem => (Diagnostic::new(problem.to_string(), at), help),
+        };
+        match help {
+            Some(help) => diagnostic.help(help),
+            None => diagnostic,
         }
     }
-}
-
-/// Returns whether a name is that of a coordinate, such as `x1`.
-fn is_coordinate(name: &str) -> bool {
-    name.strip_prefix('x').is_some_and(|number| number.parse::<usize>().is_ok())
 }
 
 /// Returns the number with its noun.

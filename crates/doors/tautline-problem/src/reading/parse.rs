@@ -2,16 +2,13 @@
 
 use std::ops::Range;
 
+use tautline::formula::probably_meant;
 use toml::{
     Spanned,
     de::{DeTable, DeValue},
 };
 
-use crate::{
-    Diagnostic,
-    file::ProblemFile,
-    reading::meant::{probably_meant, quoted},
-};
+use crate::{Diagnostic, file::ProblemFile};
 
 /// Reads a problem file word for word.
 pub(crate) fn parse(file: &str) -> Result<ProblemFile, Diagnostic> {
@@ -148,6 +145,11 @@ fn plain_type(expected: &str) -> &str {
         _ if expected.starts_with("struct ") => "keys and values in braces",
         _ => expected,
     }
+}
+
+/// Returns the words between backquotes.
+fn quoted(message: &str) -> impl Iterator<Item = &str> {
+    message.split('`').skip(1).step_by(2)
 }
 
 /// Returns the words with commas and an `or`.

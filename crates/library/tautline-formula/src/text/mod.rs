@@ -3,6 +3,8 @@
 mod expression;
 mod form;
 mod gradient;
+mod help;
+mod meant;
 mod parser;
 mod print;
 mod text_error;
@@ -11,5 +13,6 @@ mod value;
 mod written;
 
 pub use form::Form;
+pub use meant::probably_meant;
 pub use text_error::{Problem, TextError};
 pub use written::{Part, Written, WrittenError, number};

@@ -4,10 +4,15 @@
 const ALIKE: f64 = 0.6;
 
 /// Returns the known word that is most like this one, if one is.
-pub(crate) fn probably_meant<'w>(
-    word: &str,
-    known: impl IntoIterator<Item = &'w str>,
-) -> Option<&'w str> {
+///
+/// ```
+/// use tautline_formula::probably_meant;
+///
+/// assert_eq!(probably_meant("raduis", ["centre", "radius"]), Some("radius"));
+/// assert_eq!(probably_meant("x", ["centre", "radius"]), None);
+/// ```
+#[must_use]
+pub fn probably_meant<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> Option<&'w str> {
     let likeness = |other: &str| strsim::normalized_damerau_levenshtein(word, other);
     let alike = known.into_iter().map(|other| (likeness(other), other));
     let best = alike.fold(None, |best: Option<(f64, &str)>, (likeness, other)| match best {
@@ -17,14 +22,9 @@ pub(crate) fn probably_meant<'w>(
     best.filter(|&(likeness, _)| likeness >= ALIKE).map(|(_, other)| other)
 }
 
-/// Returns the words between backquotes.
-pub(crate) fn quoted(message: &str) -> impl Iterator<Item = &str> {
-    message.split('`').skip(1).step_by(2)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{probably_meant, quoted};
+    use super::probably_meant;
 
     #[test]
     fn a_slip_of_the_pen_is_recognised() {
@@ -37,7 +37,5 @@ mod tests {
         ] {
             assert_eq!(probably_meant(word, known), meant, "{word}");
         }
-        let message = "unknown field `a`, expected `b` or `c`";
-        assert_eq!(quoted(message).collect::<Vec<_>>(), ["a", "b", "c"]);
     }
 }
