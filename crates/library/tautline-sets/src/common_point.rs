@@ -1,6 +1,7 @@
 //! A common point of two closed sets, by projections.
 
 use nalgebra::SVector;
+use tautline_scalar::Interval;
 
 use crate::numerics::norm::norm;
 use crate::numerics::place::{Place, minus, plus};
@@ -30,7 +31,7 @@ const REFLECTIONS: usize = 200;
 /// unions, call this function pair by pair ([`Ends::pairs`](crate::Ends::pairs)).
 ///
 /// `Some(x)` is verified: in every coordinate, the nearest points of both sets agree with `x` to
-/// within `(D + 4) ε max |xᵢ|`.
+/// within `(D + 4) ε max |xᵢ|`, and exactly if both are points or boxes.
 ///
 /// `None` does not prove that the sets are disjoint. It is also returned at a local minimum of the
 /// distance to a nonconvex set; if sets touch in one point near the origin but are defined by much
@@ -154,7 +155,18 @@ fn lies_in_both(a: &dyn AnySet, b: &dyn AnySet, x: &[f64]) -> bool {
     let tolerance = (x.len() + 4) as f64 * f64::EPSILON * largest;
     // NaN fails this comparison, while the largest coordinate would ignore it.
     let agrees = |p: Place| p.iter().zip(x).all(|(p, x)| (p - x).abs() <= tolerance);
-    agrees(projected(a, x)) && agrees(projected(b, x))
+    agrees(projected(a, x)) && agrees(projected(b, x)) && !is_outside_exactly([a, b], x)
+}
+
+/// Returns whether both sets know their nearest points to `x` exactly, as points and boxes do, and one of
+/// them is not `x`. Where coordinates have different units, a rounding of the largest may be a long way in
+/// another one.
+fn is_outside_exactly(sets: [&dyn AnySet; 2], x: &[f64]) -> bool {
+    let members = sets.map(|set| set.member_near(x));
+    let [Some(a), Some(b)] = &members else { return false };
+    let is_exact = |x: &Interval| x.lo() == x.hi();
+    let all = || a.iter().chain(b).zip(x.iter().chain(x));
+    all().all(|(member, _)| is_exact(member)) && all().any(|(member, x)| member.lo() != *x)
 }
 
 #[cfg(test)]

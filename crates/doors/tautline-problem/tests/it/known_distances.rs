@@ -148,3 +148,14 @@ fn a_certificate_bounds_the_distance_where_no_constants_are_proved() {
         assert!(upper - lower <= 1e-3 * upper, "{lower} {upper}");
     }
 }
+
+/// A frequency in hertz beside an angle: the ends differ by half a radian, which is less than the rounding of
+/// the frequency.
+#[test]
+fn different_points_do_not_touch() {
+    let metric = "[metric]\ndiag = [\"1e-30\", 1]";
+    let found = answer(metric, "[5e14, 0]", "[5e14, 0.5]", "");
+    let bounds = found.bounds.expect("proved");
+    assert!((found.length.value - 0.5).abs() < 1e-12, "{}", found.length.value);
+    assert!(bounds.lower.value > 0.499_999 && bounds.lower.value <= 0.5, "{bounds:?}");
+}

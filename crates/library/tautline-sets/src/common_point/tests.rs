@@ -18,7 +18,9 @@ fn lies_in_both<const D: usize>(
 #[test]
 fn a_point_lies_in_a_set_up_to_seven_roundings_in_space() {
     let off = |count: f64| {
-        let set = Point::new([1.0 + count * f64::EPSILON, 0.5, 0.25]).expect("finite");
+        // A set that can prove nothing, and knows its nearest points up to rounding.
+        let project = move |_: &SVector<f64, 3>| vector![1.0 + count * f64::EPSILON, 0.5, 0.25];
+        let set = Bare { project, radius: Some(2.0) };
         lies_in_both(&set, &set, &vector![1.0, 0.5, 0.25])
     };
     assert!(off(0.0) && off(6.0) && !off(9.0));
@@ -213,4 +215,19 @@ fn common_point_is_never_nan() {
     let empty = Bare { project, radius: Some(0.0) };
     assert_eq!(common_point(&ball, &empty), None);
     assert_eq!(common_point(&empty, &ball), None);
+}
+
+/// A frequency in hertz beside an angle: half a radian is less than the rounding of the frequency.
+#[test]
+fn points_and_boxes_touch_exactly_or_not_at_all() {
+    let [one, other] = [0.0, 0.5].map(|x| Point::new([5e14, x]).expect("finite"));
+    assert_eq!(common_point(&one, &other), None);
+    assert_eq!(common_point(&one, &one), Some(vector![5e14, 0.0]));
+    let from = |x: f64| AxisBox::from_corners([5e14, x], [6e14, x + 1.0]).expect("a box");
+    assert_eq!(common_point(&from(-1.5), &one), None);
+    assert_eq!(common_point(&from(-1.5), &from(-0.25)), None);
+    assert_eq!(common_point(&from(-1.5), &from(-0.5)).map(|x| x[1]), Some(-0.5));
+    // The next double above.
+    let near = Point::new([5e14_f64.next_up(), 0.0]).expect("finite");
+    assert_eq!(common_point(&one, &near), None);
 }
