@@ -82,7 +82,9 @@ impl From<problem::Bounds> for Bounds {
             lower_by: bounds.lower_by,
             upper_by: bounds.upper_by,
             constants_proved: used.as_ref().is_some_and(|used| used.proved),
-            constants: used.as_ref().map(|&UsedConstants { c1, c2, l_h, m_h, .. }| (c1, c2, l_h, m_h)),
+            constants: used
+                .as_ref()
+                .map(|&UsedConstants { c1, c2, l_h, m_h, .. }| (c1, c2, l_h, m_h)),
             within: used
                 .and_then(|used| used.within)
                 .map(|BallAnswer { centre, radius }| (centre, radius)),

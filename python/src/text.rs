@@ -10,7 +10,9 @@ pub(crate) fn message(error: &GivenError, text: &str, skipped: usize) -> String 
     let TextError { at, problem } = error;
     let help = error.help(text.get(..at.start).unwrap_or_default(), &[]).or_else(|| {
         let is_name = matches!(problem, Problem::UnknownName { .. });
-        is_name.then(|| "coordinates are x1, x2, …, and `parameters` gives values to other names".into())
+        is_name.then(|| {
+            "coordinates are x1, x2, …, and `parameters` gives values to other names".into()
+        })
     });
     let hint = help.map_or(String::new(), |help| format!("; {help}"));
     let place = at.start.max(skipped).min(text.len());

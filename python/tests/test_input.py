@@ -260,7 +260,7 @@ class Metrics(unittest.TestCase):
 
     def test_places_count_in_the_text_that_was_given(self):
         cases = [
-            (lambda: tl.Metric.cost("2 - cosine(x1)", 2), 4, "unknown function cosine; there are sqr, "),
+            (lambda: tl.Metric.cost("2 - cosine(x1)", 2), 4, "unknown function cosine; the functions are sqr, "),
             (lambda: tl.Metric.cost("2 - log(x1)", 2), 4, "the natural logarithm is ln"),
             (lambda: tl.Metric.cost("2 - k", 2), 4, "unknown name k; coordinates are x1, x2"),
             (lambda: tl.Metric.pullback(["x1", "x2", "sine(x1)"], 2), 8, "unknown function sine"),
@@ -277,7 +277,7 @@ class Metrics(unittest.TestCase):
     def test_all_functions_that_a_message_lists_are_known(self):
         with self.assertRaises(tl.ProblemError) as caught:
             tl.Metric.cost("cosine(x1)", 1)
-        listed = str(caught.exception).splitlines()[0].partition("there are ")[2].split(", ")
+        listed = str(caught.exception).splitlines()[0].partition("the functions are ")[2].split(", ")
         self.assertEqual(len(listed), 12)
         for name in listed:
             self.assertIn(name, tl.Metric.__doc__)

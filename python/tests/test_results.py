@@ -46,17 +46,28 @@ class Doubts(unittest.TestCase):
     def test_a_curve_says_that_it_is_not_resolved_and_that_another_is_shorter(self):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            curve = tl.solve(WALL, *ENDS, n=8)
+            curve = tl.solve(WALL, *ENDS, n=8, scope="local")
         shorter = float(curve.other_minima[0].length)
         self.assertLess(shorter, float(curve.length))
         self.assertFalse(curve.resolved)
         self.assertEqual(curve.shorter_minimum, shorter)
-        doubts = ["not resolved by 8 chords", f"another minimum is shorter: {shorter!r}"]
-        self.assertEqual(curve.doubts, doubts)
-        self.assertTrue(repr(curve).endswith(f", converged, {', '.join(doubts)}>"))
+        first, second = curve.doubts
+        self.assertRegex(first, "^the metric changes between the points of the rule, .* with 8 chords$")
+        self.assertRegex(second, "^another minimum is shorter, ")
+        self.assertAlmostEqual(float(second.split(", ")[1]), shorter, delta=1e-9)
+        self.assertTrue(repr(curve).endswith(f", converged, {first}, {second}>"))
         self.assertEqual([each.category for each in caught], [tl.UnresolvedWarning])
-        self.assertIn("; ".join(doubts), str(caught[0].message))
+        self.assertIn(f"{first}; {second}", str(caught[0].message))
         self.assertEqual(caught[0].filename, __file__)
+
+    def test_the_shortest_curve_that_was_met_is_the_answer(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            one = tl.solve(WALL, *ENDS, n=8)
+            many = tl.solve_batch(WALL, [ENDS[0]], [ENDS[1]], n=8)[0]
+        self.assertEqual((one.doubts, one.points.tolist()), ([], many.points.tolist()))
+        fine = tl.solve(WALL, *ENDS, n=512)
+        self.assertAlmostEqual(float(one.length) / float(fine.length), 1, delta=0.02)
 
     def test_a_longer_minimum_is_no_doubt(self):
         with warnings.catch_warnings():
@@ -68,7 +79,7 @@ class Doubts(unittest.TestCase):
 
     def test_a_matrix_counts_the_pairs_with_doubts(self):
         with self.assertWarnsRegex(tl.UnresolvedWarning, "^2 of 3 curves .* by 8 chords") as warned:
-            tl.distance_matrix(WALL, [*ENDS, [1.5, -0.5]], n=8)
+            tl.distance_matrix(WALL, [*ENDS, [1.5, -0.5]], n=8, scope="local")
         self.assertEqual(warned.filename, __file__)
 
 

@@ -4,8 +4,8 @@ use core::ops::ControlFlow::{Break, Continue};
 use std::sync::Arc;
 
 use tautline::{
-    ANY, AnyBatches, AnySet, BlackBox, Formula, Grid, Known, Problem, Request, RequestError,
-    SolveError, Table, Values, certify::Watch, solve_all,
+    ANY, AnyBatches, AnySet, BlackBox, Formula, Known, Problem, Request, RequestError, SolveError,
+    Table, Values, answer_all, certify::Watch,
 };
 
 use crate::{
@@ -173,25 +173,18 @@ impl Given {
         Ok(Arc::new(line.into()))
     }
 
-    /// Solves many problems on all threads, or one after the other with a tolerance or a lattice, and
-    /// returns the curves in order, bit for bit those of [`solve`](Given::solve). An error in one of them does not affect the others.
+    /// Solves many problems on all threads, and returns the curves in order, bit for bit those of
+    /// [`solve`](Given::solve). An error in one of them does not affect the others.
     #[must_use]
     pub fn solve_all(&self, ends: &[[&[Shape]; 2]], request: &Request) -> Vec<Found> {
-        let (Grid::Chords(n), None) = (request.grid, &request.lattice) else {
-            return ends.iter().map(|&ends| self.solve(ends, request)).collect();
-        };
-        let options = match request.options(self.dimension()) {
-            Ok(options) => options,
-            Err(error) => return vec![Err(error.into()); ends.len()],
-        };
         let problems: Vec<_> = ends.iter().map(|&ends| self.problem(ends)).collect();
         let posed: Vec<_> =
             problems.iter().filter_map(|problem| problem.as_ref().ok().cloned()).collect();
-        let mut solved = solve_all(&posed, request.rule, n, &options).into_iter();
+        let mut solved = answer_all(&posed, request).into_iter();
         let next = |problem: Result<_, _>| {
             problem.and_then(|_| {
-                let line = solved.next().unwrap_or(Err(SolveError::NoStart));
-                Ok(Arc::new(Curve::from(line.map_err(RequestError::Solve)?)))
+                let line = solved.next().unwrap_or(Err(SolveError::NoStart.into()));
+                Ok(Arc::new(Curve::from(line?)))
             })
         };
         problems.into_iter().map(next).collect()

@@ -1,4 +1,4 @@
-//! `solve_all`: many problems at once.
+//! `solve_all` and `answer_all`: many problems at once.
 
 use std::sync::OnceLock;
 
@@ -7,7 +7,7 @@ use tautline_discretizations::Rule;
 use tautline_formula::Prepare;
 use tautline_optimizers::{Options, SolveError, Workspace};
 
-use crate::{Problem, TautLine};
+use crate::{Grid, Problem, Request, RequestError, TautLine};
 
 /// Solves many problems on all threads, and returns the results in order.
 ///
@@ -69,6 +69,37 @@ where
     });
     let solved = solved.into_iter().map(OnceLock::into_inner);
     solved.map(|line| line.unwrap_or(Err(SolveError::NoStart))).collect()
+}
+
+/// Answers the same [`Request`] for many problems on all threads, and returns the results in order.
+///
+/// As for [`solve_all`], each problem runs on one thread; the results equal those of
+/// [`Problem::answer`] bit for bit, and an error in one problem does not affect the others.
+///
+/// # Errors
+///
+/// Each result has its own error, as for [`Problem::answer`].
+pub fn answer_all<M, const D: usize>(
+    problems: &[Problem<M, D>],
+    request: &Request,
+) -> Vec<Result<TautLine<M, D>, RequestError>>
+where
+    M: Prepare<D>,
+    M::Prepared: Send,
+{
+    let request = &Request { threads: 1, ..request.clone() };
+    let solved: Vec<OnceLock<_>> = problems.iter().map(|_| OnceLock::new()).collect();
+    for_each(problems.len(), &|workspace, index| {
+        let problem = &problems[index];
+        let line = match (request.grid, &request.lattice) {
+            (Grid::Chords(n), None) => problem.answer_in(workspace, n, request),
+            _ => problem.answer(request),
+        };
+        // Each index comes once.
+        let _ = solved[index].set(line);
+    });
+    let solved = solved.into_iter().map(OnceLock::into_inner);
+    solved.map(|line| line.unwrap_or(Err(SolveError::NoStart.into()))).collect()
 }
 
 /// Calls `task` with each index below `count`, on all threads. Without a type for the task, the threads are

@@ -100,7 +100,7 @@ mod resolution;
 mod taut_line;
 mod tolerance;
 
-pub use batch::solve_all;
+pub use batch::{answer_all, solve_all};
 pub use certificate::SuggestedN;
 pub use certified_distance::CertificateError;
 pub use competitors::Competitors;

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use tautline_discretizations::{ANY, PointSequence, Rule, SequenceError};
 use tautline_formula::Prepare;
 use tautline_grid::{GraphPathError, Nodes};
-use tautline_optimizers::{Options, Scope, SolveError, Starts};
+use tautline_optimizers::{Options, Scope, SolveError, Starts, Workspace};
 
 use crate::{
     Problem, TautLine,
@@ -183,9 +183,6 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
         Ok(match (request.grid, &request.lattice) {
             (Grid::Chords(n), None) => {
                 let line = self.solve_with(request.rule, n, &options)?;
-                if request.scope == Scope::Local {
-                    return Ok(line);
-                }
                 self.resolved(line, &options, coarser)
             }
             (Grid::Chords(n), Some(nodes)) => {
@@ -201,5 +198,17 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
                 refined(self, line, tolerance, &options, coarser)
             }
         })
+    }
+
+    /// Returns the line with `n` chords that a request asks for, found in the given memory.
+    pub(crate) fn answer_in(
+        &self,
+        workspace: &mut Workspace,
+        n: usize,
+        request: &Request,
+    ) -> Result<TautLine<M, D>, RequestError> {
+        let options = request.options(self.any_ends().dimension())?;
+        let line = self.solve_in(workspace, request.rule, n, &options)?;
+        Ok(self.resolved(line, &options, &mut |_| ControlFlow::Continue(())))
     }
 }

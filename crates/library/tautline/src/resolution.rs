@@ -21,13 +21,17 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
     /// node is there has no energy, however long it is. Simpson's rule also sees the ends of such a chord.
     /// If the finest grid does not resolve the metric, the line is the shortest one of both rules.
     ///
-    /// `coarser` is told of the line on each grid before the last, and may end this.
+    /// A search of [`Scope::Local`] stays with its line. `coarser` is told of the line on each grid before the
+    /// last, and may end this.
     pub(crate) fn resolved(
         &self,
         line: TautLine<M, D>,
         options: &Options<D>,
         coarser: &mut dyn FnMut(&TautLine<M, D>) -> ControlFlow<()>,
     ) -> TautLine<M, D> {
+        if options.scope == Scope::Local {
+            return line;
+        }
         // Where to look was decided on the first grid.
         let options = Options { scope: Scope::Local, ..options.clone() };
         let (asked, mut starts) = (line.sequence().n().get(), options.starts.clone());
