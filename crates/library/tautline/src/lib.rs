@@ -90,15 +90,12 @@ mod certified_distance;
 mod competitors;
 mod conventions;
 mod doubt;
-mod elsewhere;
-mod lattice_search;
 mod other_minima;
 mod problem;
 mod proof;
 mod request;
-mod resolution;
+mod search;
 mod taut_line;
-mod tolerance;
 
 pub use batch::{answer_all, solve_all};
 pub use certificate::SuggestedN;
@@ -110,8 +107,8 @@ pub use other_minima::TIE;
 pub use problem::Problem;
 pub use proof::{Proof, ProofError};
 pub use request::{CHORDS, Grid, Request, RequestError};
+pub use search::tolerance::LEAST_TOLERANCE;
 pub use taut_line::TautLine;
-pub use tolerance::LEAST_TOLERANCE;
 
 pub use tautline_bounds as bounds;
 pub use tautline_certify::{

@@ -9,7 +9,7 @@ use tautline_optimizers::{Options, Scope, SolveError, Starts, Workspace};
 
 use crate::{
     Problem, TautLine,
-    tolerance::{FIRST_GRID, LEAST_TOLERANCE, refined},
+    search::tolerance::{FIRST_GRID, LEAST_TOLERANCE, refined},
 };
 
 /// How fine the grid is.

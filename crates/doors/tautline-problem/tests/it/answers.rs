@@ -1,5 +1,8 @@
 //! The numbers of an answer are those of the line and of the proof in Rust, each under its own name.
 
+mod known_distances;
+mod other_minima;
+
 use tautline::{Ends, Formula, Integral, Problem, Rule, TautLine, certify::Accuracy};
 use tautline_problem::{Estimated, GlobalMinimum, Question};
 

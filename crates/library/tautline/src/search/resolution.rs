@@ -6,7 +6,7 @@ use tautline_discretizations::Rule;
 use tautline_formula::Prepare;
 use tautline_optimizers::{Options, Scope};
 
-use crate::{Problem, TautLine, tolerance::also};
+use crate::{Problem, TautLine, search::tolerance::also};
 
 /// How much finer the finest grid may be than the one that was asked for.
 const FINEST: usize = 4;
