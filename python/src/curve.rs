@@ -131,6 +131,12 @@ impl Curve {
         self.curve.search().newton_steps
     }
 
+    /// The rule of numerical integration.
+    #[getter]
+    fn rule(&self) -> &'static str {
+        self.curve.rule().name()
+    }
+
     /// The residual of the discrete geodesic equation, relative to the momentum.
     #[getter]
     fn residual(&self) -> f64 {
@@ -162,7 +168,7 @@ impl Curve {
     }
 
     /// Why the curve may not be a shortest one, in words: it is not resolved, another minimum is shorter,
-    /// or the search did not converge. Empty if no reason is known.
+    /// the search did not converge, or a black box jumps. Empty if no reason is known.
     #[getter]
     fn doubts(&self, py: Python<'_>) -> Vec<String> {
         py.detach(|| self.doubts.get_or_init(|| self.curve.doubts()).clone())

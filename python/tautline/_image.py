@@ -19,6 +19,9 @@ Lattice: TypeAlias = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
 # More nodes than this take more time than they are worth.
 MOST_NODES = 2_000_000
 
+# The halves of a matrix may differ by this part of its largest entry: an inverse has such roundings.
+ROUNDING = 1e-12
+
 
 def of_image(
     cost: npt.ArrayLike, spacing: npt.ArrayLike, origin: npt.ArrayLike, interpolate: bool
@@ -51,6 +54,7 @@ def of_field(
             f"the field has the shape {values.shape}; expected (n, 1, 1), (n, m, 2, 2) or "
             "(n, m, l, 3, 3), a matrix at each point"
         )
+    values = _symmetric(values)
     # NaN is not symmetric either.
     wrong = ~np.all(values == np.swapaxes(values, -1, -2), axis=(-1, -2))
     if not wrong.any():
@@ -74,6 +78,14 @@ def of_field(
         return [[called[min(i, j), max(i, j)] for j in range(axes)] for i in range(axes)]
 
     return matrix, _lattice(start, step, values.shape[:axes])
+
+
+def _symmetric(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The matrices with the mean of both halves, where these differ by roundings."""
+    transposed = np.swapaxes(values, -1, -2)
+    largest = np.abs(values).max(axis=(-1, -2), keepdims=True, initial=0.0)
+    is_rounding = np.abs(values - transposed) <= ROUNDING * largest
+    return np.where(is_rounding & (values != transposed), 0.5 * values + 0.5 * transposed, values)
 
 
 def _nodes(

@@ -41,7 +41,9 @@ def solve(
 ) -> Curve:
     """A shortest curve of `n` chords from `start` to `goal`: sets, or points of shape (D,).
 
-    Without `n` there are 256 chords, or as many as are needed for a relative error of the length of at most
+    Where the rule does not see the metric, or another minimum is shorter, there are up to four times as many
+    chords, then Simpson's rule; `curve.n` and `curve.rule` say which. The `scope` "local" keeps `n` and the
+    rule. Without `n` there are 256 chords, or as many as are needed for a relative error of the length of at most
     `tolerance`, by extrapolation: see `Curve.is_within`. A search along a `lattice` needs `n`.
 
     `rule` is one of `RULES`, such as "trapezoidal" (the metric in the middle of each chord) or
@@ -57,8 +59,8 @@ def solve(
     nodes are joined without it. The result is a local minimiser: `Curve.certificate` says whether another curve may be
     shorter.
 
-    Warns with `UnresolvedWarning` if the chords do not resolve the metric, if a shorter local minimum was
-    met, if the tolerance is missed, or if no path along the lattice joins the sets. Raises `MetricError`
+    Warns with `UnresolvedWarning` if the chords do not resolve the metric, if the search did not end at a
+    strict minimum, if a shorter local minimum was met, if a black box jumps, if the tolerance is missed, or if no path along the lattice joins the sets. Raises `MetricError`
     if the metric is not finite, symmetric and positive definite along a curve, `ProblemError` if the input
     is wrong.
     """

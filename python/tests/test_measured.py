@@ -35,6 +35,17 @@ class Fields(unittest.TestCase):
         np.testing.assert_allclose(field([1 + 0.5 * 3, -1 + 2 * 2]), h[3, 2], rtol=1e-12)
         self.assertEqual(field.lattice, ([1, -1], [3.5, 7], [0.5, 2]))
 
+    def test_halves_that_differ_by_roundings_are_their_mean(self):
+        h = np.tile([[2.0, 0.5], [0.5, 1.0]], (4, 3, 1, 1))
+        h[2, 1, 0, 1] = np.nextafter(0.5, 1)
+        found = tl.Metric.field(h, interpolate=True)([2, 1])
+        self.assertEqual(found[0, 1], found[1, 0])
+        self.assertAlmostEqual(found[0, 1], 0.5, places=14)
+        for wrong in (0.5 + 1e-9, np.nan):
+            h[2, 1, 0, 1] = wrong
+            with self.assertRaisesRegex(tl.ProblemError, r"\(2, 1\).*must be symmetric"):
+                tl.Metric.field(h)
+
     def test_a_matrix_that_is_only_semidefinite_is_refused(self):
         h = np.tile(np.eye(2), (4, 3, 1, 1))
         h[1, 0, 1, 1] = 0

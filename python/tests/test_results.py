@@ -35,6 +35,32 @@ class Estimates(unittest.TestCase):
         with self.assertRaises(TypeError):
             operator.lt(length, "5")
 
+    def test_estimates_are_calculated_with_as_numbers(self):
+        length, value = self.length, self.length.value
+        two = tl.Estimate(2.0, 0.5)
+        for found, expected in [
+            (length + 1, value + 1),
+            (1 + length, 1 + value),
+            (length - two, value - 2),
+            (10 - length, 10 - value),
+            (length * 2, 2 * value),
+            (2 * length, 2 * value),
+            (length / two, value / 2),
+            (1 / length, 1 / value),
+            (length**2, value**2),
+            (-length, -value),
+            (abs(-1 * length), value),
+            (sum([length, length]), 2 * value),
+            (math.sqrt(length), value**0.5),
+            (np.sqrt(length), value**0.5),
+        ]:
+            self.assertEqual(found, expected)
+            self.assertIsInstance(found, float)
+        self.assertEqual((np.array([1.0, 2.0]) * length).tolist(), [value, 2 * value])
+        self.assertEqual(np.array([length, two], dtype=float).tolist(), [value, 2.0])
+        with self.assertRaises(TypeError):
+            length + "1"
+
     def test_estimates_are_equal_if_both_parts_are(self):
         self.assertEqual(self.length, tl.Estimate(4.675289135171557, 2e-15))
         self.assertNotEqual(self.length, tl.Estimate(4.675289135171557, 1e-15))
@@ -66,6 +92,7 @@ class Doubts(unittest.TestCase):
             one = tl.solve(WALL, *ENDS, n=8)
             many = tl.solve_batch(WALL, [ENDS[0]], [ENDS[1]], n=8)[0]
         self.assertEqual((one.doubts, one.points.tolist()), ([], many.points.tolist()))
+        self.assertEqual(one.rule, many.rule)
         fine = tl.solve(WALL, *ENDS, n=512)
         self.assertAlmostEqual(float(one.length) / float(fine.length), 1, delta=0.02)
 

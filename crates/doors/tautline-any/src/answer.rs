@@ -131,11 +131,10 @@ impl Answer {
                 }
                 // An estimate beyond a proved bound is wrong by at least the difference.
                 if let Some(extrapolated) = &mut self.extrapolated {
-                    let above = extrapolated.value - bounds.upper.value;
-                    if above > 0.0 {
-                        extrapolated.value = bounds.upper.value;
-                        extrapolated.error = extrapolated.error.max(above);
-                    }
+                    let value = extrapolated.value;
+                    extrapolated.value = value.max(bounds.lower.value).min(bounds.upper.value);
+                    let beyond = (extrapolated.value - value).abs();
+                    extrapolated.error = extrapolated.error.max(beyond);
                 }
                 (self.bounds, self.no_bounds) = (Some(bounds), None);
             }

@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use tautline::{
     ANY, CertifyError, Constants, Interval, Known, LocalError, PointSequence, ProofError,
-    RayleighQuotient, Short, Stop, are_gram,
+    RayleighQuotient, Rule, Short, Stop, are_gram,
     bounds::{Enclosure, FromAbove, FromBelow, LocalityError},
     certify::{Accuracy, Watch},
     distance::{AnyFound, Ended, Progress},
@@ -23,15 +23,30 @@ pub(crate) fn bounds(
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
-    let Some(claimed) = proving.claimed else {
-        return by_proof(proving.accuracy, line, others, watch, observe)
-            .or_else(|reason| by_certificate(reason, line, others, observe));
+    let is_in_the_paper = line.rule().paper_rule().is_ok();
+    let of_another_rule;
+    let (about, line_itself) = if is_in_the_paper {
+        (line, None)
+    } else {
+        // The theorems are about the minimum of a rule of the paper; the curve is a bound from above.
+        if proving.claimed.is_none()
+            && let Some(bounds) = by_certificate(line, others, observe)
+        {
+            return Ok(bounds);
+        }
+        let found = line.by_rule(Rule::TRAPEZOIDAL);
+        of_another_rule = found.map_err(|error| error.to_string())?;
+        (&of_another_rule, Some(line))
     };
-    line.rule().paper_rule().map_err(|error| error.to_string())?;
-    if proving.is_in_a_region {
-        return Err(IN_A_REGION.to_owned());
-    }
-    by_claims(claimed, line, others)
+    let found = match proving.claimed {
+        Some(_) if proving.is_in_a_region => Err(IN_A_REGION.to_owned()),
+        Some(claimed) => by_claims(claimed, about, others),
+        None => by_proof(proving.accuracy, about, others, watch, observe).or_else(|reason| {
+            let certified = is_in_the_paper.then(|| by_certificate(line, others, observe));
+            certified.flatten().ok_or(reason)
+        }),
+    };
+    Ok(found?.and_no_longer_than(line_itself.into_iter().filter_map(length_above)))
 }
 
 /// Returns bounds by constants that are claimed.
@@ -68,7 +83,6 @@ fn by_proof(
     watch: &dyn Watch,
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Bounds, String> {
-    line.rule().paper_rule().map_err(|error| error.to_string())?;
     let formula = line.metric().formula().map_err(|error| error.to_string())?;
     are_provable(formula).map_err(|error| error.to_string())?;
     let proof = line.prove_watched(accuracy, watch, observe).map_err(|error| no_proof(&error))?;
@@ -84,21 +98,20 @@ fn by_proof(
     Ok(found.and_no_longer_than(others.iter().filter_map(length_above)))
 }
 
-/// Returns bounds by a certificate, which needs no constants, or the reason why constants give none.
+/// Returns bounds by a certificate, which needs neither constants nor a rule; `None` if there is none.
 fn by_certificate(
-    reason: String,
     line: &Line,
     others: &[Line],
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-) -> Result<Bounds, String> {
+) -> Option<Bounds> {
     // Before the first level: if time has run out, there is none.
     let start = Progress { levels: 0, cubes: 0, lower: 0.0, upper: line.length().value };
     if observe(start).is_break() {
-        return Err(reason);
+        return None;
     }
     // The least gap takes some seconds too.
-    let Ok(found) = line.quick_certificate(0.0, observe) else { return Err(reason) };
-    let Some(upper) = found.upper().filter(|_| found.lower() > 0.0) else { return Err(reason) };
+    let found = line.quick_certificate(0.0, observe).ok()?;
+    let upper = found.upper().filter(|_| found.lower() > 0.0)?;
     let bounds = Bounds {
         lower: found.lower().into(),
         upper: upper.into(),
@@ -108,7 +121,7 @@ fn by_certificate(
         upper_by: BY_LENGTH.to_owned(),
         certificate: Some(CertificateAnswer::of(&found)),
     };
-    Ok(bounds.and_no_longer_than([line].into_iter().chain(others).filter_map(length_above)))
+    Some(bounds.and_no_longer_than([line].into_iter().chain(others).filter_map(length_above)))
 }
 
 impl CertificateAnswer {

@@ -8,8 +8,8 @@ use tautline_problem::sweep::Shard;
 
 /// Shortest curves between two sets, under a metric that you type, with bounds on the distance.
 ///
-/// Exit codes: 0 done; 1 no strict minimum, too few chords for the metric or the tolerance, or not
-/// proved; 2 bad input.
+/// Exit codes: 0 done; 1 a warning, such as no strict minimum or a tolerance that is not reached, or
+/// something that is not proved; 2 bad input.
 #[derive(Debug, Parser)]
 #[command(
     name = "tautline",

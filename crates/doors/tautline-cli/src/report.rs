@@ -36,8 +36,7 @@ pub(crate) fn answer(answer: &Answer) -> String {
     }
     line("length", format!("{length} of a curve of {}, {rule} rule", counted(chords)));
     if let [first, .., last] = answer.curve.as_slice() {
-        let places = places(&[first, last].map(Vec::as_slice));
-        line("", format!("from {} to {}", point(first, places), point(last, places)));
+        line("", format!("from {} to {}", point(first), point(last)));
     }
     if let Some(Estimated { value, error }) = answer.extrapolated {
         let printed = nearest(value);
@@ -102,19 +101,27 @@ fn counted(chords: usize) -> String {
     if chords == 1 { "1 chord".to_owned() } else { format!("{chords} chords") }
 }
 
-/// Returns the number of decimals in which points are printed: six, or more if they are close to
-/// the origin.
-fn places(points: &[&[f64]]) -> i32 {
-    let largest = points.iter().flat_map(|x| x.iter()).fold(0.0_f64, |most, x| most.max(x.abs()));
-    if largest > 0.0 && largest < 1e-2 { 6 - largest.log10().floor() as i32 } else { 6 }
-}
+/// The most digits of a coordinate that is printed as it is, since somebody typed it.
+const TYPED: usize = 12;
 
-/// Returns a point to some decimals.
-fn point(x: &[f64], places: i32) -> String {
-    let coordinate = |x: &f64| {
-        // The text rounds where a scale would overflow. Adding 0 turns −0 into 0.
-        let x = format!("{x:.*}", places as usize).parse().unwrap_or(*x) + 0.0;
-        if x != 0.0 && x.abs() < 1e-5 { format!("{x:e}") } else { x.to_string() }
+/// Coordinates that are smaller than the largest one by this factor are rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// Returns a point: coordinates of few digits as they are, others to six decimals, and tiny ones to seven
+/// digits.
+fn point(x: &[f64]) -> String {
+    let largest = x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let coordinate = |&x: &f64| {
+        if x.abs() <= ROUNDING * largest {
+            return "0".to_owned();
+        }
+        let typed = format!("{x:e}");
+        let digits = typed.split('e').next().unwrap_or_default();
+        let is_typed = digits.chars().filter(char::is_ascii_digit).count() <= TYPED;
+        let decimals = if x.abs() < 1e-2 { 6 - x.abs().log10().floor() as i32 } else { 6 } as usize;
+        // The text rounds where a scale would overflow.
+        let x: f64 = if is_typed { x } else { format!("{x:.decimals$}").parse().unwrap_or(x) };
+        if x.abs() < 1e-5 { format!("{x:e}") } else { x.to_string() }
     };
     format!("[{}]", x.iter().map(coordinate).collect::<Vec<_>>().join(", "))
 }
@@ -246,7 +253,7 @@ mod tests {
         UsedConstants,
     };
 
-    use super::{answer, certified, constants, note, places, point, proved_constants};
+    use super::{answer, certified, constants, note, point, proved_constants};
 
     /// The answer to a problem of length 1.
     fn unit() -> Answer {
@@ -466,12 +473,19 @@ mod tests {
     }
 
     #[test]
-    fn points_are_printed_to_six_decimals_and_tiny_ones_to_as_many_digits() {
-        let print = |x: &[f64]| point(x, places(&[x]));
-        assert_eq!(print(&[-0.0, 1.0, -1e-17]), "[0, 1, 0]");
-        assert_eq!(print(&[0.1 + 0.2, std::f64::consts::PI]), "[0.3, 3.141593]");
-        assert_eq!(print(&[-2.5e8, 0.125]), "[-250000000, 0.125]");
-        assert_eq!(print(&[3e-308, 0.0]), "[3e-308, 0]");
-        assert_eq!(print(&[3e-9, -1.234_567_89e-9, 1e-25]), "[3e-9, -1.234568e-9, 0]");
+    fn points_are_printed_as_typed_or_to_six_decimals_and_tiny_ones_to_seven_digits() {
+        let third = 1.0 / 3.0;
+        for (x, printed) in [
+            (&[-0.0, 1.0, -1e-17][..], "[0, 1, 0]"),
+            (&[0.1 + 0.2, std::f64::consts::PI], "[0.3, 3.141593]"),
+            (&[-2.5e8, 0.125], "[-250000000, 0.125]"),
+            (&[3e-308, 0.0], "[3e-308, 0]"),
+            (&[3e-9, -third * 1e-9, 1e-25], "[3e-9, -3.333333e-10, 0]"),
+            (&[1e-8, 0.0, 1.0], "[1e-8, 0, 1]"),
+            (&[0.999_999_9, 1e6 * third, 4_200_050.25], "[0.9999999, 333333.333333, 4200050.25]"),
+            (&[0.0], "[0]"),
+        ] {
+            assert_eq!(point(x), printed);
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! `Question`: a metric on the plane, two points, and the number of chords between them.
 
 use tautline::{
-    Ends, Formula, Metric, PointSequence, Problem, Request, TautLine,
+    Ends, Formula, Metric, PointSequence, Problem, Request, Short, TautLine,
     formula::{Form, Part},
 };
 
@@ -68,7 +68,7 @@ impl Question {
         let mut points = sequence.points().iter().copied().chain(middles);
         let negative = points.find_map(|x| {
             let value = f.gram(&x)[(0, 0)];
-            (value < 0.0).then(|| format!("the {name} is {value} at {:?}", x.as_slice()))
+            (value < 0.0).then(|| format!("the {name} is {} at {:?}", Short(value), x.as_slice()))
         });
         negative.map_or(Ok(()), |negative| Err(Complaint::about(&negative)))
     }

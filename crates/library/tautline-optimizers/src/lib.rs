@@ -66,6 +66,6 @@ pub use search::{
     others::lowest_different,
     scope::Scope,
     solve_error::SolveError,
-    starts::Starts,
+    starts::{Starts, bent_lines},
 };
 pub use trace::{Entry, Trace};

@@ -32,6 +32,11 @@ pub enum Doubt {
         /// The number of chords.
         chords: usize,
     },
+    /// The metric [jumps](TautLine::jump), which a search by derivatives does not see.
+    Jump {
+        /// A point at which it jumps, in `ℓ`.
+        at: Vec<f64>,
+    },
     /// The curve is proved to be longer than its quadrature says, which has missed a part of the metric.
     Longer {
         /// The proved upper bound on its length, in `m`.
@@ -41,8 +46,8 @@ pub enum Doubt {
 
 impl Doubt {
     /// The key of each kind of doubt.
-    pub const KEYS: [&str; 5] =
-        ["not_resolved", "shorter_minimum", "not_converged", "tolerance", "longer"];
+    pub const KEYS: [&str; 6] =
+        ["not_resolved", "shorter_minimum", "not_converged", "tolerance", "jump", "longer"];
 
     /// Returns the key of the doubt, the same for all numbers.
     #[must_use]
@@ -52,7 +57,8 @@ impl Doubt {
             Self::Shorter { .. } => 1,
             Self::NotConverged => 2,
             Self::Tolerance { .. } => 3,
-            Self::Longer { .. } => 4,
+            Self::Jump { .. } => 4,
+            Self::Longer { .. } => 5,
         };
         Self::KEYS[kind]
     }
@@ -76,6 +82,14 @@ impl fmt::Display for Doubt {
             Self::NotConverged => write!(f, "the search did not end at a strict minimum"),
             Self::Tolerance { chords } => {
                 write!(f, "the tolerance is not reached with {}", Chords(*chords))
+            }
+            Self::Jump { at } => {
+                let at: Vec<String> = at.iter().map(|x| nearest(*x)).collect();
+                write!(
+                    f,
+                    "the metric jumps at [{}], which a search by derivatives does not see",
+                    at.join(", ")
+                )
             }
             Self::Longer { upper } => write!(
                 f,
@@ -127,6 +141,7 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
         if !self.minimum().is_local_minimum() {
             doubts.push(Doubt::NotConverged);
         }
+        doubts.extend(self.jump().map(|at| Doubt::Jump { at }));
         doubts
     }
 }

@@ -90,6 +90,7 @@ mod certified_distance;
 mod competitors;
 mod conventions;
 mod doubt;
+mod jump;
 mod other_minima;
 mod problem;
 mod proof;

@@ -195,6 +195,7 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
                     return Err(RequestError::Tolerance { tolerance });
                 }
                 let line = self.solve_with(request.rule, FIRST_GRID, &options)?;
+                let line = self.resolved(line, &options, coarser);
                 refined(self, line, tolerance, &options, coarser)
             }
         })

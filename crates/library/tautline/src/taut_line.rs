@@ -7,7 +7,9 @@ use tautline_certify::is_metric_at;
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule, SequenceError};
 use tautline_formula::{AnyBatches, Formula, Prepare, RecordError};
 use tautline_metrics::Metric;
-use tautline_optimizers::{Estimate, Minimum, Stop, extrapolate};
+use tautline_optimizers::{
+    Estimate, Minimum, Options, SolveError, Stop, Workspace, extrapolate, minimise_any,
+};
 use tautline_sets::{AnyEnds, Ends, proved_common_point_of};
 
 use crate::both_ends::BothEnds;
@@ -88,6 +90,20 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     #[must_use]
     pub fn rule(&self) -> Rule {
         self.rule
+    }
+
+    /// Returns the line that another rule finds between the same sets, with as many chords, from automatic
+    /// starts.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Problem::solve`](crate::Problem::solve).
+    pub fn by_rule(&self, rule: Rule) -> Result<Self, SolveError> {
+        let (metric, n) = (Arc::clone(&self.metric), self.sequence().n().get());
+        let (mut workspace, options) = (Workspace::default(), Options::default());
+        let found =
+            minimise_any(&mut workspace, &*metric, self.any_ends(), rule, n, &options, None)?;
+        Ok(Self::new(metric, rule, self.ends.clone(), found))
     }
 
     /// Returns the two sets that the line joins, in a dimension that is a value.

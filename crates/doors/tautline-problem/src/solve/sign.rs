@@ -19,7 +19,7 @@ impl Question {
         for Squared { name, place, phi, .. } in self.squared()? {
             let least = least_entry(&PreparedFormula::new(phi), sequence);
             if let Some((value, x)) = least.filter(|(value, _)| *value < 0.0) {
-                let message = format!("the {name} is {value} at {x:?}");
+                let message = format!("the {name} is {} at {x:?}", Short(value));
                 return Err(Diagnostic::new(message, place).label("expected a positive function"));
             }
         }

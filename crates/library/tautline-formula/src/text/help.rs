@@ -54,11 +54,15 @@ impl TextError {
                     _ => None,
                 }
             }
-            Problem::UnknownName { name } => instead_of(name, names),
-            Problem::UnknownFunction { name } => instead_of(name, names).or_else(|| {
-                let all: Vec<&str> = functions().collect();
-                Some(format!("the functions are {}", all.join(", ")))
-            }),
+            Problem::UnknownName { name } => meant_by(name, names),
+            Problem::UnknownFunction { name } => {
+                let instead = INSTEAD.iter().find(|(words, _)| words.contains(&name.as_str()));
+                let instead = instead.map(|(_, instead)| (*instead).to_owned());
+                instead.or_else(|| meant_by(name, names)).or_else(|| {
+                    let all: Vec<&str> = functions().collect();
+                    Some(format!("the functions are {}", all.join(", ")))
+                })
+            }
             Problem::Exponent => {
                 Some("a root is sqrt(u), another power is exp(p*ln(u))".to_owned())
             }
@@ -73,16 +77,14 @@ fn functions<'f>() -> impl Iterator<Item = &'f str> {
 }
 
 /// Returns what may help with an unknown word.
-fn instead_of(word: &str, names: &[&str]) -> Option<String> {
+fn meant_by(word: &str, names: &[&str]) -> Option<String> {
     let lower = word.to_lowercase();
-    if let Some((_, instead)) = INSTEAD.iter().find(|(words, _)| words.contains(&word)) {
-        Some((*instead).to_owned())
+    if names.contains(&word) {
+        Some(format!("{word} is not defined before this"))
     } else if matches!(word, "x" | "X" | "y" | "z") {
         Some("the coordinates are x1, x2 and so on".to_owned())
     } else if functions().any(|function| function == word) {
         Some(format!("a function has parentheses, such as {word}(x1)"))
-    } else if names.contains(&word) {
-        Some(format!("{word} is not defined before this"))
     } else if is_coordinate(&lower) {
         Some(format!("did you mean {lower}?"))
     } else {
@@ -139,6 +141,17 @@ mod tests {
                     "{text} at {u}, {v}: {found} {expected}"
                 );
             }
+        }
+    }
+
+    /// A name that is defined later may be that of a missing function or of a coordinate elsewhere.
+    #[test]
+    fn a_name_that_is_defined_later_is_told_first() {
+        for name in ["z", "step", "x", "b"] {
+            let text = format!("phi(2 + {name})");
+            let error = Formula::<2>::parse(&text, &[]).expect_err("broken");
+            let help = error.help(&text[..error.at.start], &[name, "c"]);
+            assert_eq!(help, Some(format!("{name} is not defined before this")));
         }
     }
 

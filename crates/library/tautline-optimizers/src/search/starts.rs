@@ -170,8 +170,10 @@ fn cheapest(energy: &DiscreteEnergy<'_>, mut lines: Vec<Vec<f64>>) -> Vec<Vec<f6
     lines
 }
 
-/// Returns the straight line from `a` to `b`, and its bends.
-fn bent_lines(a: &[f64], b: &[f64], n: usize) -> Vec<Vec<f64>> {
+/// Returns the straight line from `a` to `b`, in `n` chords, and its bends to both sides of every axis: the
+/// coordinates of their points, in `ℓ`.
+#[must_use]
+pub fn bent_lines(a: &[f64], b: &[f64], n: usize) -> Vec<Vec<f64>> {
     let d = a.len();
     let chord: Vector = a.iter().zip(b).map(|(a, b)| b - a).collect();
     let line = |bend: &[f64]| -> Vec<f64> {

@@ -43,6 +43,27 @@ fn the_answer_is_the_shortest_curve_by_its_length() {
     assert!(left.doubts.iter().any(|doubt| doubt.kind == "not_resolved"), "{:?}", left.doubts);
 }
 
+/// Simpson's rule has no theorem, and claims are about theorems: they take the minimum of the rule that was
+/// asked for, and the curve is a bound from above. With many chords there is no search on finer grids.
+#[test]
+fn claims_give_bounds_also_where_another_rule_finds_the_curve() {
+    let metric = "[metric]\ncost = \"1.001 - exp(-x1^2 - x2^2)\"";
+    let claims = "[certify.constants]\nc1 = 1e-6\nc2 = 1.1\nl_h = 2\n";
+    let found = answer(metric, "[-1.5, 0.1]", "[1.5, 0.05]", claims);
+    let bounds = found.bounds.expect("by claims");
+    let most = to_the_centre(1.5_f64.hypot(0.1)) + to_the_centre(1.5_f64.hypot(0.05)) + 0.004;
+    assert!(bounds.rests_on_claims() && bounds.lower.value > 0.0, "{bounds:?}");
+    assert!(bounds.lower.value <= most && bounds.upper.value <= most, "{bounds:?} {most}");
+    let vanishing = "[metric]\ncost = \"1 - exp(-x1^2 - x2^2)\"";
+    let fine = format!("[solve]\nn = 5000\n{NO_BOUNDS}");
+    let found = answer(vanishing, "[-1.5, 0.1]", "[1.5, 0.05]", &fine);
+    assert_eq!((found.rule, found.n, found.search.converged), ("simpson", 5000, true));
+    // With a tolerance, too.
+    let close = format!("[solve]\ntolerance = 1e-3\n{NO_BOUNDS}");
+    let found = answer(vanishing, "[-1.5, 0.1]", "[1.5, 0.05]", &close);
+    assert!(found.length.value < 1.293, "{}", found.length.value);
+}
+
 /// Under the cost `|∇V|` a shortest curve between two minima runs along the gradient, and its length is the sum
 /// of the climbs and falls of `V`. The cost vanishes at both ends, and at three points between them.
 #[test]
