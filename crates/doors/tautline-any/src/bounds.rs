@@ -46,7 +46,8 @@ pub(crate) fn bounds(
             certified.flatten().ok_or(reason)
         }),
     };
-    Ok(found?.and_no_longer_than(line_itself.into_iter().filter_map(length_above)))
+    let found = found?.and_no_longer_than(line_itself.into_iter().filter_map(length_above));
+    if proving.claimed.is_some() { found.without_contradiction() } else { Ok(found) }
 }
 
 /// Returns bounds by constants that are claimed.

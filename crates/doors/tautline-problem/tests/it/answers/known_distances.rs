@@ -54,6 +54,12 @@ fn claims_give_bounds_also_where_another_rule_finds_the_curve() {
     let most = to_the_centre(1.5_f64.hypot(0.1)) + to_the_centre(1.5_f64.hypot(0.05)) + 0.004;
     assert!(bounds.rests_on_claims() && bounds.lower.value > 0.0, "{bounds:?}");
     assert!(bounds.lower.value <= most && bounds.upper.value <= most, "{bounds:?} {most}");
+    // This claim holds at all points of the trapezoidal rule, 1.49 from the origin or farther. By Euclid the
+    // distance is then at least 3 √0.75, and the curves that Simpson's rule finds refute it.
+    let wrong = "[certify.constants]\nc1 = 0.75\nc2 = 1.1\nl_h = 2\n";
+    let refused = answer(metric, "[-1.5, 0.1]", "[1.5, 0.05]", wrong);
+    let reason = refused.no_bounds.expect("a contradiction");
+    assert!(reason.starts_with("the claimed constants are wrong"), "{reason}");
     let vanishing = "[metric]\ncost = \"1 - exp(-x1^2 - x2^2)\"";
     let fine = format!("[solve]\nn = 5000\n{NO_BOUNDS}");
     let found = answer(vanishing, "[-1.5, 0.1]", "[1.5, 0.05]", &fine);
