@@ -110,6 +110,11 @@ impl<const D: usize> Lattice<D> {
         SVector::from_fn(|i, _| self.lower[i] + self.spacing[i] * place[i] as f64)
     }
 
+    /// Returns by how much the number of a node grows with a step along each axis.
+    pub(crate) fn strides(&self) -> [usize; D] {
+        std::array::from_fn(|i| self.counts[i + 1..].iter().product())
+    }
+
     /// Returns the node at an offset in steps from a place, if the lattice has it.
     #[must_use]
     pub fn neighbour(&self, place: &[usize; D], offset: &[isize; D]) -> Option<usize> {

@@ -23,15 +23,57 @@ pub(crate) const ROUNDING: f64 = 1e-9;
 /// A lattice whose nodes are joined by edges under a metric.
 ///
 /// The edges of a node lead to the nodes at all primitive offsets, those that are no multiples of
-/// others, of at most `r` steps along each axis. The length of an edge is that of its chord under the
-/// mean of the norms at both ends. Nodes without a metric have no edges.
+/// others, of at most `r` steps along each axis. The length of an edge is that of its chord, by the
+/// trapezoidal rule for the norms along it: at both ends and, for a longer edge, at each plane of nodes
+/// between them, the mean of the norms at the nodes next to it there. So no edge leaps over a wall that is one
+/// node wide. Nodes without a metric have no edges, nor do edges pass next to them.
 #[derive(Clone)]
 pub struct LatticeGraph<'m, const D: usize> {
     metric: &'m dyn Batches<D>,
     lattice: Lattice<D>,
     gram: Vec<Option<SMatrix<f64, D, D>>>,
-    /// The offsets, with their chords in `ℓ`.
-    steps: Vec<([isize; D], SVector<f64, D>)>,
+    steps: Vec<Step<D>>,
+}
+
+/// An edge from a node.
+#[derive(Clone, Debug)]
+struct Step<const D: usize> {
+    offset: [isize; D],
+    /// The chord, in `ℓ`.
+    chord: SVector<f64, D>,
+    /// The number of intervals of the trapezoidal rule.
+    intervals: usize,
+    /// The nodes next to the edge between its ends, by how much their numbers exceed the number of the first
+    /// end, with the share of each in the mean at its plane.
+    between: Vec<(isize, f64)>,
+}
+
+impl<const D: usize> Step<D> {
+    fn new(offset: [isize; D], lattice: &Lattice<D>) -> Self {
+        let chord = SVector::from_fn(|i, _| lattice.spacing()[i] * offset[i] as f64);
+        let intervals = offset.iter().map(|along| along.unsigned_abs()).max().unwrap_or(1);
+        let strides = lattice.strides();
+        let mut between = Vec::new();
+        for k in 1..intervals as isize {
+            // Along each axis the node below, and the part of a step beyond it.
+            let places = offset.map(|along| {
+                let (whole, m) = (along * k, intervals as isize);
+                (whole.div_euclid(m), whole.rem_euclid(m) as f64 / intervals as f64)
+            });
+            for corner in 0..1_usize << D {
+                let (mut node, mut share) = (0, 1.0);
+                for (i, (below, part)) in places.iter().enumerate() {
+                    let is_above = corner >> i & 1 == 1;
+                    node += (below + isize::from(is_above)) * strides[i] as isize;
+                    share *= if is_above { *part } else { 1.0 - part };
+                }
+                if share > 0.0 {
+                    between.push((node, share));
+                }
+            }
+        }
+        Self { offset, chord, intervals, between }
+    }
 }
 
 /// A node near a set, the point of the set that is nearest to it, and the length of the chord between.
@@ -112,9 +154,8 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
         reach: usize,
         gram: Vec<Option<SMatrix<f64, D, D>>>,
     ) -> Self {
-        let chord =
-            |offset: &[isize; D]| SVector::from_fn(|i, _| lattice.spacing()[i] * offset[i] as f64);
-        let steps = offsets(reach as isize).into_iter().map(|e| (e, chord(&e))).collect();
+        let steps = offsets(reach as isize);
+        let steps = steps.into_iter().map(|offset| Step::new(offset, &lattice)).collect();
         Self { metric, lattice, gram, steps }
     }
 
@@ -133,22 +174,29 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
     /// Returns the edges of a node: the other node, and the length in `m`, which may be infinite.
     pub fn edges(&self, node: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let neighbours = self.neighbours(node);
-        neighbours.filter_map(move |(there, chord)| Some((there, self.edge(node, there, chord)?)))
+        neighbours.filter_map(move |(there, step)| Some((there, self.edge(node, there, step)?)))
     }
 
-    /// Returns the nodes at the offsets of a node, with the chords to them, in `ℓ`.
-    fn neighbours(&self, node: usize) -> impl Iterator<Item = (usize, &SVector<f64, D>)> {
+    /// Returns the nodes at the offsets of a node, with the steps to them.
+    fn neighbours(&self, node: usize) -> impl Iterator<Item = (usize, &Step<D>)> {
         let place = self.lattice.place(node);
         let steps = self.steps.iter();
-        steps.filter_map(move |(offset, chord)| {
-            Some((self.lattice.neighbour(&place, offset)?, chord))
-        })
+        steps.filter_map(move |step| Some((self.lattice.neighbour(&place, &step.offset)?, step)))
     }
 
-    /// Returns the length of the edge between two nodes, in `m`; `None` if one of them has no metric.
-    fn edge(&self, node: usize, there: usize, chord: &SVector<f64, D>) -> Option<f64> {
-        let [h, other] = [node, there].map(|node| self.gram.get(node).and_then(Option::as_ref));
-        Some(0.5 * (norm(h?, chord) + norm(other?, chord)))
+    /// Returns the length of the edge between two nodes, in `m`; `None` if one of them, or a node next to the
+    /// edge, has no metric.
+    fn edge(&self, node: usize, there: usize, step: &Step<D>) -> Option<f64> {
+        let norm_at = |node: usize| Some(norm(self.gram.get(node)?.as_ref()?, &step.chord));
+        let ends = 0.5 * (norm_at(node)? + norm_at(there)?);
+        if step.intervals == 1 {
+            return Some(ends);
+        }
+        let mut sum = ends;
+        for &(beyond, share) in &step.between {
+            sum += share * norm_at(node.checked_add_signed(beyond)?)?;
+        }
+        Some(sum / step.intervals as f64)
     }
 
     /// Returns the nodes with a metric within one spacing of a set along each axis, with the nearest points
@@ -226,12 +274,12 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
             if let Ok(at) = ends_of.binary_search_by_key(&here, |end| end.0) {
                 least = least.min(length + ends_of[at].1);
             }
-            for (there, chord) in self.neighbours(here) {
+            for (there, step) in self.neighbours(here) {
                 // No edge has a negative length.
                 if lengths[there] <= length {
                     continue;
                 }
-                let Some(edge) = self.edge(here, there, chord) else { continue };
+                let Some(edge) = self.edge(here, there, step) else { continue };
                 let longer = length + edge;
                 if longer < lengths[there] {
                     (lengths[there], before[there]) = (longer, node);
