@@ -83,7 +83,7 @@ impl Program {
         tables.sort_by(|a, b| a.0.cmp(&b.0));
         let tables: Vec<(&str, Arc<dyn Table>)> = tables
             .iter()
-            .map(|(name, table)| (name.as_str(), Arc::clone(&table.spline) as Arc<dyn Table>))
+            .map(|(name, table)| (name.as_str(), table.table()))
             .collect();
         let given = Given::parse(text, dimension, &parameters, &tables);
         let given = given.map_err(|error| ProblemError::new_err(message(&error, text, skipped)))?;
@@ -119,6 +119,12 @@ impl Program {
     #[getter]
     fn dimension(&self) -> usize {
         self.given.dimension()
+    }
+
+    /// The goal with those of its translates by multiples of the period that come near to the start.
+    fn periodic(&self, start: &Set, goal: &Set, period: Vec<f64>) -> PyResult<Set> {
+        let pieces = self.given.periodic([&start.pieces, &goal.pieces], &period);
+        Ok(Set { pieces: pieces.map_err(|error| ProblemError::new_err(error.to_string()))? })
     }
 
     /// The tables that the text calls table1, table2, ….
@@ -259,17 +265,16 @@ impl Program {
         Ok((found.into_iter().map(|found| found.ok().map(Curve::from)).collect(), messages))
     }
 
-    /// The lengths of the curves that solve_batch finds, NaN where there is none, and how many of the
-    /// curves are doubtful: not resolved, not converged, or longer than another minimum that was met.
+    /// The lengths of curves, NaN where there is none, and how many of the curves are doubtful: not
+    /// resolved, not converged, or longer than another minimum that was met.
     fn lengths<'py>(
         &self,
         py: Python<'py>,
-        starts: PyReadonlyArray2<'_, f64>,
-        goals: PyReadonlyArray2<'_, f64>,
-        options: Options,
+        curves: Vec<Option<Py<Curve>>>,
+        threads: Option<usize>,
     ) -> PyResult<(Bound<'py, PyArray1<f64>>, usize)> {
-        let threads = options.threads;
-        let (curves, _) = self.solve_batch(py, starts, goals, options)?;
+        let curves: Vec<Option<Curve>> =
+            curves.iter().map(|curve| Some(curve.as_ref()?.get().clone())).collect();
         let length = |curve: &Option<Curve>| {
             let Some(Curve { curve, .. }) = curve else { return (f64::NAN, false) };
             (curve.length().value, !curve.doubts().is_empty())

@@ -31,9 +31,9 @@ pub(crate) fn problem_file(
         NotCertified::new_err(format!("there is no formula to audit: {}", RecordError::BlackBox))
     })?;
     let mut file = format!("dimension = {}\n", given.dimension());
-    for (k, Spline { spline }) in called(given)?.into_iter().enumerate() {
+    for (k, Spline { spline, .. }) in called(given)?.into_iter().enumerate() {
         let values = array(spline.shape(), spline.coefficients())?;
-        file += &format!("\n[tables.table{}]\nvalues = {values}\n", k + 1);
+        file += &format!("\n[tables.table{}]\nvalues = {values}\nspline = \"smoothing\"\n", k + 1);
     }
     file += &format!("\n[metric]\nformula = '''\n{formula}'''\n");
     for (name, set) in [("from", start), ("to", goal)] {

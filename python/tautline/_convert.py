@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from ._tautline import ProblemError
 
 
-def array(x: Any, what: str) -> NDArray[np.float64]:
-    """An array of real numbers."""
-    refuse_masked(x, what)
+def array(x: Any, what: str, if_masked: str = "") -> NDArray[np.float64]:
+    """An array of real numbers. An error about masked cells ends with `if_masked`."""
+    refuse_masked(x, what, if_masked)
     try:
         found = np.asarray(x)
     except ValueError:
@@ -30,11 +30,11 @@ def array(x: Any, what: str) -> NDArray[np.float64]:
         raise ProblemError(f"{what} is {_short(x)}; expected numbers") from None
 
 
-def refuse_masked(x: Any, what: str) -> None:
+def refuse_masked(x: Any, what: str, hint: str = "") -> None:
     """Refuses cells without a number, which NumPy would take with the number under the mask."""
     if _is_masked(x):
         raise ProblemError(
-            f"{what} has masked cells: {_short(x)}; expected numbers, such as those of `filled`"
+            f"{what} has masked cells: {_short(x)}; expected numbers, such as those of `filled`{hint and f';{hint}'}"
         )
 
 

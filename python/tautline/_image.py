@@ -10,8 +10,8 @@ import numpy.typing as npt
 from numpy.typing import NDArray
 
 from ._convert import array
-from ._table import Table
-from ._tautline import ProblemError
+from ._table import SplineKind, Table
+from ._tautline import ProblemError, Spline
 
 # The first node, the corner at which the nodes end, and their spacing.
 Lattice: TypeAlias = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
@@ -19,32 +19,58 @@ Lattice: TypeAlias = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
 # More nodes than this take more time than they are worth.
 MOST_NODES = 2_000_000
 
+# What to do about cells without a cost.
+WALLS = " with walls=True cells that are masked, NaN or infinite are walls"
+
 # The halves of a matrix may differ by this part of its largest entry: an inverse has such roundings.
 ROUNDING = 1e-12
 
 
 def of_image(
-    cost: npt.ArrayLike, spacing: npt.ArrayLike, origin: npt.ArrayLike, interpolate: bool
-) -> tuple[Callable[[Any], Any], Lattice]:
-    """The cost as a function of a point, and its nodes."""
-    values = array(cost, "the cost")
-    if not np.all(values > 0):
-        index = tuple(int(i) for i in np.argwhere(~(values > 0))[0])
-        raise ProblemError(f"the cost at {index} is {values[index]}; it must be positive")
-    table = Table(values, interpolate=interpolate)
-    if (least := table.spline.range((0, 0, 0))[0]) <= 0:
+    cost: npt.ArrayLike,
+    spacing: npt.ArrayLike,
+    origin: npt.ArrayLike,
+    spline: SplineKind,
+    walls: bool,
+) -> tuple[Callable[[Any], Any], Lattice, float | None]:
+    """The cost as a function of a point, its nodes, and the least length of a curve through a wall."""
+    values, is_wall = _and_walls(cost) if walls else (array(cost, "the cost", WALLS), None)
+    start, step = _nodes(spacing, origin, values.ndim)
+    crossing = None
+    if is_wall is not None:
+        # No curve through all other cells is longer, and four times as much for a unit of length lets none
+        # through a corner where two walls touch: the integral of the cost there is 0.3 of it.
+        crossing = values.size * float(values[~is_wall].max()) * float(np.linalg.norm(step))
+        values = np.where(is_wall, 4.0 * crossing / float(step.min()), values)
+    wrong = ~((values > 0) & np.isfinite(values))
+    if wrong.any():
+        index = tuple(int(i) for i in np.argwhere(wrong)[0])
+        hint = "" if values[index] <= 0 else f";{WALLS}"
         raise ProblemError(
-            f"the interpolated cost is not proved positive: it undershoots the least value "
-            f"{values.min()} by up to {values.min() - least:.3g}, to {least:.3g}. Leave out "
-            "`interpolate`, smooth the image, or interpolate its logarithm: with "
-            "t = Table(np.log(image), interpolate=True), Metric.cost(lambda x: np.exp(t(*x)), …)"
+            f"the cost at {index} is {values[index]}; it must be positive and finite{hint}"
         )
-    start, step = _nodes(spacing, origin, len(table.shape))
-    return lambda x: table(*((x - start) / step)), _lattice(start, step, table.shape)
+    table = Table(values, spline=spline)
+    if (least := table.spline.range()[0]) <= 0:
+        raise ProblemError(
+            f"the cubic spline is not proved positive: it undershoots the least cost {values.min()} by up to "
+            f'{values.min() - least:.3g}, to {least:.3g}. Leave out spline="cubic", or take the logarithm: '
+            'with t = Table(np.log(image), spline="cubic"), Metric.cost(lambda x: np.exp(t(*x)), …)'
+        )
+    return lambda x: table(*((x - start) / step)), _lattice(start, step, table.shape), crossing
+
+
+def _and_walls(cost: npt.ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.bool_] | None]:
+    """The costs, and which of them are walls, if some are."""
+    given = np.ma.asarray(cost)
+    values = array(given.data, "the cost")
+    is_wall = np.ma.getmaskarray(given) | np.isnan(values) | (values == np.inf)
+    if is_wall.all():
+        raise ProblemError("all cells of the cost are walls")
+    return values, is_wall if is_wall.any() else None
 
 
 def of_field(
-    h: npt.ArrayLike, spacing: npt.ArrayLike, origin: npt.ArrayLike, interpolate: bool
+    h: npt.ArrayLike, spacing: npt.ArrayLike, origin: npt.ArrayLike, spline: SplineKind
 ) -> tuple[Callable[[Any], Any], Lattice]:
     """The matrix as a function of a point, and its nodes."""
     values = array(h, "the field")
@@ -65,11 +91,12 @@ def of_field(
             f"the matrix at {index} is {values[index].tolist()}; it must be symmetric and positive "
             "definite"
         )
-    tables = {
-        (i, j): Table(values[..., i, j], interpolate=interpolate)
-        for i in range(axes)
-        for j in range(i, axes)
-    }
+    upper = [(i, j) for i in range(axes) for j in range(i, axes)]
+    if spline == "monotone":
+        entries = np.stack([values[..., i, j] for i, j in upper], -1)
+        tables = dict(zip(upper, map(Table._of, Spline.matrices(entries, axes))))
+    else:
+        tables = {(i, j): Table(values[..., i, j], spline=spline) for i, j in upper}
     start, step = _nodes(spacing, origin, axes)
 
     def matrix(x: Any) -> list[list[Any]]:

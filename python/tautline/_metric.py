@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ._convert import array, finite, number, whole
 from ._image import Lattice, of_field, of_image
 from ._sympy import is_sympy, of_sympy
-from ._table import Table
+from ._table import SplineKind, Table
 from ._tautline import Constant, ProblemError, Program, Set, Spline, avoiding
 from ._written import check_used, of_form, of_matrix, sign, words
 
@@ -59,6 +59,9 @@ class Metric:
 
     _free: Metric | None = None
     """The metric without its obstacles, if it has some."""
+
+    _crossing: float | None = None
+    """The least length of a curve through a wall of an image, if it has some."""
 
     def __init__(
         self,
@@ -125,22 +128,29 @@ class Metric:
         *,
         spacing: npt.ArrayLike = 1.0,
         origin: npt.ArrayLike = 0.0,
-        interpolate: bool = False,
+        spline: SplineKind = "monotone",
+        walls: bool = False,
     ) -> Metric:
         """The metric of a cost image: `cost[i, j]` is the cost of a unit of length at the point
-        `origin + spacing * (i, j)`, smoothed as by `Table`. Arrays may have one to three axes. With
-        `interpolate` it has the costs themselves, and is refused if it may not be positive between them.
-        An obstacle is a high cost. `solve` also starts from a shortest path from pixel to pixel, see
-        `Metric.lattice`: take chords that are shorter than its details.
+        `origin + spacing * (i, j)`, and between these points that of a `Table` with this `spline`. Arrays may
+        have one to three axes. A "cubic" spline is refused if it may not be positive between the costs; a
+        "smoothing" one changes the costs at the pixels.
+
+        With `walls` the cells that are masked, NaN or infinite are walls, which no curve crosses: `solve`
+        raises `MetricError` if there is no way between them. A curve keeps to the pixels beside a wall, whose
+        cost goes up towards it.
+
+        `solve` also starts from a shortest path from pixel to pixel, see `Metric.lattice`: take chords that
+        are shorter than its details.
 
         >>> import numpy as np
         >>> metric = Metric.image(np.array([[1.0, 1.0], [3.0, 3.0]]), spacing=0.5)
         >>> round(float(np.sqrt(metric([0.25, 0.1])[0, 0])), 6), metric.constants()["c1"].lower > 0.99
         (2.0, True)
         """
-        f, lattice = of_image(cost, spacing, origin, interpolate)
+        f, lattice, crossing = of_image(cost, spacing, origin, spline, walls)
         metric = cls.cost(f, len(lattice[0]))  # type: ignore[arg-type]
-        metric.lattice = lattice
+        metric.lattice, metric._crossing = lattice, crossing
         return metric
 
     @classmethod
@@ -150,20 +160,19 @@ class Metric:
         *,
         spacing: npt.ArrayLike = 1.0,
         origin: npt.ArrayLike = 0.0,
-        interpolate: bool = False,
+        spline: SplineKind = "monotone",
     ) -> Metric:
         """The metric that was measured on a grid: `h[i, j]` is the matrix at the point
         `origin + spacing * (i, j)`, so `h` has the shape (n, m, 2, 2), (n, 1, 1) on the line or
-        (n, m, l, 3, 3) in space. Each entry is smoothed as by `Table`: the matrix lies between
-        neighbouring ones, and is positive definite. With `interpolate` it has the given matrices, and may
-        not be positive definite between them. `solve` also starts from a shortest path along the grid.
+        (n, m, l, 3, 3) in space. Between these points each entry is that of a `Table` with this `spline`.
+        A "monotone" and a "smoothing" one keep the matrix positive definite; a "cubic" one may not. `solve` also starts from a shortest path along the grid.
 
         >>> import numpy as np
         >>> h = np.tile([[2.0, 0.5], [0.5, 1.0]], (4, 3, 1, 1))
         >>> Metric.field(h, spacing=0.1)([0.15, 0.1]).round(12).tolist()
         [[2.0, 0.5], [0.5, 1.0]]
         """
-        f, lattice = of_field(h, spacing, origin, interpolate)
+        f, lattice = of_field(h, spacing, origin, spline)
         metric = cls(f, len(lattice[0]))  # type: ignore[arg-type]
         metric.lattice = lattice
         return metric
@@ -189,7 +198,7 @@ class Metric:
         text, tables, sign = avoiding(self.program, list(obstacles), number(margin, "the margin"))
         parts: tuple[Any, ...] = (text, self.dimension, {}, dict(tables), 0, sign)
         free = self if self._free is None else self._free
-        return _made(False, parts, self.lattice, free)
+        return _made(False, parts, self.lattice, free, self._crossing)
 
     @classmethod
     def black_box(
@@ -232,7 +241,7 @@ class Metric:
         if second_along is not None and first_along is None:
             raise ValueError("second_along without first_along")
         derivatives = (first, second, first_along, second_along)
-        return _made(True, (dimension, h, derivatives, step), None, None)
+        return _made(True, (dimension, h, derivatives, step))
 
     @classmethod
     def cost(cls, f: Any, dimension: int | None = None, **options: Any) -> Metric:
@@ -328,17 +337,27 @@ class Metric:
     def __reduce__(self) -> tuple[Callable[..., Metric], tuple[Any, ...]]:
         """Another process makes it again from its text and its tables. A black box goes there if its
         functions do."""
-        return _made, (self.program.text is None, self._parts, self.lattice, self._free)
+        return _made, (
+            self.program.text is None,
+            self._parts,
+            self.lattice,
+            self._free,
+            self._crossing,
+        )
 
     def __repr__(self) -> str:
         return f"<tautline.Metric in {self.dimension} dimensions>"
 
 
 def _made(
-    is_black_box: bool, parts: tuple[Any, ...], lattice: Lattice | None, free: Metric | None
+    is_black_box: bool,
+    parts: tuple[Any, ...],
+    lattice: Lattice | None = None,
+    free: Metric | None = None,
+    crossing: float | None = None,
 ) -> Metric:
     metric = Metric.__new__(Metric)
-    metric.lattice, metric._free = lattice, free
+    metric.lattice, metric._free, metric._crossing = lattice, free, crossing
     metric._parts = parts
     metric.program = Program.black_box(*parts) if is_black_box else Program(*parts)
     return metric

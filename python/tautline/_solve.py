@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import warnings
 from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias, Union, overload
@@ -17,6 +18,10 @@ from ._tautline import Curve, LatticeError, MetricError, ProblemError, Set, Sign
 
 # A polygon from which a search starts, or several.
 Starts: TypeAlias = Union[Curve, npt.ArrayLike, Sequence[Any]]
+
+
+# Why there is no curve among walls.
+NO_WAY = "no way between the walls joins the start and the goal"
 
 
 class UnresolvedWarning(UserWarning):
@@ -38,6 +43,7 @@ def solve(
     classes: int = 1,
     steps: int | None = None,
     threads: int | None = None,
+    period: npt.ArrayLike | None = None,
 ) -> Curve:
     """A shortest curve of `n` chords from `start` to `goal`: sets, or points of shape (D,).
 
@@ -56,7 +62,11 @@ def solve(
     `only_these_starts`, and the shorter curve is returned. With `classes` above 1 the paths are the
     shortest ones of as many homotopy classes, ways around the peaks and holes of the metric, and
     `Curve.other_minima` has up to eight of the curves to which they lead. Sets that are far from its
-    nodes are joined without it. The result is a local minimiser: `Curve.certificate` says whether another curve may be
+    nodes are joined without it.
+
+    `period` has the period of each coordinate, such as [0, 2π] where x2 is an angle, and 0 for a coordinate
+    without one: the goal is then all of its translates that come near to the start, for the curve and for
+    what is proved of it. The result is a local minimiser: `Curve.certificate` says whether another curve may be
     shorter.
 
     Warns with `UnresolvedWarning` if the chords do not resolve the metric, if the search did not end at a
@@ -87,6 +97,8 @@ def solve(
     if searches_lattice:
         options["lattice"], options["classes"] = _lattice(metric.lattice), classes
     ends = as_set(start, "the start"), as_set(goal, "the goal")
+    if period is not None:
+        ends = ends[0], metric.program.periodic(*ends, vector(period, "the period"))
     beside = ""
     try:
         curve = metric.program.solve(*ends, options)
@@ -98,6 +110,8 @@ def solve(
     except LatticeError as error:
         curve = metric.program.solve(*ends, {**options, "lattice": None})
         beside = str(error)
+    if _crosses(metric, curve):
+        raise MetricError(NO_WAY)
     doubts = [*([beside] if beside else []), *curve.doubts]
     if tolerance is not None and not curve.is_within(tolerance):
         doubts.append(f"the relative error of its length may exceed {tolerance} with {curve.n} chords")
@@ -108,6 +122,39 @@ def solve(
             stacklevel=2,
         )
     return curve
+
+
+def _translates(
+    metric: Metric,
+    starts: NDArray[np.float64],
+    goals: NDArray[np.float64],
+    period: npt.ArrayLike | None,
+) -> list[NDArray[np.float64]]:
+    """The goals; with a period, those of their translates that come near to the starts."""
+    if period is None or not len(starts) or not len(goals):
+        return [goals]
+    periods = np.array(vector(period, "the period"))
+    ends = as_set(starts[0], "the start"), as_set(goals[0], "the goal")
+    # Refuses a period that the metric does not have.
+    metric.program.periodic(*ends, periods.tolist())
+    axes = np.flatnonzero(periods)
+    steps: list[NDArray[np.float64]] = []
+    if len(axes) <= 3:
+        steps = [np.array(step, float) for step in itertools.product((0, -1, 1), repeat=len(axes))]
+    else:
+        steps = [np.zeros(len(axes)), *np.eye(len(axes)), *-np.eye(len(axes))]
+    nearest = np.round((starts[:, axes] - goals[:, axes]) / periods[axes])
+    translates = []
+    for step in steps:
+        moved = np.array(goals)
+        moved[:, axes] += (nearest + step) * periods[axes]
+        translates.append(moved)
+    return translates
+
+
+def _crosses(metric: Metric, curve: Curve) -> bool:
+    """Whether a curve goes through a wall of an image."""
+    return metric._crossing is not None and float(curve.length) >= metric._crossing
 
 
 def _lattice(lattice: Any) -> tuple[list[float], list[float], list[float]]:
@@ -150,6 +197,7 @@ def solve_batch(
     steps: int | None = ...,
     threads: int | None = ...,
     scope: str = ...,
+    period: npt.ArrayLike | None = ...,
     on_error: Literal["raise"] = ...,
 ) -> list[Curve]: ...
 @overload
@@ -163,6 +211,7 @@ def solve_batch(
     steps: int | None = ...,
     threads: int | None = ...,
     scope: str = ...,
+    period: npt.ArrayLike | None = ...,
     on_error: Literal["return"],
 ) -> tuple[list[Curve | None], list[str | None]]: ...
 def solve_batch(
@@ -175,12 +224,14 @@ def solve_batch(
     steps: int | None = None,
     threads: int | None = None,
     scope: str = "automatic",
+    period: npt.ArrayLike | None = None,
     on_error: Literal["raise", "return"] = "raise",
 ) -> list[Curve] | tuple[list[Curve | None], list[str | None]]:
     """Curves between the rows of two arrays of shape (m, D), on all processors or on `threads`.
 
     One of them may be a single point, of shape (D,). The curves equal those of `solve` with the same
-    `scope` bit for bit, without a search along the `lattice` of an image: `solve` may find a shorter one there.
+    `scope` bit for bit. With the `scope` "local" the `lattice` of an image is left out, which takes less time.
+    With a `period`, as of `solve`, each curve is the shortest one to a translate of its goal.
     Raises `ProblemError` with the row of the first problem that has no curve; with
     `on_error="return"` it returns a pair of lists in place of that, the curves and the messages, with
     None where there is no curve and no message.
@@ -188,7 +239,8 @@ def solve_batch(
     if on_error not in ("raise", "return"):
         raise ProblemError(f"on_error is {on_error!r}; expected 'raise' or 'return'")
     options = _options(metric, n, rule, steps, threads, scope=scope)
-    curves, messages = metric.program.solve_batch(*_pairs(starts, goals), options)
+    pairs = _pairs(starts, goals)
+    curves, messages = _many(metric, *pairs, options, period)
     if on_error == "return":
         return curves, messages
     for row, message in enumerate(messages):
@@ -206,11 +258,13 @@ def distance_matrix(
     rule: str = "trapezoidal",
     threads: int | None = None,
     scope: str = "automatic",
+    period: npt.ArrayLike | None = None,
 ) -> NDArray[np.float64]:
     """The lengths of the curves between the rows of `a` and those of `b`, of shape (len(a), len(b)).
 
     Without `b` the rows of `a` are paired with each other: the matrix is symmetric, and each pair is
-    solved once, with the `scope` of `solve`: "local" takes less time. NaN where there is no curve. The `lattice` of an image is not searched. Warns with
+    solved once, with the `scope` of `solve`: "local" takes less time. NaN where there is no curve.
+    With a `period`, as of `solve`, the length is that to the nearest translate. Warns with
     `UnresolvedWarning` how many of the curves are not resolved, not at a strict minimum, or longer than
     another local minimum that was met.
     """
@@ -218,11 +272,11 @@ def distance_matrix(
     if b is None:
         i, j = np.triu_indices(len(x), 1)
         matrix = np.zeros((len(x), len(x)))
-        matrix[i, j] = _lengths(metric, x[i], x[j], options)
+        matrix[i, j] = _lengths(metric, x[i], x[j], options, period)
         return matrix + matrix.T
     y = finite_rows(b, "b")
     i, j = (index.ravel() for index in np.indices((len(x), len(y))))
-    return _lengths(metric, x[i], y[j], options).reshape(len(x), len(y))
+    return _lengths(metric, x[i], y[j], options, period).reshape(len(x), len(y))
 
 
 def _lengths(
@@ -230,16 +284,59 @@ def _lengths(
     starts: NDArray[np.float64],
     goals: NDArray[np.float64],
     options: dict[str, Any],
+    period: npt.ArrayLike | None,
 ) -> NDArray[np.float64]:
-    lengths, doubtful = metric.program.lengths(starts, goals, options)
+    curves, _ = _many(metric, starts, goals, options, period)
+    lengths, doubtful = metric.program.lengths(curves, options["threads"])
     if doubtful:
         warnings.warn(
-            f"{doubtful} of {len(lengths)} curves are not resolved by {options['n']} chords, not at a strict "
+            f"{doubtful} of {len(curves)} curves are not resolved by {options['n']} chords, not at a strict "
             "minimum, or longer than another minimum that was met; `curve.doubts` of `solve` says which it is",
             UnresolvedWarning,
             stacklevel=3,
         )
     return lengths
+
+
+def _many(
+    metric: Metric,
+    starts: NDArray[np.float64],
+    goals: NDArray[np.float64],
+    options: dict[str, Any],
+    period: npt.ArrayLike | None,
+) -> tuple[list[Curve | None], list[str | None]]:
+    """The curves between rows, or why there are none."""
+    if metric.lattice is not None and options["scope"] != "local":
+        options = {**options, "lattice": _lattice(metric.lattice)}
+    curves: list[Curve | None] = [None] * len(starts)
+    messages: list[str | None] = [None] * len(starts)
+    for k, translates in enumerate(_translates(metric, starts, goals, period)):
+        for row, (curve, why) in enumerate(zip(*_of_rows(metric, starts, translates, options))):
+            if curve is not None and _crosses(metric, curve):
+                curve, why = None, NO_WAY
+            known = curves[row]
+            if curve is not None and (known is None or float(curve.length) < float(known.length)):
+                curves[row], messages[row] = curve, None
+            elif k == 0:
+                messages[row] = why
+    return curves, messages
+
+
+def _of_rows(
+    metric: Metric,
+    starts: NDArray[np.float64],
+    goals: NDArray[np.float64],
+    options: dict[str, Any],
+) -> tuple[list[Curve | None], list[str | None]]:
+    curves, messages = metric.program.solve_batch(starts, goals, options)
+    if options["lattice"] is None:
+        return curves, messages
+    # Ends that are far from the nodes are joined without the lattice.
+    failed = [row for row, curve in enumerate(curves) if curve is None]
+    again = metric.program.solve_batch(starts[failed], goals[failed], {**options, "lattice": None})
+    for row, curve, why in zip(failed, *again):
+        curves[row], messages[row] = curve, why
+    return curves, messages
 
 
 def _options(

@@ -2,43 +2,61 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-from numpy.typing import NDArray
 
 from ._convert import array
 from ._tautline import ProblemError, Spline
 from ._trace import Traced
 
+# How a function goes between the values of an array.
+SplineKind: TypeAlias = Literal["monotone", "cubic", "smoothing"]
+KINDS = ("monotone", "cubic", "smoothing")
+
 
 class Table:
     """An array of one to three axes as a function with continuous second derivatives, in grid units.
 
-    `table(i, j)` is near `values[i, j]`, and defined for all real numbers: outside of the array it goes
-    on with the values at the border. It is a cubic B-spline with the values as coefficients, which
-    smooths them: it lies between neighbouring values, so a positive array is a positive function. With
-    `interpolate` it has the values themselves, and may overshoot between them.
+    `table(i, j)` is `values[i, j]`, and defined for all real numbers: outside of the array it goes on with
+    the values at the border. Between the values it is a cubic spline of one of three kinds:
+
+    - "monotone" stays between neighbouring values, so a positive array is a positive function, and a jump
+      does not ring;
+    - "cubic" is more accurate where the values are smooth, and overshoots where they jump;
+    - "smoothing" replaces each value by a mean of those around it.
 
     It can be called with numbers, and with the coordinates of a traced function.
 
     >>> import numpy as np
     >>> height = Table([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
-    >>> round(height(1, 1), 6), round(height(1, 0.5), 6), height(9, 1)
-    (0.444444, 0.319444, 0.0)
+    >>> height(1, 1), height(1, 0.5), height(9, 1)
+    (1.0, 0.5, 0.0)
+    >>> smooth = Table([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]], spline="smoothing")
+    >>> round(smooth(1, 1), 6), round(smooth(1, 0.5), 6)
+    (0.444444, 0.319444)
     """
 
     __slots__ = ("spline",)
 
-    def __init__(self, values: npt.ArrayLike, *, interpolate: bool = False) -> None:
+    def __init__(self, values: npt.ArrayLike, *, spline: SplineKind = "monotone") -> None:
         found = array(values, "the table")
         if found.ndim == 0:
             raise ProblemError("a table is an array of one to three axes, not a number")
-        self.spline = Spline(found, interpolate)
+        if spline not in KINDS:
+            raise ProblemError(f"spline={spline!r}; expected one of {', '.join(KINDS)}")
+        self.spline = Spline(found, spline)
 
-    def __reduce__(self) -> tuple[type[Table], tuple[NDArray[np.float64]]]:
-        return Table, (self.spline.coefficients,)
+    @classmethod
+    def _of(cls, spline: Spline) -> Table:
+        table = cls.__new__(cls)
+        table.spline = spline
+        return table
+
+    def __reduce__(self) -> tuple[Callable[[Spline], Table], tuple[Spline]]:
+        return Table._of, (self.spline,)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -52,7 +70,7 @@ class Table:
         if any(isinstance(u, Traced) for u in x):
             return Traced.called(self, x)
         arrays = np.broadcast_arrays(*(array(u, "an argument of a table") for u in x))
-        values = [self.spline.value(list(u), (0, 0, 0)) for u in zip(*(a.ravel() for a in arrays))]
+        values = [self.spline.value(list(u)) for u in zip(*(a.ravel() for a in arrays))]
         return values[0] if arrays[0].ndim == 0 else np.reshape(values, arrays[0].shape)
 
     def __repr__(self) -> str:

@@ -200,7 +200,7 @@ class WithoutTheProgram(unittest.TestCase):
 
     def test_the_numbers_of_a_problem_file_read_back_exactly(self):
         numbers = np.random.default_rng(5).normal(size=(3, 2, 4)) * 10.0 ** np.arange(-8, 8, 4)
-        table = tl.Table(numbers)
+        table = tl.Table(numbers, spline="smoothing")
         metric = tl.Metric("phi(1e-300 + ground(x1, x1, x1))", 1, tables={"ground": table})
         text = _tautline.problem_file(metric.program)
         found = text.split("values = ")[1].split("\n")[0]

@@ -33,7 +33,7 @@ class Lattices(unittest.TestCase):
         ends = [6.0, 0.5], [26.0, 0.5]
         found = float(tautline.solve(image, *ends, n=256).length)
         # Straight to the end of the wall and back: twice the root of 10² + 27.5², which a rounded corner
-        # of a smoothed wall exceeds by little.
+        # of a wall exceeds by little.
         self.assertTrue(58.5 < found < 63, found)
         # So is what another process gets.
         again = pickle.loads(pickle.dumps(image))
@@ -86,10 +86,12 @@ class Tables(unittest.TestCase):
 
     def test_large_images_have_coarser_lattices(self):
         for shape, spacing in [((3000, 3000), 1.0), ((300, 300, 300), 0.5), ((40, 2000), (100.0, 1.0))]:
-            image = tautline.Metric.image(np.ones(shape), spacing=spacing)
+            image = tautline.Metric.image(np.ones(shape), spacing=spacing, spline="smoothing")
             first, last, step = (np.array(x) for x in image.lattice)
             self.assertLess(np.prod(np.floor((last - first) / step) + 1), 2.1e6)
             np.testing.assert_array_equal(step / step.min(), spacing / np.min(spacing) * np.ones(len(shape)))
+        with self.assertRaisesRegex(tautline.ProblemError, "more than .* coefficients as a monotone spline"):
+            tautline.Metric.image(np.ones((300, 300, 300)))
 
 
 class Fields(unittest.TestCase):

@@ -311,13 +311,13 @@ class Metrics(unittest.TestCase):
     def test_an_interpolated_image_that_may_not_be_positive_is_refused(self):
         rows = np.ones((5, 5))
         rows[2, 2] = 20
-        with self.assertRaisesRegex(tl.ProblemError, r"undershoots the least value 1.0 by up to 1\d\.\d"):
-            tl.Metric.image(rows, interpolate=True)
-        logarithm = tl.Table(np.log(rows), interpolate=True)
+        with self.assertRaisesRegex(tl.ProblemError, r"undershoots the least cost 1.0 by up to 1\d\.\d"):
+            tl.Metric.image(rows, spline="cubic")
+        logarithm = tl.Table(np.log(rows), spline="cubic")
         cost = tl.Metric.cost(lambda x: np.exp(logarithm(*x)), 2)([2, 2])[0, 0] ** 0.5
         self.assertAlmostEqual(cost, 20, places=9)
         rows[2, 2] = 1.1
-        self.assertAlmostEqual(tl.Metric.image(rows, interpolate=True)([2, 2])[0, 0], 1.21)
+        self.assertAlmostEqual(tl.Metric.image(rows, spline="cubic")([2, 2])[0, 0], 1.21)
 
 
 class Proofs(unittest.TestCase):

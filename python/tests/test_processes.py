@@ -51,7 +51,7 @@ class Pickles(unittest.TestCase):
             tl.Metric("[1 + a*x1^2, 0; 0, 1]", 2, parameters={"a": 0.25}),
             tl.Metric.cost(lambda x: 2 - np.cos(x[0]), 2),
             tl.Metric.image(rows, spacing=0.5),
-            tl.Metric("cost(2*h(x1, x2))", 2, tables={"h": tl.Table(rows, interpolate=True)}),
+            tl.Metric("cost(2*h(x1, x2))", 2, tables={"h": tl.Table(rows, spline="cubic")}),
             tl.Metric.black_box(two_costs, 2, step=1e-4),
         ]
         for metric in metrics:
@@ -70,7 +70,7 @@ class Pickles(unittest.TestCase):
         self.assertNotEqual(images[0], images[2])
 
     def test_tables_and_splines(self):
-        table = tl.Table([[1.0, 2.0, 5.0], [0.0, 3.0, 1.0]], interpolate=True)
+        table = tl.Table([[1.0, 2.0, 5.0], [0.0, 3.0, 1.0]], spline="cubic")
         for other in self.copies(table):
             self.assertEqual(other(0.3, 1.2), table(0.3, 1.2))
         for other in self.copies(table.spline):

@@ -368,15 +368,17 @@ class BlackBoxes(unittest.TestCase):
 class Tables(unittest.TestCase):
     rows = np.array([[1.0, 1.0, 1.0], [1.0, 4.0, 2.0], [2.0, 2.0, 2.0], [3.0, 1.0, 1.0]])
 
-    def test_a_table_is_near_its_array(self):
+    def test_a_table_has_its_array(self):
         table = tl.Table(self.rows)
         self.assertEqual(table.shape, (4, 3))
+        for through in (table, tl.Table(self.rows, spline="cubic")):
+            np.testing.assert_allclose(through(*np.indices((4, 3))), self.rows, atol=1e-13)
         # The weights of a cubic B-spline: 1/6, 2/3, 1/6.
         w = np.array([1, 4, 1]) / 6
-        self.assertAlmostEqual(table(1, 1), w @ self.rows[:3] @ w, places=14)
-        np.testing.assert_allclose(
-            tl.Table(self.rows, interpolate=True)(*np.indices((4, 3))), self.rows, atol=1e-13
-        )
+        smooth = tl.Table(self.rows, spline="smoothing")
+        self.assertAlmostEqual(smooth(1, 1), w @ self.rows[:3] @ w, places=14)
+        with self.assertRaisesRegex(tl.ProblemError, "spline='linear'; expected one of monotone, cubic"):
+            tl.Table(self.rows, spline="linear")
         self.assertEqual(table(-9, 99), 1.0)
         with self.assertRaisesRegex(tl.ProblemError, "2 axes takes 2 arguments, not 1"):
             table(1)

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use tautline::{
     ANY, AnyBatches, AnySet, BlackBox, Formula, Known, Problem, Request, RequestError, SolveError,
-    Table, Values, answer_all, certify::Watch,
+    Table, Values, answer_all, certify::Watch, check_periods, translates,
 };
 
 use crate::{
@@ -71,6 +71,32 @@ impl Given {
     pub fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Self, GivenError> {
         let formula = self.metric.formula().map_err(|_| GivenError::NoFormula)?;
         Ok(avoiding(formula, regions, margin)?.into())
+    }
+
+    /// Returns the pieces of the second set with those of their translates by multiples of the periods that
+    /// come near to the first one; see [`translates`]. A period is that of a coordinate, in `ℓ`; 0 for none.
+    ///
+    /// # Errors
+    ///
+    /// [`GivenError::Set`] if a period is negative or not finite; [`GivenError::NotPeriodic`] if the metric
+    /// does not have the period.
+    pub fn periodic(
+        &self,
+        [from, to]: [&[Shape]; 2],
+        periods: &[f64],
+    ) -> Result<Vec<Shape>, GivenError> {
+        let (found, dimension) = (periods.len(), self.dimension());
+        if found != dimension {
+            return Err(GivenError::Coordinates { what: "the period", found, dimension });
+        }
+        from.iter().chain(to).try_for_each(|shape| check_coordinates(shape, dimension))?;
+        let [from, to] = [Shape::union(from.to_vec())?, Shape::union(to.to_vec())?];
+        let translates = translates(&to, &from, periods)?;
+        let [mut a, mut b] = [vec![0.0; dimension], vec![0.0; dimension]];
+        from.project(&mut a);
+        to.project(&mut b);
+        check_periods(&self.metric, periods, [&a, &b])?;
+        Ok(translates)
     }
 
     /// Returns the dimension.

@@ -1,6 +1,6 @@
 //! `GivenError`: why a problem that was given as values has no curve.
 
-use tautline::{ANY, BlackBox, RequestError, SetError, TextError};
+use tautline::{ANY, BlackBox, NotPeriodic, RequestError, SetError, TextError};
 
 use crate::{ConstantsError, LARGEST_DIMENSION};
 
@@ -67,6 +67,9 @@ pub enum GivenError {
     /// What needs a formula was asked of a black box.
     #[error("a metric that is no formula has no obstacles; let its function return NaN there")]
     NoFormula,
+    /// The metric does not have a period.
+    #[error(transparent)]
+    NotPeriodic(#[from] NotPeriodic),
     /// No constants were sought.
     #[error(transparent)]
     Constants(#[from] ConstantsError),

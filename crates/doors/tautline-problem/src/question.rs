@@ -14,6 +14,7 @@ use crate::{
     reading::{
         numbers::{Numbers, counted},
         parse::parse,
+        period::{periods, with_translates},
         pieces::{pieces, region, sampled},
         shape::Piece,
         solve::{Solve, check_grid},
@@ -31,8 +32,10 @@ pub struct Question {
     pub(crate) dimension: usize,
     pub(crate) parameters: Vec<(String, f64)>,
     pub(crate) tables: Tables,
-    /// The pieces of the two sets, if the file has them.
+    /// The pieces of the two sets, if the file has them; those of the second with their translates.
     pub(crate) ends: Option<[Vec<Piece>; 2]>,
+    /// The period of each coordinate, with its place; 0 if it has none.
+    pub(crate) periods: Option<Placed<Vec<f64>>>,
     pub(crate) rule: Rule,
     pub(crate) grid: Grid,
     /// The grid that [`set_grid`](Question::set_grid) asked for. It replaces the grid of the file.
@@ -89,7 +92,7 @@ impl Question {
     ) -> Result<Self, Diagnostic> {
         let numbers = Numbers::new(&file, &problem, replaced)?;
         let dimension = dimension(&problem)?;
-        let ends = match (&problem.from, &problem.to) {
+        let mut ends = match (&problem.from, &problem.to) {
             (Some(from), Some(to)) => Some([
                 pieces(from.get_ref(), &numbers, dimension)?,
                 pieces(to.get_ref(), &numbers, dimension)?,
@@ -98,6 +101,11 @@ impl Question {
             (Some(one), None) => return Err(lonely(one, "to")),
             (None, Some(one)) => return Err(lonely(one, "from")),
         };
+        let periods = problem.period.as_ref().map(|period| periods(period, &numbers, dimension));
+        let periods = periods.transpose()?;
+        if let (Some(periods), Some(ends)) = (&periods, &mut ends) {
+            ends[1] = with_translates(ends, periods)?;
+        }
         let solve = Solve::new(&problem.solve, &numbers, dimension)?;
         let certify = &problem.certify;
         let claimed =
@@ -131,6 +139,7 @@ impl Question {
             parameters,
             tables,
             ends,
+            periods,
             rule,
             grid,
             asked_grid: None,

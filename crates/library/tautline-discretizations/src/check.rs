@@ -8,7 +8,7 @@ use tautline_metrics::{
 
 use crate::{
     Interpolation,
-    interpolation::{FIRST, Sevens, TOLERANCE},
+    interpolation::{FIRST, Sevens},
 };
 
 /// The largest numbers of chords, apart from the last one, and of points that are
@@ -109,11 +109,12 @@ impl<const D: usize> Interpolation<'_, D> {
                 }
             }
         }
+        let tolerance = metric.quadrature_tolerance();
         let squares = batch.row(batch.layout().square[0]).as_chunks().0;
         let speeds: Vec<_> = squares[..pieces.len()].iter().map(|s| s.map(f64::sqrt)).collect();
         let pieces = pieces.iter().zip(speeds);
         Ok(pieces
-            .filter(|(_, speeds)| integral_by_values(speeds, TOLERANCE).is_none())
+            .filter(move |(_, speeds)| integral_by_values(speeds, tolerance).is_none())
             .map(|(piece, _)| piece))
     }
 }

@@ -254,6 +254,12 @@ impl Scalar for Symbol {
     }
 
     fn tabulated(table: &Arc<dyn Table>, orders: [u8; 3], u: &[Self]) -> Self {
+        if let Some((base, factor)) = table.base() {
+            let scaled: Vec<Self> = u.iter().map(|&u| u * factor).collect();
+            let order = orders.iter().map(|&order| i32::from(order)).sum();
+            let value = Self::tabulated(&base, orders, &scaled);
+            return if order == 0 { value } else { value * factor.powi(order) };
+        }
         Self(with(NOWHERE, |recording| recording.tabulate(table, orders, u)))
     }
 

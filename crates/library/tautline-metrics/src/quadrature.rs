@@ -74,16 +74,18 @@ const MAX_INTERVALS: usize = 4096;
 /// The subdivision always ends. A singular integrand ends it after at most 4096 intervals with a
 /// large error estimate, and an integrand that is NaN somewhere gives the value NaN.
 pub fn integrate(f: impl Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Integral {
-    integrate_by_sevens(&mut |nodes| nodes.map(&f), a, b, tolerance)
+    integrate_by_sevens(&mut |nodes| nodes.map(&f), a, b, tolerance, 0.0)
 }
 
-/// Returns `∫ₐᵇ f` like [`integrate`], for an integrand that is evaluated at seven nodes at a time.
+/// Returns `∫ₐᵇ f` like [`integrate`], for an integrand that is evaluated at seven nodes at a time. An
+/// interval is not halved either if its estimated error is at most `least`, in the unit of the integral.
 // This is compiled once for all integrands; an indirect call costs little compared with a metric.
 pub fn integrate_by_sevens(
     f: &mut dyn FnMut([f64; 7]) -> [f64; 7],
     a: f64,
     b: f64,
     tolerance: f64,
+    least: f64,
 ) -> Integral {
     let mut total = Integral::default();
     // The intervals still to be done, all of which lie to the right of [a, b].
@@ -93,7 +95,7 @@ pub fn integrate_by_sevens(
     while let Some((a, b)) = next {
         let (integral, magnitude) = kronrod(f, a, b);
         intervals += 1;
-        let enough = is_enough(integral, magnitude, tolerance);
+        let enough = is_enough(integral, magnitude, tolerance) || integral.error <= least;
         let middle = 0.5 * (a + b);
         let exhausted = intervals + pending.len() >= MAX_INTERVALS || middle == a || middle == b;
         if enough || exhausted || integral.value.is_nan() {

@@ -4,6 +4,7 @@ use std::{
     any::Any,
     fmt::Debug,
     hash::{Hash, Hasher},
+    sync::Arc,
 };
 
 /// A function of one to three numbers that is known by its values, with continuous second derivatives.
@@ -23,6 +24,12 @@ pub trait Table: Any + Debug + Send + Sync {
     /// The derivatives of third order may jump; where they do, the bounds are on both values. A box in
     /// which a derivative jumps has no bounds on the next one, which is no function there.
     fn bounds(&self, sides: &[(f64, f64)], orders: [u8; 3]) -> Option<(f64, f64)>;
+
+    /// Returns a table `g` and a factor `k` with `f(u) = g(ku)`, which a recorded formula calls in place of
+    /// this function `f`. `None` if it calls `f` itself.
+    fn base(&self) -> Option<(Arc<dyn Table>, f64)> {
+        None
+    }
 
     /// Returns 64 bits that depend on the function. Equal functions have the same.
     fn fingerprint(&self) -> u64;

@@ -137,7 +137,7 @@ impl<const D: usize> AffineSubspace<D> {
         about: "The affine subspace through `through`, spanned by `directions`.",
         parts: &[
             Part::vector("through", "A point of the subspace."),
-            Part::vectors("directions", "Linearly independent directions."),
+            Part::vectors("directions", "Linearly independent directions.").directions(),
         ],
     };
 

@@ -129,7 +129,8 @@ impl<const D: usize> HalfSpace<D> {
         name: "a half-space",
         about: "The half-space `normal·x ≥ at_least`, or `normal·x ≤ at_most`.",
         parts: &[
-            Part::vector("normal", "A vector orthogonal to the boundary, of any length but 0."),
+            Part::vector("normal", "A vector orthogonal to the boundary, of any length but 0.")
+                .directions(),
             Part::side("The least or the largest value of `normal·x`."),
         ],
     };

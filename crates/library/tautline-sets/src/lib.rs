@@ -92,6 +92,7 @@ mod segment;
 mod set_error;
 mod shape;
 mod sphere;
+mod translates;
 mod union;
 
 pub use affine_subspace::AffineSubspace;
@@ -110,4 +111,5 @@ pub use segment::Segment;
 pub use set_error::SetError;
 pub use shape::Shape;
 pub use sphere::Sphere;
+pub use translates::translates;
 pub use union::Union;

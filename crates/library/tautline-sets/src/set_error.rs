@@ -66,6 +66,14 @@ pub enum SetError {
         /// The coordinate of the upper corner.
         upper: f64,
     },
+    /// A period must be finite and at least 0, which says that a coordinate is not periodic.
+    #[error("the period {value} of coordinate {} must be finite and ≥ 0", index + 1)]
+    Period {
+        /// The index of the coordinate, counted from 0.
+        index: usize,
+        /// The period that was given.
+        value: f64,
+    },
     /// The normal of a half-space must not be zero, or else the half-space is everything or
     /// nothing.
     #[error("the normal of a half-space must not be 0")]

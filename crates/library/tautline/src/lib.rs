@@ -92,6 +92,7 @@ mod conventions;
 mod doubt;
 mod jump;
 mod other_minima;
+mod period;
 mod problem;
 mod proof;
 mod request;
@@ -105,6 +106,7 @@ pub use competitors::Competitors;
 pub use conventions::Convention;
 pub use doubt::Doubt;
 pub use other_minima::TIE;
+pub use period::{NotPeriodic, check_periods};
 pub use problem::Problem;
 pub use proof::{Proof, ProofError};
 pub use request::{CHORDS, Grid, Request, RequestError};
@@ -126,7 +128,7 @@ pub use tautline_distance as distance;
 pub use tautline_formula::{
     self as formula, AnyBatches, AnyMetric, Batch, Batches, BatchesIn, BlackBox, Formula, Kind,
     Known, Plain, Prepare, Prepared, PreparedFormula, RecordError, TextError, Values,
-    spline::{Spline, SplineError},
+    spline::{FineSpline, Spline, SplineError},
 };
 pub use tautline_grid::{
     self as grid, ClassPath, GraphPathError, Lattice, LatticeGraph, LatticePath, Nodes, Punctures,
@@ -146,7 +148,7 @@ pub use tautline_optimizers::{
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar, Short, Table, decimal};
 pub use tautline_sets::{
     self as sets, AffineSubspace, AnyEnds, AnySet, AxisBox, Ball, ClosedSet, Ends, FiniteSet,
-    HalfSpace, Point, Segment, SetError, Shape, Sphere, Union,
+    HalfSpace, Point, Segment, SetError, Shape, Sphere, Union, translates,
 };
 
 pub use nalgebra::{SMatrix, SVector};

@@ -20,7 +20,7 @@ use metric::MetricFile;
 use obstacles::ObstaclesFile;
 use placed::Placed;
 use request::{AuditFile, CertifyFile, OutputFile, SolveFile};
-use set::SetFile;
+use set::{SetFile, Vector};
 use sweep::SweepFile;
 use table::TableFile;
 
@@ -42,6 +42,9 @@ pub(crate) struct ProblemFile {
     pub(crate) tables: BTreeMap<Placed<String>, Placed<TableFile>>,
     /// The metric.
     pub(crate) metric: Placed<MetricFile>,
+    /// The period of each coordinate, such as `[0, "2*pi"]` for an angle `x2`; 0 if it has none. The set `to`
+    /// is then all of its translates that come near to the set `from`.
+    pub(crate) period: Option<Vector>,
     /// Regions that no curve enters.
     pub(crate) obstacles: Option<Placed<ObstaclesFile>>,
     /// The set in which curves start.

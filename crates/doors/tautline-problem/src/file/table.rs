@@ -11,8 +11,8 @@ use serde::{
 use super::placed::Placed;
 
 /// An array on one to three axes as a smooth function, which formulas call with as many numbers:
-/// `h(i, j)` is near the number in row `i` and column `j`, counted from 0, and goes on with the values at
-/// the border.
+/// `h(i, j)` is the number in row `i` and column `j`, counted from 0, and goes on with the values at the
+/// border.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct TableFile {
@@ -25,10 +25,22 @@ pub(crate) struct TableFile {
     /// Which entry of the last axes, from 1: a channel of a picture with colours, such as `[1]`, or an
     /// entry of a matrix at each point, such as `[1, 2]`.
     pub(crate) component: Option<Placed<Vec<usize>>>,
-    /// Whether the function has the numbers themselves, between which it may overshoot. Otherwise they
-    /// are smoothed, and it lies between neighbouring numbers.
+    /// How the function goes between the numbers; `"monotone"` unless said otherwise.
     #[serde(default)]
-    pub(crate) interpolate: bool,
+    pub(crate) spline: SplineFile,
+}
+
+/// How a function goes between numbers.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum SplineFile {
+    /// Through the numbers, and between them: it neither overshoots nor rings.
+    #[default]
+    Monotone,
+    /// Through the numbers. It is more accurate where they are smooth, and overshoots where they jump.
+    Cubic,
+    /// Between neighbouring numbers, each of which it replaces by a mean of those around it.
+    Smoothing,
 }
 
 /// A number, or a list of such.

@@ -4,6 +4,7 @@ pub(crate) mod axes;
 pub(crate) mod numbers;
 pub(crate) mod obstacles;
 pub(crate) mod parse;
+pub(crate) mod period;
 pub(crate) mod pieces;
 pub(crate) mod shape;
 pub(crate) mod solve;

@@ -54,6 +54,12 @@ fn explain(error: &toml::de::Error, file: &str) -> Diagnostic {
         if (word, known.contains(&"trapezoidal")) == ("midpoint", true) {
             return diagnostic.help("most books call trapezoidal the midpoint rule");
         }
+        if (word, known.contains(&"spline")) == ("interpolate", true) {
+            return diagnostic.help(
+                "a table has its numbers unless it is asked to smooth them; spline = \"cubic\" is the cubic \
+                 spline through them",
+            );
+        }
         if ["rule", "n", "tolerance", "starts", "steps", "time_limit"].contains(&word)
             && known.contains(&"solve")
         {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tautline::{Spline, Table, formula};
+use tautline::{FineSpline, Spline, Table, formula};
 
 use crate::{
     Diagnostic,
@@ -10,7 +10,7 @@ use crate::{
     file::{
         ProblemFile,
         placed::Placed,
-        table::{Nested, TableFile},
+        table::{Nested, SplineFile, TableFile},
     },
     reading::numbers::Numbers,
 };
@@ -46,7 +46,7 @@ pub(crate) fn tables(
         if let Err(error) = formula::number("0", &names) {
             return Err(Diagnostic::new(error.problem.to_string(), name.span()));
         }
-        tables.push((name.get_ref().clone(), Arc::new(spline(name, table.get_ref(), open)?)));
+        tables.push((name.get_ref().clone(), spline(name, table.get_ref(), open)?));
     }
     Ok(tables.into())
 }
@@ -55,8 +55,8 @@ fn spline(
     name: &Placed<String>,
     table: &TableFile,
     open: &mut Open<'_>,
-) -> Result<Spline, Diagnostic> {
-    let TableFile { values, file, component, interpolate } = table;
+) -> Result<Arc<dyn Table>, Diagnostic> {
+    let TableFile { values, file, component, spline } = table;
     let (array, place) = match (values, file) {
         (Some(values), None) => (nested(values)?, values.span()),
         (None, Some(file)) => {
@@ -97,12 +97,16 @@ fn spline(
     };
     let axes = array.shape().len();
     let (shape, values) = array.into_parts();
-    let spline = if *interpolate {
-        Spline::interpolating(&shape, values)
-    } else {
-        Spline::new(&shape, values)
+    let table: Result<Arc<dyn Table>, _> = match spline {
+        SplineFile::Monotone => {
+            FineSpline::monotone(&shape, values).map(|spline| Arc::new(spline) as _)
+        }
+        SplineFile::Cubic => {
+            Spline::interpolating(&shape, values).map(|spline| Arc::new(spline) as _)
+        }
+        SplineFile::Smoothing => Spline::new(&shape, values).map(|spline| Arc::new(spline) as _),
     };
-    spline.map_err(|error| {
+    table.map_err(|error| {
         let diagnostic = Diagnostic::new(error.to_string(), place);
         let has_channels = file.is_some() && component.is_none() && axes > 3;
         if has_channels {

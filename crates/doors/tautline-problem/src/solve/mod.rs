@@ -8,9 +8,9 @@ use core::ops::ControlFlow;
 use std::sync::Arc;
 
 use tautline::{
-    ANY, AnyEnds, Known, Problem,
+    ANY, AnyEnds, AnySet, Known, Problem,
     certify::{Progress, Watch},
-    distance,
+    check_periods, distance,
 };
 use tautline_any::{Answer, Grid, Line, Request, RequestError, ends};
 
@@ -79,8 +79,22 @@ impl Question {
 impl Question {
     /// Poses the problem with a metric.
     pub(crate) fn posed(&self, metric: Arc<Known>) -> Result<Problem<Known, ANY>, Failure> {
+        self.check_periods(&metric)?;
         let posed = Problem::with_known(metric, self.pair()?);
         posed.map_err(|error| Failure::NotComputed(error.to_string()))
+    }
+
+    /// Refuses a period that the metric does not have.
+    fn check_periods(&self, metric: &Known) -> Result<(), Diagnostic> {
+        let (Some(periods), Some([from, to])) = (&self.periods, &self.ends) else { return Ok(()) };
+        let mut ends = [(); 2].map(|()| vec![0.0; self.dimension]);
+        for (x, pieces) in ends.iter_mut().zip([from, to]) {
+            if let Some(piece) = pieces.first() {
+                piece.shape.project(x);
+            }
+        }
+        check_periods(metric, periods.get_ref(), [&ends[0], &ends[1]])
+            .map_err(|error| Diagnostic::new(error.to_string(), periods.span()))
     }
 
     /// Returns the two sets.

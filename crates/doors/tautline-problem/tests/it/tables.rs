@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tautline::{Formula, Spline, Table};
+use tautline::{FineSpline, Formula, Spline, Table};
 use tautline_problem::{Diagnostic, Grid, Question};
 
 const GOOD: &str = "\
@@ -17,7 +17,7 @@ point = [2, 1]
 ";
 
 /// What a file is expected to mean: its text, and the spline that its formula calls.
-fn expected(spline: Spline) -> Formula<2> {
+fn expected(spline: impl Table) -> Formula<2> {
     let table: Arc<dyn Table> = Arc::new(spline);
     Formula::parse_with("cost(h(x1, x2))", &[], &[("h", table)]).expect("a formula")
 }
@@ -35,13 +35,16 @@ fn npy(shape: &str, data: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn a_table_is_the_spline_with_its_numbers() {
+fn a_table_is_the_spline_of_its_kind() {
     let values = vec![1.0, 2.5, 3.0, 4.0, 2.0, 1.0];
-    let spline = Spline::new(&[3, 2], values.clone()).expect("a spline");
-    assert_eq!(formula(GOOD, &[]), expected(spline));
-    let through = Spline::interpolating(&[3, 2], values).expect("a spline");
-    let interpolated = GOOD.replace("]]\n", "]]\ninterpolate = true\n");
-    assert_eq!(formula(&interpolated, &[]), expected(through));
+    let of = |kind: &str| GOOD.replace("]]\n", &format!("]]\nspline = \"{kind}\"\n"));
+    let monotone = || FineSpline::monotone(&[3, 2], values.clone()).expect("a spline");
+    assert_eq!(formula(GOOD, &[]), expected(monotone()));
+    assert_eq!(formula(&of("monotone"), &[]), expected(monotone()));
+    let cubic = Spline::interpolating(&[3, 2], values.clone()).expect("a spline");
+    assert_eq!(formula(&of("cubic"), &[]), expected(cubic));
+    let smoothing = Spline::new(&[3, 2], values.clone()).expect("a spline");
+    assert_eq!(formula(&of("smoothing"), &[]), expected(smoothing));
 }
 
 #[test]
@@ -52,13 +55,14 @@ fn a_file_is_opened_by_its_name_and_its_component_counts_from_1() {
         opened.push(name.to_owned());
         Ok(npy("(3, 2)", &[1, 2, 3, 4, 5, 6]))
     });
-    let whole = Spline::new(&[3, 2], vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).expect("a spline");
+    let whole =
+        FineSpline::monotone(&[3, 2], vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).expect("a spline");
     assert_eq!(question.expect("a file").formula::<2>().expect("a formula"), expected(whole));
     assert_eq!(opened, ["data/h.npy"]);
 
     let file = file.replace("npy\"", "npy\"\ncomponent = [2, 1]");
     let data: Vec<u8> = (0..12).collect();
-    let entry = Spline::new(&[3, 1], vec![2.0, 6.0, 10.0]).expect("a spline");
+    let entry = FineSpline::monotone(&[3, 1], vec![2.0, 6.0, 10.0]).expect("a spline");
     assert_eq!(formula(&file, &npy("(3, 1, 2, 2)", &data)), expected(entry));
 }
 
@@ -97,7 +101,9 @@ fn programs_are_shared_only_with_the_same_tables() {
 /// The caller overrides the file: seven chords, no bounds. With other parameters the question keeps both.
 #[test]
 fn other_parameters_keep_the_grid_and_the_want_of_bounds() {
-    let file = format!("[parameters]\na = 1\n{GOOD}").replace("\"h(x1, x2)\"", "\"a*h(x1, x2)\"");
+    let local = "[solve]\nscope = \"local\"\n";
+    let file =
+        format!("[parameters]\na = 1\n{GOOD}{local}").replace("\"h(x1, x2)\"", "\"a*h(x1, x2)\"");
     let mut question = Question::read(&file).expect("a file");
     question.set_grid(Grid::Chords(7)).expect("a grid");
     question.without_bounds();
@@ -121,7 +127,10 @@ fn a_picture_with_colours_needs_a_component() {
     assert!(refused.help.is_some_and(|help| help.contains("component = [1]")));
     let green = file.replace("png\"", "png\"\ncomponent = [2]");
     let values = vec![1.0, 4.0, 7.0, 10.0, 13.0, 16.0];
-    assert_eq!(formula(&green, &picture), expected(Spline::new(&[3, 2], values).expect("green")));
+    assert_eq!(
+        formula(&green, &picture),
+        expected(FineSpline::monotone(&[3, 2], values).expect("green"))
+    );
 }
 
 #[test]

@@ -23,6 +23,10 @@ impl<const D: usize> AnyBatches for BatchesIn<'_, D> {
         D
     }
 
+    fn quadrature_tolerance(&self) -> f64 {
+        self.0.quadrature_tolerance()
+    }
+
     fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
         self.0.gram_into(x, gram);
     }

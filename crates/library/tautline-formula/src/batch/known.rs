@@ -87,6 +87,10 @@ impl AnyBatches for Known {
         self.batches().dimension()
     }
 
+    fn quadrature_tolerance(&self) -> f64 {
+        self.batches().quadrature_tolerance()
+    }
+
     fn gram_into(&self, x: &[f64], gram: &mut [f64]) {
         self.batches().gram_into(x, gram);
     }

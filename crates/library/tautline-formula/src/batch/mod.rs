@@ -29,6 +29,12 @@ pub trait AnyBatches: Sync {
     /// Returns the dimension `D` of the space.
     fn dimension(&self) -> usize;
 
+    /// Returns the relative tolerance of integrals along a chord: a few roundings for a metric that is
+    /// smooth, more for one whose third derivatives jump, where a quadrature halves many intervals.
+    fn quadrature_tolerance(&self) -> f64 {
+        4.0 * f64::EPSILON
+    }
+
     /// Writes `H(x)` to `gram`, as `D²` numbers column by column, both halves as the metric gives
     /// them.
     fn gram_into(&self, x: &[f64], gram: &mut [f64]);

@@ -34,14 +34,16 @@
 //!
 //! # Which coefficients
 //!
-//! | | [`Spline::new`] with the samples | [`Spline::interpolating`] |
-//! | --- | --- | --- |
-//! | value at a node | a mean of the samples there and next to it | the sample |
-//! | between nodes | between the nearest samples: positive and monotone where they are | may overshoot |
-//! | constants and linear functions | reproduced | reproduced away from the border |
-//! | quadratic and cubic functions | smoothed | reproduced away from the border |
+//! | | [`FineSpline::monotone`] | [`Spline::interpolating`] | [`Spline::new`] with the samples |
+//! | --- | --- | --- | --- |
+//! | value at a node | the sample | the sample | a mean of the samples there and next to it |
+//! | between nodes | monotone, between the samples | may overshoot | between the nearest samples |
+//! | linear functions | reproduced away from the border | the same | reproduced |
+//! | quadratic functions | reproduced where steep | reproduced away from the border | smoothed |
+//! | cubic functions | approximated | reproduced away from the border | smoothed |
+//! | memory on `E` axes | `3^E` numbers for each sample | one | one |
 //!
-//! A cost must be positive. If it interpolates samples, look at [`Spline::range`] first.
+//! A cost must be positive. If it is a cubic spline through samples, look at [`Spline::range`] first.
 //!
 //! # Proofs
 //!
@@ -54,6 +56,7 @@
 mod basis;
 mod enclosure;
 mod expansion;
+mod fine_spline;
 mod interpolation;
 mod place;
 mod pyramid;
@@ -70,6 +73,7 @@ use std::{
 };
 
 pub use expansion::Expansion;
+pub use fine_spline::FineSpline;
 use pyramid::Pyramid;
 pub use spline_error::SplineError;
 

@@ -29,6 +29,17 @@ pub enum SplineError {
         /// The shape that was given.
         shape: Vec<usize>,
     },
+    /// A monotone spline has too many coefficients, three for each sample along each axis.
+    #[error(
+        "an array of the shape {shape:?} has more than {most} coefficients as a monotone spline; as a cubic or a \
+         smoothing one it has as many as numbers"
+    )]
+    TooFine {
+        /// The shape that was given.
+        shape: Vec<usize>,
+        /// The most coefficients of all entries.
+        most: usize,
+    },
     /// There are as many numbers as the product of the lengths of the axes.
     #[error("the shape {shape:?} needs {expected} numbers, not {found}")]
     Count {

@@ -47,6 +47,8 @@ pub struct Part {
     pub form: Form,
     /// What the part is, in a sentence.
     pub about: &'static str,
+    /// Whether vectors are places, which a translation moves, and not directions.
+    pub are_places: bool,
 }
 
 /// What a part consists of.
@@ -104,19 +106,23 @@ impl Part {
     const SIDES: [&'static str; 2] = ["at_least", "at_most"];
 
     pub(crate) const fn vector(name: &'static str, about: &'static str) -> Self {
-        Self { name, form: Form::Vector, about }
+        Self { name, form: Form::Vector, about, are_places: true }
     }
 
     pub(crate) const fn vectors(name: &'static str, about: &'static str) -> Self {
-        Self { name, form: Form::Vectors, about }
+        Self { name, form: Form::Vectors, about, are_places: true }
+    }
+
+    pub(crate) const fn directions(self) -> Self {
+        Self { are_places: false, ..self }
     }
 
     pub(crate) const fn number(name: &'static str, about: &'static str) -> Self {
-        Self { name, form: Form::Number, about }
+        Self { name, form: Form::Number, about, are_places: false }
     }
 
     pub(crate) const fn side(about: &'static str) -> Self {
-        Self { name: "side", form: Form::Side, about }
+        Self { name: "side", form: Form::Side, about, are_places: false }
     }
 
     /// Returns the names of which one is written: the name, or those of the two sides.

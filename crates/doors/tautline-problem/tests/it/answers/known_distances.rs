@@ -1,7 +1,7 @@
 //! Problems with known distances that a search by the energy of a rule alone, or bounds by constants alone,
 //! get wrong or leave open.
 
-use tautline_problem::{Answer, Question};
+use tautline_problem::{Answer, Failure, Question};
 
 fn answer(metric: &str, from: &str, to: &str, rest: &str) -> Answer {
     let file = format!("{metric}\n[from]\npoint = {from}\n[to]\npoint = {to}\n{rest}");
@@ -185,4 +185,48 @@ fn different_points_do_not_touch() {
     let bounds = found.bounds.expect("proved");
     assert!((found.length.value - 0.5).abs() < 1e-12, "{}", found.length.value);
     assert!(bounds.lower.value > 0.499_999 && bounds.lower.value <= 0.5, "{bounds:?}");
+}
+
+/// On the torus with radii 3 and 2 the inner circle has radius 1, and the points are 2π − 6 apart along it.
+/// On the plane without a period, straight, they are 6 apart.
+#[test]
+fn an_angle_goes_round() {
+    let torus = "[metric]\ndiag = [4, \"(3 + 2*cos(x1))^2\"]";
+    let solve = |metric: &str| answer(metric, "[\"pi\", -3]", "[\"pi\", 3]", "");
+    let round = solve(&format!("period = [0, \"2*pi\"]\n{torus}"));
+    let exact = std::f64::consts::TAU - 6.0;
+    // Along a straight line of constant cost, with the roundings of 3 and 2π.
+    assert!((round.length.value - exact).abs() < 1e-14, "{}", round.length.value);
+    let bounds = round.bounds.expect("a certificate");
+    assert!(bounds.lower.value <= exact && bounds.lower.value > 0.999 * exact, "{bounds:?}");
+    assert!((solve(torus).length.value - 6.0).abs() < 1e-14);
+    // Round the outer circle, whose translates are farther, and with the period of the other angle.
+    let both = solve(&format!("period = [\"2*pi\", \"2*pi\"]\n{torus}"));
+    assert!((both.length.value - exact).abs() < 1e-14, "{}", both.length.value);
+}
+
+/// A period is one of the metric, of the right length and sign.
+#[test]
+fn what_is_no_period_is_underlined() {
+    let file = |period: &str| {
+        format!(
+            "period = {period}\n[metric]\ncost = \"2 + cos(x1)\"\n[from]\npoint = [0, 0]\n\
+             [to]\npoint = [3, 0]\n{NO_BOUNDS}"
+        )
+    };
+    let solved = |file: &str| Question::read(file).map(|question| question.solve(&mut |_| ()));
+    assert!(solved(&file("[\"2*pi\", 0]")).expect("a file").is_ok());
+    for (period, says, at) in [
+        ("[6, 0]", "does not have the period 6 in x1", "[6, 0]"),
+        ("[6]", "1 coordinate in dimension 2", "[6]"),
+        ("[\"2*pi\", -1]", "the period -1", "-1"),
+    ] {
+        let file = file(period);
+        let refused = match solved(&file) {
+            Err(diagnostic) | Ok(Err(Failure::BadInput(diagnostic))) => diagnostic,
+            Ok(other) => panic!("{period}: {:?}", other.map(|answer| answer.length)),
+        };
+        assert!(refused.message.contains(says), "{}", refused.message);
+        assert_eq!(&file[refused.at.clone()], at, "{refused:?}");
+    }
 }

@@ -7,6 +7,7 @@ mod derivatives;
 mod enclosures;
 mod exact;
 mod interpolation;
+mod monotone;
 mod pyramids;
 mod sampled;
 mod shapes;
