@@ -10,6 +10,7 @@ mod convergence;
 mod corpus;
 mod counterexample;
 mod errata;
+mod estimates;
 mod failure_rates;
 mod methods;
 mod mutants;
@@ -31,6 +32,7 @@ pub const TABLES: &[Artefact] = &[
     corpus::TABLE,
     counterexample::TABLE,
     errata::TABLE,
+    estimates::TABLE,
     failure_rates::TABLE,
     methods::TABLE,
     mutants::TABLE,
