@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Callable
 
 import numpy as np
-import tautline
+import tautline_geodesics as tautline
 
 from measurement import Solution
 from problems import DIRECTIONS, WAVES, Ball, HalfSpace, Problem

@@ -12,7 +12,7 @@ import time
 
 import numpy as np
 
-import tautline
+import tautline_geodesics as tautline
 
 
 def decoder(latent, hidden, outputs, seed=1):

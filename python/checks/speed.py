@@ -16,7 +16,7 @@ import sys
 import time
 
 import numpy as np
-import tautline
+import tautline_geodesics as tautline
 from skimage.graph import route_through_array
 
 CHORDS = (16, 64, 256)

@@ -16,7 +16,7 @@ import threading
 import time
 from pathlib import Path
 
-from tautline import sweep
+from tautline_geodesics import sweep
 
 SWEEP = """
 [parameters]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-import tautline
+import tautline_geodesics as tautline
 
 # A dozen points on a spiral that winds out of a bump of high cost.
 bump = tautline.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)

@@ -2,7 +2,7 @@
 
 import math
 
-import tautline
+import tautline_geodesics as tautline
 
 # The coordinates are the mean and the logarithm of the standard deviation.
 fisher = tautline.Metric.diag(["exp(-2*x2)", "2"], 2)

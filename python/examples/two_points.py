@@ -1,6 +1,6 @@
 """How far is it from one point to another, and which way is the shortest?"""
 
-import tautline
+import tautline_geodesics as tautline
 
 # A plane with a bump of high cost around the origin, between the two points.
 bump = tautline.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)

@@ -1,6 +1,6 @@
 """Where does the shortest way between two bodies begin and end?"""
 
-import tautline
+import tautline_geodesics as tautline
 
 # From a ball to the nearest of three harbours. The one that is nearest in a straight line lies on a
 # ridge of the metric, so the search tries all three.

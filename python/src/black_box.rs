@@ -82,7 +82,7 @@ impl Callback {
     ) -> PyResult<Vec<f64>> {
         let what = ["H", "the first derivative", "the second derivative"][order];
         let values =
-            values.py().import("tautline._convert")?.call_method1("returned", (values, what))?;
+            values.py().import("tautline_geodesics._convert")?.call_method1("returned", (values, what))?;
         let values = values.cast_into::<PyArrayDyn<f64>>()?;
         let mut shape = vec![m];
         shape.extend(std::iter::repeat_n(self.dimension, axes));

@@ -43,7 +43,7 @@ fn theorem(
 }
 
 /// Bounds on the distance.
-#[pyclass(frozen, get_all, eq, module = "tautline")]
+#[pyclass(frozen, get_all, eq, module = "tautline_geodesics")]
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Bounds {
     /// The lower bound.
@@ -141,7 +141,7 @@ impl Bounds {
 }
 
 /// A constant of a metric: bounds on its best value.
-#[pyclass(frozen, get_all, eq, module = "tautline")]
+#[pyclass(frozen, get_all, eq, module = "tautline_geodesics")]
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Constant {
     /// c1, c2, L_H or M_H.

@@ -9,7 +9,7 @@ use tautline_problem::CertifiedAnswer;
 use crate::{error::NotCertified, pool::pool};
 
 /// Proved bounds on the distance. No curve between the sets is shorter than lower.
-#[pyclass(frozen, get_all, eq, module = "tautline")]
+#[pyclass(frozen, get_all, eq, module = "tautline_geodesics")]
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Certificate {
     /// No curve between the sets is shorter.
@@ -70,7 +70,7 @@ impl Certificate {
     /// Writes the certificate to a file, which appears once it is complete.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let path = py.import("pathlib")?.call_method1("Path", (path,))?;
-        py.import("tautline._draft")?.call_method1("write", (path, &self.text))?;
+        py.import("tautline_geodesics._draft")?.call_method1("write", (path, &self.text))?;
         Ok(())
     }
 
@@ -86,7 +86,7 @@ impl Certificate {
 }
 
 /// What a certificate proves.
-#[pyclass(frozen, get_all, eq, module = "tautline")]
+#[pyclass(frozen, get_all, eq, module = "tautline_geodesics")]
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Verdict {
     /// The metric and the sets, as the certificate states them.

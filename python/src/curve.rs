@@ -31,7 +31,7 @@ fn flow(stopped: &AtomicBool) -> ControlFlow<()> {
 }
 
 /// A computed shortest curve: a local minimiser of the discrete energy, joined up linearly.
-#[pyclass(frozen, module = "tautline")]
+#[pyclass(frozen, module = "tautline_geodesics")]
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
     pub(crate) curve: Arc<value::Curve>,

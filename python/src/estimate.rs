@@ -14,7 +14,7 @@ use tautline_problem::Estimated;
 ///
 /// It is compared, rounded, written with a format, and calculated with as its number is: a sum or a product
 /// is a float, without the error. Two estimates are equal if both parts are.
-#[pyclass(frozen, get_all, module = "tautline")]
+#[pyclass(frozen, get_all, module = "tautline_geodesics")]
 #[derive(Clone, Debug)]
 pub(crate) struct Estimate {
     /// The number.

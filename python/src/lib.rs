@@ -1,4 +1,4 @@
-//! The Python module `tautline._tautline`. The package `tautline` documents it.
+//! The Python module `tautline_geodesics._tautline`. The package `tautline_geodesics` documents it.
 
 mod accuracy;
 mod avoiding;

@@ -30,7 +30,7 @@ use crate::{
 };
 
 /// A metric on R^dimension as a recorded formula, compiled to programs once.
-#[pyclass(frozen, module = "tautline")]
+#[pyclass(frozen, module = "tautline_geodesics")]
 #[derive(Clone)]
 pub(crate) struct Program {
     pub(crate) given: Given,

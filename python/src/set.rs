@@ -9,7 +9,7 @@ use tautline_any::Shape;
 use crate::error::ProblemError;
 
 /// A closed set: a piece, or the union of several with `|`.
-#[pyclass(frozen, from_py_object, module = "tautline")]
+#[pyclass(frozen, from_py_object, module = "tautline_geodesics")]
 #[derive(Clone, Debug)]
 pub(crate) struct Set {
     pub(crate) pieces: Vec<Shape>,

@@ -11,7 +11,7 @@ use tautline_problem::sweep::{
 use crate::error::ProblemError;
 
 /// The problems of a sweep: those of a sweep file, or of the table of a plan.
-#[pyclass(frozen, module = "tautline.sweep")]
+#[pyclass(frozen, module = "tautline_geodesics.sweep")]
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     plan: sweep::Plan,

@@ -10,7 +10,7 @@ use tautline_any::Given;
 use crate::error::ProblemError;
 
 /// A tensor product of cubic B-splines on one to three axes, as a function of an index along each axis.
-#[pyclass(frozen, from_py_object, module = "tautline._tautline")]
+#[pyclass(frozen, from_py_object, module = "tautline_geodesics._tautline")]
 #[derive(Clone, Debug)]
 pub(crate) struct Spline {
     pub(crate) spline: Arc<tautline::Spline>,

@@ -14,8 +14,8 @@ from unittest import mock
 
 import numpy as np
 
-import tautline as tl
-from tautline import _audit, _tautline
+import tautline_geodesics as tl
+from tautline_geodesics import _audit, _tautline
 
 
 def has_program():
@@ -195,7 +195,7 @@ class WithoutTheProgram(unittest.TestCase):
         with tempfile.TemporaryDirectory() as empty:
             with mock.patch.object(sys, "executable", f"{empty}/python"):
                 with mock.patch.dict(os.environ, PATH=empty):
-                    with self.assertRaisesRegex(FileNotFoundError, "pip install tautline-audit"):
+                    with self.assertRaisesRegex(FileNotFoundError, "pip install ./python/audit"):
                         tl.audit(tl.Metric.phi("1", 1))
 
     def test_the_numbers_of_a_problem_file_read_back_exactly(self):

@@ -8,7 +8,7 @@ import warnings
 
 import numpy as np
 
-import tautline
+import tautline_geodesics as tautline
 
 PAGE = pathlib.Path(__file__).parents[2] / "guide" / "pages" / "python.md"
 

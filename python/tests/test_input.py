@@ -10,7 +10,7 @@ import unittest
 
 import numpy as np
 
-import tautline as tl
+import tautline_geodesics as tl
 
 FLAT = tl.Metric("1 I", 2)
 VALLEYS = tl.Metric.cost("2 - cos(x1)", 2)
@@ -18,7 +18,7 @@ VALLEYS = tl.Metric.cost("2 - cos(x1)", 2)
 # An ordinary script, as mypy reads it.
 SCRIPT = """
 import numpy as np
-import tautline as tl
+import tautline_geodesics as tl
 
 hill = tl.Metric.cost(lambda x: 1 + np.exp(-(x @ x)), dimension=2)
 curve = tl.solve(hill, [0, 0], np.array([1, 0.5]), starts=np.zeros((3, 2)))
@@ -367,7 +367,7 @@ class Proofs(unittest.TestCase):
 class Module(unittest.TestCase):
     def test_the_oldest_numpy_raises_what_a_comparison_raises(self):
         # Before 1.25, `array == v` swallows the refusal of a branch.
-        required = importlib.metadata.requires("tautline") or []
+        required = importlib.metadata.requires("tautline-geodesics") or []
         self.assertIn("numpy>=1.25", [each.replace(" ", "") for each in required])
 
     def test_the_module_lists_what_it_offers(self):
@@ -376,8 +376,9 @@ class Module(unittest.TestCase):
 
     def test_sweeps_are_an_attribute_that_is_imported_when_it_is_used(self):
         script = (
-            "import sys, tautline; assert 'tautline.sweep' not in sys.modules; tautline.sweep.Plan; "
-            "assert 'tautline.sweep' in sys.modules"
+            "import sys, tautline_geodesics as tautline; "
+            "assert 'tautline_geodesics.sweep' not in sys.modules; tautline.sweep.Plan; "
+            "assert 'tautline_geodesics.sweep' in sys.modules"
         )
         subprocess.run([sys.executable, "-c", script], check=True)
 

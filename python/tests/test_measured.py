@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 
-import tautline as tl
+import tautline_geodesics as tl
 
 
 class Images(unittest.TestCase):

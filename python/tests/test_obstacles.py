@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-import tautline as tl
+import tautline_geodesics as tl
 
 ENDS = [-3.0, 0.1], [3.0, -0.1]
 

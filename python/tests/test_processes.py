@@ -9,7 +9,7 @@ import warnings
 
 import numpy as np
 
-import tautline as tl
+import tautline_geodesics as tl
 
 HILL = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
 START, GOAL = [-1.5, 0.05], [1.5, -0.1]

@@ -8,7 +8,7 @@ from unittest import mock
 
 import numpy as np
 
-import tautline as tl
+import tautline_geodesics as tl
 
 # A hill, and below it a thin wall that few chords do not see.
 WALL = tl.Metric.cost(

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-import tautline as tl
-from tautline import sweep
+import tautline_geodesics as tl
+from tautline_geodesics import sweep
 
 FILE = """
 [parameters]

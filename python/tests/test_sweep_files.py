@@ -9,8 +9,8 @@ from unittest import mock
 import numpy as np
 from test_sweep import FILE
 
-import tautline as tl
-from tautline import sweep
+import tautline_geodesics as tl
+from tautline_geodesics import sweep
 
 needs_pyarrow = unittest.skipUnless(importlib.util.find_spec("pyarrow"), "needs pyarrow")
 

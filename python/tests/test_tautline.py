@@ -10,7 +10,7 @@ import unittest
 
 import numpy as np
 
-import tautline as tl
+import tautline_geodesics as tl
 
 
 def load_tests(loader, tests, pattern):

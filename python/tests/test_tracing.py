@@ -7,9 +7,9 @@ from fractions import Fraction
 
 import numpy as np
 
-import tautline as tl
-from tautline._recorded import coordinates
-from tautline._trace import UFUNCS, Traced
+import tautline_geodesics as tl
+from tautline_geodesics._recorded import coordinates
+from tautline_geodesics._trace import UFUNCS, Traced
 
 OPERATIONS = operator.add, operator.sub, operator.mul, operator.truediv, operator.pow
 

@@ -34,7 +34,7 @@ pub(crate) fn python(root: &Path, rest: &[&str]) -> Result<(), String> {
         run(Command::new(&python).args(arguments), &line)
     };
     call(&["-m", "unittest", "discover", "--start-directory", "python/tests"])?;
-    call(&["-m", "mypy.stubtest", "tautline"])?;
+    call(&["-m", "mypy.stubtest", "tautline_geodesics"])?;
     twins(root, &python, &shown(&target.join("python")))
 }
 
@@ -105,7 +105,7 @@ pub(crate) fn made(root: &Path, target: &Path, environment: &Path) -> Result<Pat
 
 /// Installs the wheel in this folder into an environment, in place of an older one.
 pub(crate) fn installed(environment: &Path, wheels: &Path) -> Result<(), String> {
-    install_from(environment, wheels, "tautline")
+    install_from(environment, wheels, "tautline-geodesics")
 }
 
 fn install_from(environment: &Path, wheels: &Path, package: &str) -> Result<(), String> {

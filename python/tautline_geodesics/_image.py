@@ -10,7 +10,7 @@ import numpy.typing as npt
 from numpy.typing import NDArray
 
 from ._convert import array
-from ._table import SplineKind, Table
+from ._table import Table
 from ._tautline import ProblemError, Spline
 
 # The first node, the corner at which the nodes end, and their spacing.
@@ -30,7 +30,7 @@ def of_image(
     cost: npt.ArrayLike,
     spacing: npt.ArrayLike,
     origin: npt.ArrayLike,
-    spline: SplineKind,
+    spline: str,
     walls: bool,
 ) -> tuple[Callable[[Any], Any], Lattice, float | None]:
     """The cost as a function of a point, its nodes, and the least length of a curve through a wall."""
@@ -61,7 +61,7 @@ def of_image(
 
 def _and_walls(cost: npt.ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.bool_] | None]:
     """The costs, and which of them are walls, if some are."""
-    given = np.ma.asarray(cost)
+    given: Any = np.ma.asarray(cost)
     values = array(given.data, "the cost")
     is_wall = np.ma.getmaskarray(given) | np.isnan(values) | (values == np.inf)
     if is_wall.all():
@@ -70,7 +70,7 @@ def _and_walls(cost: npt.ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.boo
 
 
 def of_field(
-    h: npt.ArrayLike, spacing: npt.ArrayLike, origin: npt.ArrayLike, spline: SplineKind
+    h: npt.ArrayLike, spacing: npt.ArrayLike, origin: npt.ArrayLike, spline: str
 ) -> tuple[Callable[[Any], Any], Lattice]:
     """The matrix as a function of a point, and its nodes."""
     values = array(h, "the field")

@@ -2,7 +2,7 @@
 
 A sweep file is a problem file with a section [sweep]. From it follow the problems, numbered from 0:
 
->>> from tautline import sweep
+>>> from tautline_geodesics import sweep
 >>> plan = sweep.Plan('''
 ... [parameters]
 ... y = 0

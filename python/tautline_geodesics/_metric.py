@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ._convert import array, finite, number, whole
 from ._image import Lattice, of_field, of_image
 from ._sympy import is_sympy, of_sympy
-from ._table import SplineKind, Table
+from ._table import Table
 from ._tautline import Constant, ProblemError, Program, Set, Spline, avoiding
 from ._written import check_used, of_form, of_matrix, sign, words
 
@@ -128,7 +128,7 @@ class Metric:
         *,
         spacing: npt.ArrayLike = 1.0,
         origin: npt.ArrayLike = 0.0,
-        spline: SplineKind = "monotone",
+        spline: str = "monotone",
         walls: bool = False,
     ) -> Metric:
         """The metric of a cost image: `cost[i, j]` is the cost of a unit of length at the point
@@ -160,12 +160,13 @@ class Metric:
         *,
         spacing: npt.ArrayLike = 1.0,
         origin: npt.ArrayLike = 0.0,
-        spline: SplineKind = "monotone",
+        spline: str = "monotone",
     ) -> Metric:
         """The metric that was measured on a grid: `h[i, j]` is the matrix at the point
         `origin + spacing * (i, j)`, so `h` has the shape (n, m, 2, 2), (n, 1, 1) on the line or
         (n, m, l, 3, 3) in space. Between these points each entry is that of a `Table` with this `spline`.
-        A "monotone" and a "smoothing" one keep the matrix positive definite; a "cubic" one may not. `solve` also starts from a shortest path along the grid.
+        A "monotone" and a "smoothing" one keep the matrix positive definite; a "cubic" one may not. `solve`
+        also starts from a shortest path along the grid.
 
         >>> import numpy as np
         >>> h = np.tile([[2.0, 0.5], [0.5, 1.0]], (4, 3, 1, 1))
@@ -185,7 +186,7 @@ class Metric:
         (1 + Σₖ (margin/δₖ)²) H, and there is none in an obstacle. With a smaller margin curves run closer
         to them. So a length is somewhat more than that of the same curve by H.
 
-        >>> import numpy as np, tautline
+        >>> import numpy as np, tautline_geodesics as tautline
         >>> free = tautline.Metric.phi("1", 2)
         >>> metric = free.avoiding(tautline.ball([0, 0], 1), margin=0.003)
         >>> curve = tautline.solve(metric, [-3, 0.1], [3, -0.1])
@@ -233,7 +234,7 @@ class Metric:
         >>> def h(x):
         ...     cost = np.where(x[:, 0] > 1, 2 + (x[:, 0] - 1) ** 4, 2)
         ...     return cost[:, None, None] ** 2 * np.eye(2)
-        >>> import numpy as np, tautline
+        >>> import numpy as np, tautline_geodesics as tautline
         >>> curve = tautline.solve(Metric.black_box(h, 2), [0, 0], [2, 0])
         >>> round(float(curve.extrapolated), 6)
         4.2

@@ -102,9 +102,10 @@ def audit(
     period of the formula, in a box around `start` and `goal`, or in [-1, 1]^D. `cases` is their number
     for each law. What is not done within `time_limit` seconds is not tried.
 
-    It needs the program of `pip install tautline-audit`, beside the interpreter or on the path.
+    It needs the program `tautline-audit`, beside the interpreter or on the path: `pip install
+    ./python/audit` in a clone compiles it.
 
-    >>> import tautline
+    >>> import tautline_geodesics as tautline
     >>> valleys = tautline.Metric.cost("2 - cos(x1)", dimension=2)
     >>> found = tautline.audit(valleys, claimed=(1, 9, 4, None), cases=16)
     >>> found.verdict, [(lie.about, lie.claimed, round(lie.found, 4)) for lie in found.lies]
@@ -133,7 +134,7 @@ def _program() -> str:
     if not found:
         raise FileNotFoundError(
             f"the program {PROGRAM} is neither beside {sys.executable} nor on the path: "
-            f"pip install {PROGRAM}"
+            "pip install ./python/audit in a clone compiles it"
         )
     return found
 

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from ._tautline import ProblemError
 
 
-def array(x: Any, what: str, if_masked: str = "") -> NDArray[np.float64]:
-    """An array of real numbers. An error about masked cells ends with `if_masked`."""
-    refuse_masked(x, what, if_masked)
+def array(x: Any, what: str, hint: str = "") -> NDArray[np.float64]:
+    """An array of real numbers. An error about masked cells ends with the hint."""
+    refuse_masked(x, what, hint)
     try:
         found = np.asarray(x)
     except ValueError:
@@ -34,7 +34,8 @@ def refuse_masked(x: Any, what: str, hint: str = "") -> None:
     """Refuses cells without a number, which NumPy would take with the number under the mask."""
     if _is_masked(x):
         raise ProblemError(
-            f"{what} has masked cells: {_short(x)}; expected numbers, such as those of `filled`{hint and f';{hint}'}"
+            f"{what} has masked cells: {_short(x)}; expected numbers, such as those of `filled`"
+            f"{hint and f';{hint}'}"
         )
 
 

@@ -31,7 +31,7 @@ def plot(
     The background is det(H)^(1/2D), the mean cost of a unit of length, in shades of grey, with the
     other coordinates as in the middle of the first curve; without a metric it is empty. `margin` is
     the part of the width by which the picture is wider than the curves; `style` goes to `Axes.plot`.
-    Needs matplotlib: `pip install tautline[plot]`.
+    Needs matplotlib: `pip install tautline-geodesics[plot]`.
     """
     import matplotlib.pyplot as plt
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Literal, TypeAlias
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +13,6 @@ from ._tautline import ProblemError, Spline
 from ._trace import Traced
 
 # How a function goes between the values of an array.
-SplineKind: TypeAlias = Literal["monotone", "cubic", "smoothing"]
 KINDS = ("monotone", "cubic", "smoothing")
 
 
@@ -41,7 +40,7 @@ class Table:
 
     __slots__ = ("spline",)
 
-    def __init__(self, values: npt.ArrayLike, *, spline: SplineKind = "monotone") -> None:
+    def __init__(self, values: npt.ArrayLike, *, spline: str = "monotone") -> None:
         found = array(values, "the table")
         if found.ndim == 0:
             raise ProblemError("a table is an array of one to three axes, not a number")

@@ -1,6 +1,6 @@
 """Shortest curves between two closed sets, under a metric that you write as one formula.
 
->>> import tautline
+>>> import tautline_geodesics as tautline
 >>> valleys = tautline.Metric.cost("2 - cos(x1)", dimension=2)
 >>> curve = tautline.solve(valleys, tautline.ball([0, 0], 0.5), tautline.half_space([1, 0], at_least=3))
 >>> round(curve.extrapolated.value, 6)  # 5 - sin 3 + sin 1/2
