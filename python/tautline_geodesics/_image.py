@@ -34,21 +34,25 @@ def of_image(
     walls: bool,
 ) -> tuple[Callable[[Any], Any], Lattice, float | None]:
     """The cost as a function of a point, its nodes, and the least length of a curve through a wall."""
+    if walls and spline == "smoothing":
+        raise ProblemError('walls=True and spline="smoothing", which would spread the walls')
     values, is_wall = _and_walls(cost) if walls else (array(cost, "the cost", WALLS), None)
-    start, step = _nodes(spacing, origin, values.ndim)
-    crossing = None
-    if is_wall is not None:
-        # No curve through all other cells is longer, and four times as much for a unit of length lets none
-        # through a corner where two walls touch: the integral of the cost there is 0.3 of it.
-        crossing = values.size * float(values[~is_wall].max()) * float(np.linalg.norm(step))
-        values = np.where(is_wall, 4.0 * crossing / float(step.min()), values)
     wrong = ~((values > 0) & np.isfinite(values))
+    if is_wall is not None:
+        wrong &= ~is_wall
     if wrong.any():
         index = tuple(int(i) for i in np.argwhere(wrong)[0])
         hint = "" if values[index] <= 0 else f";{WALLS}"
         raise ProblemError(
             f"the cost at {index} is {values[index]}; it must be positive and finite{hint}"
         )
+    start, step = _nodes(spacing, origin, values.ndim)
+    crossing = None
+    if is_wall is not None:
+        # No curve through all other cells is longer, and four times as much for a unit of length lets none
+        # through a corner where two walls touch: the integral of the cost there is more than 0.3 of it.
+        crossing = values.size * float(values[~is_wall].max()) * float(np.linalg.norm(step))
+        values = np.where(is_wall, 4.0 * crossing / float(step.min()), values)
     table = Table(values, spline=spline)
     if (least := table.spline.range()[0]) <= 0:
         raise ProblemError(

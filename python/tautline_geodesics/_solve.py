@@ -21,7 +21,10 @@ Starts: TypeAlias = Union[Curve, npt.ArrayLike, Sequence[Any]]
 
 
 # Why there is no curve among walls.
-NO_WAY = "no way between the walls joins the start and the goal"
+NO_WAY = (
+    "every curve that was found crosses a wall: no way between the walls joins the start and the goal, an end "
+    "is in a wall, or the chords do not resolve the walls; more chords, or a way as `starts`, may help"
+)
 
 
 class UnresolvedWarning(UserWarning):
@@ -65,8 +68,8 @@ def solve(
     nodes are joined without it.
 
     `period` has the period of each coordinate, such as [0, 2π] where x2 is an angle, and 0 for a coordinate
-    without one: the goal is then all of its translates that come near to the start, for the curve and for
-    what is proved of it. The result is a local minimiser: `Curve.certificate` says whether another curve may be
+    without one: the goal is then those of its translates that come near to the start by their coordinates, for
+    the curve and for what is proved of it. The result is a local minimiser: `Curve.certificate` says whether another curve may be
     shorter.
 
     Warns with `UnresolvedWarning` if the chords do not resolve the metric, if the search did not end at a
@@ -98,7 +101,7 @@ def solve(
         options["lattice"], options["classes"] = _lattice(metric.lattice), classes
     ends = as_set(start, "the start"), as_set(goal, "the goal")
     if period is not None:
-        ends = ends[0], metric.program.periodic(*ends, vector(period, "the period"))
+        ends = ends[0], _periodic(metric, *ends, vector(period, "the period"))
     beside = ""
     try:
         curve = metric.program.solve(*ends, options)
@@ -124,6 +127,16 @@ def solve(
     return curve
 
 
+def _periodic(metric: Metric, start: Set, goal: Set, period: list[float]) -> Set:
+    """The translates of the goal that come near to the start."""
+    if metric._free is not None:
+        raise ProblemError(
+            "a period besides obstacles, which have no translates: write a cost that is high in them, and has the "
+            "period"
+        )
+    return metric.program.periodic(start, goal, period)
+
+
 def _translates(
     metric: Metric,
     starts: NDArray[np.float64],
@@ -131,12 +144,13 @@ def _translates(
     period: npt.ArrayLike | None,
 ) -> list[NDArray[np.float64]]:
     """The goals; with a period, those of their translates that come near to the starts."""
-    if period is None or not len(starts) or not len(goals):
+    if period is None:
         return [goals]
     periods = np.array(vector(period, "the period"))
-    ends = as_set(starts[0], "the start"), as_set(goals[0], "the goal")
-    # Refuses a period that the metric does not have.
-    metric.program.periodic(*ends, periods.tolist())
+    # Refuses a period that the metric does not have. Of many rows some hundred are enough.
+    every = max(1, len(starts) // 100)
+    for start, goal in zip(starts[::every], goals[::every]):
+        _periodic(metric, as_set(start, "the start"), as_set(goal, "the goal"), periods.tolist())
     axes = np.flatnonzero(periods)
     steps: list[NDArray[np.float64]] = []
     if len(axes) <= 3:

@@ -60,7 +60,7 @@ class Images(unittest.TestCase):
             self.assertTrue(shortest < float(curve.length) < beside + 1e-3, curve.length)
         ground[20] = np.ma.masked
         image = tl.Metric.image(ground, walls=True)
-        with self.assertRaisesRegex(tl.MetricError, "no way between the walls"):
+        with self.assertRaisesRegex(tl.MetricError, "crosses a wall: no way between the walls"):
             tl.solve(image, [10, 5], [30, 5])
         ends = [[10, 5], [30, 5], [12, 5]]
         matrix = tl.distance_matrix(image, ends)
@@ -69,8 +69,21 @@ class Images(unittest.TestCase):
         curves, messages = tl.solve_batch(image, ends[0], ends[1:], on_error="return")
         self.assertEqual([curve is None for curve in curves], [True, False])
         self.assertIn("no way", messages[0])
+        with self.assertRaisesRegex(tl.ProblemError, r"\(0, 1\) is -1.0; it must be positive"):
+            tl.Metric.image([[np.nan, -1.0]], walls=True)
+        with self.assertRaisesRegex(tl.ProblemError, "would spread the walls"):
+            tl.Metric.image(holes, walls=True, spline="smoothing")
         with self.assertRaisesRegex(tl.ProblemError, "all cells of the cost are walls"):
             tl.Metric.image([[np.nan, np.inf]], walls=True)
+
+    def test_a_wall_along_a_diagonal_is_a_wall(self):
+        ground = np.ones((20, 20))
+        i = np.arange(15)
+        ground[i, i] = np.nan
+        curve = tl.solve(tl.Metric.image(ground, walls=True), [3, 12], [12, 3], n=512)
+        # Round the end at (14, 14), over the free pixel (15, 15) or along the pixels beside the wall.
+        shortest, beside = 2 * np.hypot(12, 3), 2 * np.hypot(12, 5) + 2
+        self.assertTrue(shortest < float(curve.length) < beside, curve.length)
 
     def test_obstacles_keep_the_lattice(self):
         image = tl.Metric.image(np.ones((5, 4)), spacing=0.5)
@@ -109,6 +122,13 @@ class Periods(unittest.TestCase):
             tl.solve(metric, [0, 0], [3, 0], period=[6, 0])
         with self.assertRaisesRegex(tl.ProblemError, "the period has 1 coordinates"):
             tl.distance_matrix(metric, [[0, 0], [3, 0]], period=[2 * np.pi])
+        # Row 1 alone shows that the cost has no period.
+        bump = tl.Metric.cost("1 + 5*exp(-100*(x1 - 1)^2)", 2)
+        with self.assertRaisesRegex(tl.ProblemError, "does not have the period 2"):
+            tl.solve_batch(bump, [[5, 0], [0, 0]], [[5.1, 0], [1.9, 0]], period=[2, 0])
+        with self.assertRaisesRegex(tl.ProblemError, "a period besides obstacles"):
+            free = tl.Metric.phi("1", 2)
+            tl.solve(free.avoiding(tl.ball([8, 0], 1), margin=1e-9), [0, 0], [6, 0], period=[10, 0])
         with self.assertRaisesRegex(tl.ProblemError, "period -1"):
             tl.solve(metric, [0, 0], [3, 0], period=[0, -1])
 

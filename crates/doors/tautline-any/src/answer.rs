@@ -202,6 +202,30 @@ pub struct Bounds {
     pub certificate: Option<CertificateAnswer>,
 }
 
+/// What a lower bound by a period leaves open.
+const FARTHER: &str = "; farther translates by the period were not tried";
+
+impl Bounds {
+    /// Says that the lower bound is about the translates of the second set that were tried, unless `c₁`, proved
+    /// on all of space, shows that a curve to a farther one is longer than the bound: each is at least `reach`
+    /// from the first set, in `ℓ`.
+    pub fn to_near_translates(&mut self, reach: f64) {
+        let everywhere =
+            |constants: &&UsedConstants| constants.within.is_none() && !constants.if_it_settles;
+        let c1 = self.constants.as_ref().filter(everywhere).map_or(0.0, |constants| constants.c1);
+        // The root and the product are rounded.
+        if !(c1.sqrt() * reach * (1.0 - 4.0 * f64::EPSILON) >= self.lower.value) {
+            self.lower_by += FARTHER;
+        }
+    }
+
+    /// Returns whether a curve to a translate that was not tried may be shorter than the lower bound.
+    #[must_use]
+    pub fn leaves_translates_open(&self) -> bool {
+        self.lower_by.ends_with(FARTHER)
+    }
+}
+
 /// The certificate that gives a lower bound.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CertificateAnswer {

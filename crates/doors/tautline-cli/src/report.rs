@@ -136,6 +136,16 @@ const SHOWN: f64 = 0.01;
 
 /// Returns what the bounds rest on.
 fn note(bounds: &Bounds, converged: bool) -> Option<String> {
+    let note = about_the_minimum(bounds, converged);
+    if !bounds.leaves_translates_open() {
+        return note;
+    }
+    let open = "farther translates by the period were not tried";
+    Some(note.map_or_else(|| open.to_owned(), |note| format!("{note}; {open}")))
+}
+
+/// Returns what the lower bound has to do with the minimum that was found.
+fn about_the_minimum(bounds: &Bounds, converged: bool) -> Option<String> {
     let note = match bounds.global_minimum {
         GlobalMinimum::Proved => return None,
         GlobalMinimum::NotNeeded => {

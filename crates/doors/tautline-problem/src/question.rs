@@ -103,6 +103,10 @@ impl Question {
         };
         let periods = problem.period.as_ref().map(|period| periods(period, &numbers, dimension));
         let periods = periods.transpose()?;
+        if let (Some(periods), Some(_)) = (&periods, &problem.obstacles) {
+            return Err(Diagnostic::new("a period besides [obstacles]", periods.span())
+                .help("the regions have no translates; write a cost that is high in them, and has the period"));
+        }
         if let (Some(periods), Some(ends)) = (&periods, &mut ends) {
             ends[1] = with_translates(ends, periods)?;
         }

@@ -25,8 +25,9 @@ pub(crate) const ROUNDING: f64 = 1e-9;
 /// The edges of a node lead to the nodes at all primitive offsets, those that are no multiples of
 /// others, of at most `r` steps along each axis. The length of an edge is that of its chord, by the
 /// trapezoidal rule for the norms along it: at both ends and, for a longer edge, at each plane of nodes
-/// between them, the mean of the norms at the nodes next to it there. So no edge leaps over a wall that is one
-/// node wide. Nodes without a metric have no edges, nor do edges pass next to them.
+/// between them, the mean of the norms at the nodes next to it there; for the diagonal of a cell, at the middle,
+/// the mean of those at the corners. So no edge leaps over a wall that is one node wide, also where two nodes
+/// of it touch at a corner. Nodes without a metric have no edges, nor do edges pass next to them.
 #[derive(Clone)]
 pub struct LatticeGraph<'m, const D: usize> {
     metric: &'m dyn Batches<D>,
@@ -51,7 +52,10 @@ struct Step<const D: usize> {
 impl<const D: usize> Step<D> {
     fn new(offset: [isize; D], lattice: &Lattice<D>) -> Self {
         let chord = SVector::from_fn(|i, _| lattice.spacing()[i] * offset[i] as f64);
-        let intervals = offset.iter().map(|along| along.unsigned_abs()).max().unwrap_or(1);
+        // A diagonal has the middle of its cell, so that it does not pass between walls that touch there.
+        let is_diagonal = offset.iter().filter(|&&along| along != 0).count() > 1;
+        let steps = offset.iter().map(|along| along.unsigned_abs()).max().unwrap_or(1);
+        let intervals = if steps == 1 && is_diagonal { 2 } else { steps };
         let strides = lattice.strides();
         let mut between = Vec::new();
         for k in 1..intervals as isize {

@@ -74,6 +74,19 @@ pub enum SetError {
         /// The period that was given.
         value: f64,
     },
+    /// Along a coordinate with a period two sets may together extend over half of the period, so that one
+    /// translate is the nearest; a set without end must be its own translate.
+    #[error(
+        "along coordinate {} the sets extend over {extent}, more than half of the period {period}", index + 1
+    )]
+    Extent {
+        /// The index of the coordinate, counted from 0.
+        index: usize,
+        /// The sum of the extents of a piece of each set, in `ℓ`.
+        extent: f64,
+        /// The period.
+        period: f64,
+    },
     /// The normal of a half-space must not be zero, or else the half-space is everything or
     /// nothing.
     #[error("the normal of a half-space must not be 0")]

@@ -68,6 +68,11 @@ fn translated(kind: Kind, values: Vec<Value>, by: &[f64]) -> Vec<Value> {
 /// `periods` has a number for each coordinate, in `ℓ`: 0 for a coordinate that is not periodic. A set that
 /// a translation does not change is taken once.
 ///
+/// Every other translate is, for up to three periods, farther than the least period from the other set: along
+/// some coordinate it is moved by two periods from the nearest one, which is at most half a period away, and
+/// the sets together extend over half a period at most. With a metric `H ≥ c₁ I` a curve to it is longer than
+/// `√c₁` times the least period. With a larger `c₂` it may be shorter than all curves to these translates.
+///
 /// ```
 /// use tautline_scalar::ANY;
 /// use tautline_sets::{Point, Shape, translates};
@@ -82,7 +87,8 @@ fn translated(kind: Kind, values: Vec<Value>, by: &[f64]) -> Vec<Value> {
 ///
 /// # Errors
 ///
-/// As for [`Shape::translated`]; [`SetError::Period`] if a period is negative or not finite.
+/// As for [`Shape::translated`]; [`SetError::Period`] if a period is negative or not finite;
+/// [`SetError::Extent`] if the sets extend over more than half of a period.
 pub fn translates(
     set: &Shape<ANY>,
     from: &Shape<ANY>,
@@ -103,6 +109,13 @@ pub fn translates(
     let mut found: Vec<Shape<ANY>> = Vec::new();
     for piece in pieces(set) {
         for here in pieces(from) {
+            for &index in &periodic {
+                let period = periods[index];
+                let extent = extent(&piece, index, period)? + extent(&here, index, period)?;
+                if !(extent <= 0.5 * period) {
+                    return Err(SetError::Extent { index, extent, period });
+                }
+            }
             let mut start = vec![0.0; dimension];
             piece.project(&mut start);
             here.project(&mut start);
@@ -122,6 +135,17 @@ pub fn translates(
         }
     }
     Ok(found)
+}
+
+/// Returns the extent of a piece along a coordinate with a period, in `ℓ`: 0 if it is its own translate, and
+/// infinite for another set without end.
+fn extent(piece: &Shape<ANY>, index: usize, period: f64) -> Result<f64, SetError> {
+    if let [[lower, upper]] = &piece.boxes()[..] {
+        return Ok(upper[index] - lower[index]);
+    }
+    let mut by = vec![0.0; piece.dimension()];
+    by[index] = period;
+    Ok(if piece.translated(&by)? == *piece { 0.0 } else { f64::INFINITY })
 }
 
 /// Returns the pieces, and the points of finite sets, which are near to different translates.
@@ -230,6 +254,29 @@ mod tests {
         assert_eq!(translates(&wall, &from, &[0.0, 0.0]), Ok(vec![wall]));
         let both = Shape::union(vec![point(&[0.0, 0.0]), point(&[60.0, 0.0])]).expect("two");
         assert_eq!(translates(&from, &both, &[6.0, 0.0]).expect("translates").len(), 6);
+    }
+
+    /// A segment over ten periods has ten nearest translates, and a slanted half-space has each of them.
+    #[test]
+    fn sets_over_more_than_half_of_a_period_are_refused() {
+        let segment =
+            |x: f64| Shape::Segment(Segment::from_slices(&[0.0, 0.0], &[x, 10.0]).expect("finite"));
+        let to = point(&[0.5, 10.0]);
+        assert_eq!(translates(&to, &segment(5.0), &[10.0, 0.0]).expect("translates").len(), 3);
+        for (one, other) in [(segment(100.0), to.clone()), (to.clone(), segment(5.1))] {
+            let error = translates(&other, &one, &[10.0, 0.0]).expect_err("refused");
+            assert!(matches!(error, SetError::Extent { index: 0, period: 10.0, .. }), "{error}");
+        }
+        let slanted = Shape::HalfSpace(HalfSpace::from_slice(&[1.0, 9.0], 0.0).expect("a normal"));
+        let error = translates(&to, &slanted, &[10.0, 0.0]).expect_err("refused");
+        assert_eq!(error, SetError::Extent { index: 0, extent: f64::INFINITY, period: 10.0 });
+    }
+
+    /// Twenty-seven for three periods.
+    #[test]
+    fn three_periods_have_all_neighbours() {
+        let [from, to] = [[0.0; 3], [0.25; 3]].map(|x| point(&x));
+        assert_eq!(translates(&to, &from, &[1.0; 3]).expect("translates").len(), 27);
     }
 
     #[test]

@@ -6,14 +6,14 @@ use tautline_formula::{AnyBatches, Known};
 /// period such as `2π` is rounded, and so are large arguments of waves.
 const ROUNDING: f64 = 1e-6;
 
-/// Places along the segment between two points, and fractions of the periods beside it.
-const SAMPLES: [(f64, f64); 5] = [(0.0, 0.0), (0.31, 0.27), (0.57, 0.61), (0.83, 0.43), (1.0, 0.0)];
+/// The number of points at which the metric is compared with itself.
+const SAMPLES: usize = 64;
 
 /// A point at which a metric does not have the period that was given.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "the metric does not have the period {period} in x{}: at {x:?} an entry is {here}, and with x{} larger by \
-     the period it is {there}",
+     periods it is {there}",
     index + 1,
     index + 1
 )]
@@ -26,12 +26,14 @@ pub struct NotPeriodic {
     pub x: Vec<f64>,
     /// An entry of `H` there.
     pub here: f64,
-    /// The same entry a period beyond.
+    /// The same entry one or more periods beyond.
     pub there: f64,
 }
 
-/// Checks at a few points around the segment from `a` to `b` that `H(x + p eᵢ) = H(x)` for each period
-/// `p > 0`, up to `10⁻⁶` of the largest entry. Points where `H` is undefined are passed over.
+/// Checks that `H(x + kp eᵢ) = H(x)` for each period `p > 0`, up to `10⁻⁶` of the largest entry, at 64 points
+/// around the segment from `a` to `b` that fill the periods, for `k = 1` and for so many periods that the
+/// point lies beyond the other end. This may refute a period, and proves none. Points where `H` is undefined
+/// on both sides are passed over.
 ///
 /// # Errors
 ///
@@ -46,19 +48,27 @@ pub fn check_periods(
     [a, b]: [&[f64]; 2],
 ) -> Result<(), NotPeriodic> {
     assert!([a.len(), b.len(), metric.dimension()].iter().all(|&d| d == periods.len()));
-    for (along, beside) in SAMPLES {
-        let sides = a.iter().zip(b).zip(periods);
-        let x: Vec<f64> = sides.map(|((a, b), p)| a + along * (b - a) + beside * p).collect();
+    for k in 0..SAMPLES {
+        // The fractions of multiples of irrational numbers fill the interval evenly.
+        let fraction = |i: usize| (k as f64 * (i as f64 + 2.0).sqrt().recip()).fract();
+        let sides = a.iter().zip(b).zip(periods).enumerate();
+        let along = |(i, ((a, b), p))| a + fraction(0) * (b - a) + fraction(i + 1) * p;
+        let x: Vec<f64> = sides.map(along).collect();
         let here = metric.gram(&x);
         let largest = here.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
         for (index, &period) in periods.iter().enumerate().filter(|(_, period)| **period > 0.0) {
-            let mut beyond = x.clone();
-            beyond[index] += period;
-            let there = metric.gram(&beyond);
-            let differs =
-                |(here, there): &(&f64, &f64)| (*here - *there).abs() > ROUNDING * largest;
-            if let Some((&here, &there)) = here.iter().zip(&there).find(differs) {
-                return Err(NotPeriodic { index, period, x, here, there });
+            let many = ((b[index] - a[index]).abs() / period).ceil() + 1.0;
+            for times in [1.0, many] {
+                let mut beyond = x.clone();
+                beyond[index] += times * period;
+                let there = metric.gram(&beyond);
+                let differs = |(here, there): &(&f64, &f64)| {
+                    let both_undefined = here.is_nan() && there.is_nan();
+                    !both_undefined && !((*here - *there).abs() <= ROUNDING * largest)
+                };
+                if let Some((&here, &there)) = here.iter().zip(&there).find(differs) {
+                    return Err(NotPeriodic { index, period, x, here, there });
+                }
             }
         }
     }
@@ -94,5 +104,12 @@ mod tests {
         // The logarithm is undefined at the start.
         let half = known("cost(ln(x1))");
         assert!(check_periods(&half, &[5.0, 0.0], [&[-1.0, 0.0], &[3.0, 0.0]]).is_err());
+        // A bump that is narrow beside the period, a period that is short beside the metric, and one that is
+        // a little wrong.
+        let narrow = known("cost(1 + 5*exp(-100*(x1 - 1)^2))");
+        assert!(check_periods(&narrow, &[2.0, 0.0], [&[0.0, 0.0], &[0.4, 0.0]]).is_err());
+        let slow = known("cost(1 + x1^2)");
+        assert!(check_periods(&slow, &[1e-9, 0.0], [&[0.0, 0.0], &[3.0, 0.0]]).is_err());
+        assert!(check_periods(&torus, &[TAU + 1e-5, 0.0], ends).is_err());
     }
 }

@@ -11,8 +11,8 @@ use serde::{
 use super::placed::Placed;
 
 /// An array on one to three axes as a smooth function, which formulas call with as many numbers:
-/// `h(i, j)` is the number in row `i` and column `j`, counted from 0, and goes on with the values at the
-/// border.
+/// `h(i, j)` is the number in row `i` and column `j`, counted from 0, unless these are smoothed, and goes on
+/// with the values at the border.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct TableFile {

@@ -72,8 +72,19 @@ impl Question {
         let line = self.line(&self.posed(metric)?, request, solved)?;
         let answer = self.on_its_own(&line)?;
         let proving = self.bound.then(|| self.proving());
-        Ok(answer.complete(&line, proving, watch, observe, solved))
+        let mut answer = answer.complete(&line, proving, watch, observe, solved);
+        if let (Some(periods), Some(bounds)) = (&self.periods, &mut answer.bounds) {
+            bounds.to_near_translates(reach(periods.get_ref()));
+        }
+        Ok(answer)
     }
+}
+
+/// Returns a lower bound on the distance, in `ℓ`, of the first set from the translates of the second one that
+/// are not tried: that of [`translates`](tautline::translates), and 0 for more periods than it is about.
+fn reach(periods: &[f64]) -> f64 {
+    let periods: Vec<f64> = periods.iter().copied().filter(|&period| period > 0.0).collect();
+    if periods.len() > 3 { 0.0 } else { periods.into_iter().fold(f64::INFINITY, f64::min) }
 }
 
 impl Question {

@@ -43,7 +43,7 @@ const MOST: usize = 1 << 28;
 /// # Memory
 ///
 /// About `3^E` times the memory of the samples on `E` axes, of at most `2²⁸` coefficients: those of an image
-/// of 5,461 × 5,461 pixels, or of 215 × 215 × 215 samples in space.
+/// of 5,462 × 5,462 pixels, or of 215 × 215 × 215 samples in space.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FineSpline {
     spline: Arc<Spline>,
@@ -88,6 +88,9 @@ impl FineSpline {
         size: usize,
         samples: Vec<f64>,
     ) -> Result<Vec<Self>, SplineError> {
+        if size == 0 {
+            return Ok(Vec::new());
+        }
         let keeps = |coefficient: &[f64], sample: &[f64]| {
             let reduced = coefficient.iter().zip(sample).map(|(c, a)| c - 0.5 * a).collect();
             is_positive_definite(reduced, size)

@@ -166,6 +166,12 @@ pub(crate) fn edge_length(
     if (d - steps * spacing).amax() > 1e-9 {
         return ends;
     }
+    if steps.amax() == 1.0 && steps.amin() == 1.0 {
+        let at =
+            |i: usize, j: usize| norm(&(x + SVector::from([i as f64 * d[0], j as f64 * d[1]])), d);
+        let middle = 0.25 * (at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1));
+        return 0.5 * (ends + middle);
+    }
     let (long, short) = if steps[0].abs() > steps[1].abs() { (0, 1) } else { (1, 0) };
     let mut sum = ends;
     for k in 1..steps[long].abs() as i32 {
@@ -196,6 +202,13 @@ fn no_edge_leaps_over_a_wall_one_node_wide() {
     let path = graph(&wall.expect("a formula"), &ends, &lattice, 2, None).expect("a path");
     let top = path.corners().iter().map(|corner| corner.1[1]).fold(f64::NEG_INFINITY, f64::max);
     assert!(top == 1.0 && path.length() < 10.0, "{path:?}");
+    // A wall along the diagonal, whose nodes touch at corners, with a gap at its end.
+    let text = "cost(1 + 1000*exp(-(10*(x1 - x2))^4)/(1 + exp(20*(x1 - 0.6))))";
+    let wall = Formula::<2>::parse(text, &[]).expect("a formula");
+    let ends = Ends::points([-1.0, -0.5], [-0.5, -1.0]).expect("finite");
+    let path = graph(&wall, &ends, &lattice, 2, None).expect("a path");
+    let top = path.corners().iter().map(|corner| corner.1[0]).fold(f64::NEG_INFINITY, f64::max);
+    assert!(top >= 0.75 && path.length() < 10.0, "{path:?}");
 }
 
 /// The corners are joined by edges, whose lengths are those between them, and the ends are in the sets.

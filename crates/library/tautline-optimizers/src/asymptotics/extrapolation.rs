@@ -8,9 +8,9 @@ use crate::Level;
 pub struct Estimate {
     /// The extrapolated value.
     pub value: f64,
-    /// The change that the last order of extrapolation made, or the share of the change on the last grid
-    /// that a remaining `N⁻ᑫ` would leave, or what rounding may make: the largest of these. If the energies
-    /// do not yet fall as expected, the change on the last grid.
+    /// The change that the last order of extrapolation made, or the change on the last grid times the ratio
+    /// by which `N⁻ᑫ` falls with it, or what rounding may make: the largest of these. If the energies do not
+    /// yet fall as expected, the change on the last grid.
     pub error: f64,
 }
 
@@ -29,11 +29,12 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// The result is the entry of the scheme with the least error, since the coarsest grids may lie
 /// outside the asymptotic range and the finest carry rounding. An entry may agree with that of one order less
 /// by accident, so its error is also at least a share of the change from the entry of the same order without
-/// the last grid: the share that would remain if that change fell in proportion to `N⁻ᑫ` alone. The top entry
-/// has no such neighbour, and takes the one of one order less.
+/// the last grid: the next change, if changes fall in proportion to `N⁻ᑫ` alone. The top entry has no such
+/// neighbour, and takes the one of one order less.
 ///
-/// Of 13,384 random problems with known distances, on 32 to 2,291 chords, 16 were beyond their errors; with the
-/// change of the last order alone, 182 were.
+/// By the trapezoidal rule, of 13,384 random problems with known distances, on 64 to 2,291 chords, 16 were
+/// beyond their errors; with the change of the last order alone, 182 were. The left-endpoint rule, whose
+/// expansion has all powers of `1/N`, is worse: see the table `estimates` of the companion.
 #[must_use]
 pub fn extrapolate(levels: &[Level], exponent: i32) -> Option<Estimate> {
     let variable: Vec<f64> = levels.iter().map(|level| (level.n as f64).powi(-exponent)).collect();
@@ -55,9 +56,7 @@ pub fn extrapolate(levels: &[Level], exponent: i32) -> Option<Estimate> {
         let (value, before) = (*next.last()?, *column.last()?);
         let by_order = (value - before).abs();
         let error = match (if next.len() > 1 { &next } else { &column })[..] {
-            [.., coarse, fine] if next.len() > 1 || order > 1 => {
-                by_order.max(share * (fine - coarse).abs())
-            }
+            [.., coarse, fine] => by_order.max(share * (fine - coarse).abs()),
             _ => by_order,
         };
         if best.is_none_or(|best| error <= best.error) {
