@@ -81,9 +81,9 @@ class Images(unittest.TestCase):
         i = np.arange(15)
         ground[i, i] = np.nan
         curve = tl.solve(tl.Metric.image(ground, walls=True), [3, 12], [12, 3], n=512)
-        # Round the end at (14, 14), over the free pixel (15, 15) or along the pixels beside the wall.
-        shortest, beside = 2 * np.hypot(12, 3), 2 * np.hypot(12, 5) + 2
-        self.assertTrue(shortest < float(curve.length) < beside, curve.length)
+        # Round the end of the wall at (14, 14), and not beyond the free pixel (15, 15).
+        end, beside = 2 * np.hypot(11, 2), 2 * np.hypot(12, 3)
+        self.assertTrue(end < float(curve.length) < beside, curve.length)
 
     def test_obstacles_keep_the_lattice(self):
         image = tl.Metric.image(np.ones((5, 4)), spacing=0.5)
