@@ -24,7 +24,7 @@ distance     between 5.338147761 and 5.338305531
              the lower bound is that of a certificate, which is about all curves
 length       5.338305531 of a curve of 256 chords, trapezoidal rule
              from [0.5, 0] to [3, 0]
-extrapolated 5.338305531 ± 2e-9, an estimate
+extrapolated 5.338305531 ± 3e-8, an estimate
 search       converged, Hessian positive definite
 ";
     assert!(answer.starts_with(expected), "{answer}");
