@@ -48,9 +48,9 @@ const ROUNDING: f64 = 1e-13;
 /// An extrapolated distance.
 #[derive(Clone, Copy, Debug)]
 struct Estimated {
-    /// The distance of its square from that of the known distance, relative to the latter.
+    /// The error of the estimated squared distance, relative to the known squared distance.
     off: f64,
-    /// The stated error, relative to the same.
+    /// The stated error of the estimated squared distance, relative to the known squared distance.
     error: f64,
 }
 

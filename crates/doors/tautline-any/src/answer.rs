@@ -202,13 +202,13 @@ pub struct Bounds {
     pub certificate: Option<CertificateAnswer>,
 }
 
-/// What a lower bound by a period leaves open.
+/// What a lower bound leaves open where the coordinates have periods.
 const FARTHER: &str = "; farther translates by the period were not tried";
 
 impl Bounds {
-    /// Says that the lower bound is about the translates of the second set that were tried, unless `c₁`, proved
-    /// on all of space, shows that a curve to a farther one is longer than the bound: each is at least `reach`
-    /// from the first set, in `ℓ`.
+    /// Says that the lower bound is about the translates of the second set that were tried, unless a constant
+    /// `c₁` on all of space shows that a curve to a farther translate is longer than the bound. Each farther
+    /// translate is at least `reach` from the first set, in `ℓ`.
     pub fn to_near_translates(&mut self, reach: f64) {
         let everywhere =
             |constants: &&UsedConstants| constants.within.is_none() && !constants.if_it_settles;
@@ -219,10 +219,10 @@ impl Bounds {
         }
     }
 
-    /// Returns whether a curve to a translate that was not tried may be shorter than the lower bound.
+    /// Says what the lower bound leaves open, after a semicolon; nothing if no curve is shorter.
     #[must_use]
-    pub fn leaves_translates_open(&self) -> bool {
-        self.lower_by.ends_with(FARTHER)
+    pub fn left_open(&self) -> &'static str {
+        if self.lower_by.ends_with(FARTHER) { FARTHER } else { "" }
     }
 }
 

@@ -28,10 +28,5 @@ fn joined(shapes: Vec<Shape<ANY>>) -> Result<Shape<ANY>, SetError> {
     if shapes.len() == 1 {
         return Shape::union(shapes);
     }
-    let single = |piece: &Shape<ANY>| match piece {
-        Shape::FiniteSet(set) => set.points().iter().cloned().map(Shape::Point).collect(),
-        piece => vec![piece.clone()],
-    };
-    let pieces = shapes.iter().flat_map(Shape::pieces).flat_map(single);
-    Shape::union(pieces.collect())
+    Shape::union(shapes.iter().flat_map(Shape::single_pieces).collect())
 }

@@ -136,12 +136,9 @@ const SHOWN: f64 = 0.01;
 
 /// Returns what the bounds rest on.
 fn note(bounds: &Bounds, converged: bool) -> Option<String> {
-    let note = about_the_minimum(bounds, converged);
-    if !bounds.leaves_translates_open() {
-        return note;
-    }
-    let open = "farther translates by the period were not tried";
-    Some(note.map_or_else(|| open.to_owned(), |note| format!("{note}; {open}")))
+    let note = about_the_minimum(bounds, converged).unwrap_or_default() + bounds.left_open();
+    let note = note.trim_start_matches("; ");
+    (!note.is_empty()).then(|| note.to_owned())
 }
 
 /// Returns what the lower bound has to do with the minimum that was found.

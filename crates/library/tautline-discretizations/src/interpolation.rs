@@ -4,14 +4,14 @@ use nalgebra::SVector;
 use tautline_formula::{AnyBatches, AnyMetric, Batch, Kind};
 use tautline_metrics::{
     Metric, norm_squared,
-    quadrature::{FIRST_NODES, Integral, integral_by_values, integrate_by_sevens},
+    quadrature::{FEW_ROUNDINGS, FIRST_NODES, Integral, integral_by_values, integrate_by_sevens},
 };
 
 use crate::{PointSequence, compensated_sum::CompensatedSum};
 
 /// The relative tolerance of the quadrature on each chord. It is a few roundings, so that
 /// `E(γᵖˡ) − d²` is as accurate as `d²` itself.
-pub(crate) const TOLERANCE: f64 = 4.0 * f64::EPSILON;
+pub(crate) const TOLERANCE: f64 = FEW_ROUNDINGS;
 
 /// The number of nodes that a quadrature evaluates first.
 pub(crate) const FIRST: usize = FIRST_NODES.len();

@@ -65,6 +65,10 @@ fn is_enough(integral: Integral, magnitude: f64, tolerance: f64) -> bool {
     integral.error <= tolerance.max(4.0 * f64::EPSILON) * magnitude
 }
 
+/// The relative tolerance for smooth integrands: a few roundings, so that the quadrature adds none of its own
+/// to an integral.
+pub const FEW_ROUNDINGS: f64 = 4.0 * f64::EPSILON;
+
 /// The number of intervals allowed. Here only a singular integrand needs more.
 const MAX_INTERVALS: usize = 4096;
 

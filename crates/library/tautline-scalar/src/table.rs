@@ -25,8 +25,8 @@ pub trait Table: Any + Debug + Send + Sync {
     /// which a derivative jumps has no bounds on the next one, which is no function there.
     fn bounds(&self, sides: &[(f64, f64)], orders: [u8; 3]) -> Option<(f64, f64)>;
 
-    /// Returns a table `g` and a factor `k` with `f(u) = g(ku)`, which a recorded formula calls in place of
-    /// this function `f`. `None` if it calls `f` itself.
+    /// Returns `g` and `k` with `f(u) = g(ku)` if a recorded formula calls the table `g` instead of this
+    /// table `f`. `None` if the formula calls `f` itself.
     fn base(&self) -> Option<(Arc<dyn Table>, f64)> {
         None
     }

@@ -121,6 +121,16 @@ impl<const D: usize> Shape<D> {
         }
     }
 
+    /// Returns the pieces, with the points of a finite set one by one.
+    #[must_use]
+    pub fn single_pieces(&self) -> Vec<Self> {
+        let single = |piece: &Self| match piece {
+            Shape::FiniteSet(set) => set.points().iter().cloned().map(Shape::Point).collect(),
+            piece => vec![piece.clone()],
+        };
+        self.pieces().into_iter().flat_map(single).collect()
+    }
+
     /// Returns the lower and the upper corner, in `ℓ`, of a box around each bounded piece, and around each
     /// point of a finite set. Those of a ball or a sphere are rounded.
     #[must_use]

@@ -107,8 +107,8 @@ pub fn translates(
     }
     let periodic: Vec<usize> = (0..dimension).filter(|&i| periods[i] > 0.0).collect();
     let mut found: Vec<Shape<ANY>> = Vec::new();
-    for piece in pieces(set) {
-        for here in pieces(from) {
+    for piece in set.single_pieces() {
+        for here in from.single_pieces() {
             for &index in &periodic {
                 let period = periods[index];
                 let extent = extent(&piece, index, period)? + extent(&here, index, period)?;
@@ -146,15 +146,6 @@ fn extent(piece: &Shape<ANY>, index: usize, period: f64) -> Result<f64, SetError
     let mut by = vec![0.0; piece.dimension()];
     by[index] = period;
     Ok(if piece.translated(&by)? == *piece { 0.0 } else { f64::INFINITY })
-}
-
-/// Returns the pieces, and the points of finite sets, which are near to different translates.
-fn pieces(set: &Shape<ANY>) -> Vec<Shape<ANY>> {
-    let single = |piece: &Shape<ANY>| match piece {
-        Shape::FiniteSet(set) => set.points().iter().cloned().map(Shape::Point).collect(),
-        piece => vec![piece.clone()],
-    };
-    set.pieces().into_iter().flat_map(single).collect()
 }
 
 /// Returns the multiples of each of the periods by which neighbours differ from the nearest translate.

@@ -43,7 +43,7 @@ pub(crate) struct ProblemFile {
     /// The metric.
     pub(crate) metric: Placed<MetricFile>,
     /// The period of each coordinate, such as `[0, "2*pi"]` for an angle `x2`; 0 if it has none. The set `to`
-    /// is then all of its translates that come near to the set `from`.
+    /// is then those of its translates that come near to the set `from`.
     pub(crate) period: Option<Vector>,
     /// Regions that no curve enters.
     pub(crate) obstacles: Option<Placed<ObstaclesFile>>,

@@ -11,6 +11,7 @@ mod prepare;
 mod prepared;
 
 use nalgebra::{SMatrix, SVector};
+use tautline_metrics::quadrature::FEW_ROUNDINGS;
 
 pub use batches_in::BatchesIn;
 pub(crate) use contraction::CHUNKED;
@@ -32,7 +33,7 @@ pub trait AnyBatches: Sync {
     /// Returns the relative tolerance of integrals along a chord: a few roundings for a metric that is
     /// smooth, more for one whose third derivatives jump, where a quadrature halves many intervals.
     fn quadrature_tolerance(&self) -> f64 {
-        4.0 * f64::EPSILON
+        FEW_ROUNDINGS
     }
 
     /// Writes `H(x)` to `gram`, as `D²` numbers column by column, both halves as the metric gives

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use tautline_metrics::Metric;
+use tautline_metrics::{Metric, quadrature::FEW_ROUNDINGS};
 use tautline_scalar::ANY;
 
 use crate::{
@@ -169,7 +169,7 @@ impl AnyBatches for PreparedFormula {
 
     fn quadrature_tolerance(&self) -> f64 {
         // Measured numbers are hardly known to more digits.
-        if self.formula.tables().is_empty() { 4.0 * f64::EPSILON } else { 1e-9 }
+        if self.formula.tables().is_empty() { FEW_ROUNDINGS } else { 1e-9 }
     }
 
     fn gram_into(&self, x: &[f64], gram: &mut [f64]) {

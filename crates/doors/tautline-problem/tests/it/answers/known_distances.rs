@@ -205,6 +205,20 @@ fn an_angle_goes_round() {
     assert!((both.length.value - exact).abs() < 1e-14, "{}", both.length.value);
 }
 
+/// Under `(x₁ + x₂/2)² + x₂²` the translate by five periods is the nearest, at distance 10, though it is the
+/// farthest by its coordinates: the bound about the translates that were tried says so. That of the torus does
+/// not, since its constants prove that the others are farther.
+#[test]
+fn a_bound_says_that_farther_translates_were_not_tried() {
+    let open = "; farther translates by the period were not tried";
+    let slanted = "period = [1, 0]\n[metric]\nformula = \"[1, 0.5; 0.5, 1.25]\"";
+    let found = answer(slanted, "[0, 0]", "[0, 10]", "").bounds.expect("bounds");
+    assert!(found.lower.value > 10.0 && found.lower_by.ends_with(open), "{found:?}");
+    let torus = "period = [0, \"2*pi\"]\n[metric]\ndiag = [4, \"(3 + 2*cos(x1))^2\"]";
+    let found = answer(torus, "[\"pi\", -3]", "[\"pi\", 3]", "").bounds.expect("bounds");
+    assert!(!found.lower_by.contains("translates"), "{found:?}");
+}
+
 /// A period is one of the metric, of the right length and sign.
 #[test]
 fn what_is_no_period_is_underlined() {

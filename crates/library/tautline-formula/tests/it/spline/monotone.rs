@@ -253,6 +253,29 @@ fn matrices_stay_positive_definite_and_are_those_at_the_samples() {
     assert!(turns_matter.count() > 0);
 }
 
+/// With the steps 1 and 9 the slope is 5/4 and the curvature 9/4, their bounds.
+#[test]
+fn slope_and_curvature_are_at_most_those_of_the_smaller_step() {
+    let spline = FineSpline::monotone(&[3], vec![0.0, 1.0, 10.0]).expect("finite");
+    let (slope, bend) = (1.25, 2.25);
+    let around =
+        [1.0 - slope / 3.0 + bend / 27.0, 1.0 - bend / 54.0, 1.0 + slope / 3.0 + bend / 27.0];
+    assert_eq!(spline.spline().coefficients()[2..5], around);
+}
+
+/// At the matrix with rows 1, 0.9 and 0.9, 1, whose least eigenvalue is 0.1, a coefficient is kept if its own
+/// is above 0.05: 0.066 beside the first of the last matrices, and 0.039 beside the second one.
+#[test]
+fn a_coefficient_has_at_least_half_of_the_least_eigenvalue() {
+    let beside = |last: f64| {
+        let matrices = vec![1.0, 0.6, 1.0, 1.0, 0.9, 1.0, 2.0, last, 2.0];
+        let splines = FineSpline::monotone_matrices(&[3], 2, matrices).expect("finite");
+        splines[1].spline().coefficients()[4]
+    };
+    assert!((0.934..0.935).contains(&beside(1.0)), "{}", beside(1.0));
+    assert_eq!(beside(1.06), 0.9);
+}
+
 #[test]
 fn what_is_no_array_is_refused() {
     let refused = |shape: &[usize], samples: Vec<f64>| {
