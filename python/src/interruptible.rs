@@ -22,7 +22,7 @@ const PERIOD: Duration = Duration::from_millis(50);
 /// what it has in hand, such as a level of cubes.
 pub(crate) fn interruptible<T: Send + 'static>(
     py: Python<'_>,
-    work: impl FnOnce(&AtomicBool) -> T + Send + 'static,
+    work: impl FnOnce(&Arc<AtomicBool>) -> T + Send + 'static,
 ) -> PyResult<T> {
     let pool = pool(py)?;
     py.detach(|| {

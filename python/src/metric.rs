@@ -1,9 +1,6 @@
 //! `Program`: a metric as a recorded formula.
 
-use std::{
-    collections::HashMap,
-    sync::{Arc, atomic::Ordering},
-};
+use std::{collections::HashMap, sync::Arc};
 
 use numpy::{
     IntoPyArray, PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
@@ -189,25 +186,22 @@ impl Program {
 
     fn solve(&self, py: Python<'_>, start: &Set, goal: &Set, options: Options) -> PyResult<Curve> {
         let request = self.request(options)?;
-        let found = match request.grid {
-            Grid::Chords(_) => {
-                py.detach(|| self.given.solve([&start.pieces, &goal.pieces], &request))
-            }
-            // It may take minutes.
-            Grid::Tolerance(_) => {
-                let (given, start, goal) = (self.given.clone(), start.clone(), goal.clone());
-                interruptible(py, move |stopped| {
-                    let ends: [&[Shape]; 2] = [&start.pieces, &goal.pieces];
-                    given.solve_while(ends, &request, &|| !stopped.load(Ordering::Relaxed))
-                })?
-            }
+        let found = if self.callback.is_some() {
+            // Its functions run in the thread that calls, and look for Ctrl-C.
+            py.detach(|| self.given.solve([&start.pieces, &goal.pieces], &request))
+        } else {
+            let (given, start, goal) = (self.given.clone(), start.clone(), goal.clone());
+            let request = request.clone();
+            interruptible(py, move |stopped| {
+                given.solve_until(stopped, [&start.pieces, &goal.pieces], &request)
+            })?
         };
         self.unless_raised()?;
         let curve = found.map_err(|error| raised(&error))?;
-        match self.wrong_sign(&curve) {
-            None => Ok(curve.into()),
-            Some(wrong) => Err(SignError::new_err(wrong)),
-        }
+        let Some(wrong) = self.wrong_sign(&curve) else { return Ok(curve.into()) };
+        let ends: [&[Shape]; 2] = [&start.pieces, &goal.pieces];
+        let positive = py.detach(|| self.where_positive(ends, &request));
+        positive.map_or_else(|| Err(SignError::new_err(wrong)), |curve| Ok(curve.into()))
     }
 
     /// Curves between the rows of two arrays of shape (m, D), as (curves, messages): a curve or None,
@@ -250,7 +244,8 @@ impl Program {
             let solved = || {
                 let points: Vec<_> = block.iter().filter_map(|ends| ends.clone().ok()).collect();
                 let curves = self.given.solve_all(&points, &request).into_par_iter();
-                curves.map(|curve| self.checked(curve)).collect::<Vec<_>>()
+                let checked = |(curve, &ends)| self.checked(curve, ends, &request);
+                curves.zip(&points).map(checked).collect::<Vec<_>>()
             };
             let mut solved = py.detach(|| pool.install(solved)).into_iter();
             let curve = |ends: &Result<_, String>| match ends {
@@ -304,10 +299,25 @@ impl Program {
         self.sign.as_ref().and_then(|sign| sign.wrong(curve).ok()?)
     }
 
-    /// Returns a curve, or why there is none.
-    fn checked(&self, found: Found) -> Result<Arc<value::Curve>, String> {
+    /// Returns a curve between two sets on which the cost or the speed is positive: a search that refuses
+    /// steps to where it is not.
+    fn where_positive(&self, ends: [&[Shape]; 2], request: &Request) -> Option<Arc<value::Curve>> {
+        let positive = self.given.where_positive(&[&self.sign.as_ref()?.phi])?;
+        positive.solve(ends, request).ok()
+    }
+
+    /// Returns a curve between two sets, or why there is none.
+    fn checked(
+        &self,
+        found: Found,
+        ends: [&[Shape]; 2],
+        request: &Request,
+    ) -> Result<Arc<value::Curve>, String> {
         let curve = found.map_err(|error| error.to_string())?;
-        self.wrong_sign(&curve).map_or(Ok(curve), Err)
+        match self.wrong_sign(&curve) {
+            None => Ok(curve),
+            Some(wrong) => self.where_positive(ends, request).ok_or(wrong),
+        }
     }
 
     fn request(&self, options: Options) -> PyResult<Request> {

@@ -1,7 +1,10 @@
 //! `Given`: a metric whose dimension is known when the program runs.
 
 use core::ops::ControlFlow::{Break, Continue};
-use std::sync::Arc;
+use std::sync::{
+    Arc,
+    atomic::{AtomicBool, Ordering},
+};
 
 use tautline::{
     ANY, AnyBatches, AnySet, BlackBox, Formula, Known, Problem, Request, RequestError, SolveError,
@@ -69,8 +72,22 @@ impl Given {
     /// [`GivenError::Margin`], [`GivenError::NoInside`], [`GivenError::Coordinates`],
     /// [`GivenError::Text`]; [`GivenError::NoFormula`] for a black box.
     pub fn avoiding(&self, regions: &[Region], margin: f64) -> Result<Self, GivenError> {
-        let formula = self.metric.formula().map_err(|_| GivenError::NoFormula)?;
-        Ok(avoiding(formula, regions, margin)?.into())
+        Ok(avoiding(self.formula()?, regions, margin)?.into())
+    }
+
+    pub(crate) fn formula(&self) -> Result<&Formula<ANY>, GivenError> {
+        self.metric.formula().map_err(|_| GivenError::NoFormula)
+    }
+
+    /// Returns the metric, undefined where one of some functions is not positive; see
+    /// [`Formula::where_positive`](tautline::Formula::where_positive). `None` for a black box, and if the
+    /// formula becomes too long.
+    #[must_use]
+    pub fn where_positive(&self, functions: &[&Given]) -> Option<Self> {
+        let function = |given: &&Given| given.metric.formula().ok().cloned();
+        let functions: Vec<_> = functions.iter().map(function).collect::<Option<_>>()?;
+        let formula = self.metric.formula().ok()?.where_positive(&functions).ok()?;
+        Some(formula.into())
     }
 
     /// Returns the pieces of the second set with those of their translates by multiples of the periods that
@@ -179,23 +196,24 @@ impl Given {
     ///
     /// [`GivenError`].
     pub fn solve(&self, ends: [&[Shape]; 2], request: &Request) -> Found {
-        self.solve_while(ends, request, &|| true)
+        Ok(Arc::new(self.problem(ends)?.answer(request)?.into()))
     }
 
-    /// Does the same. With a tolerance, it goes on to a finer grid only while `goes_on` says so, and returns
-    /// the curve on the last grid otherwise.
+    /// Does the same, until the flag is true: then the result is the curve on the last grid that is known, or
+    /// [`SolveError::Interrupted`].
     ///
     /// # Errors
     ///
     /// [`GivenError`].
-    pub fn solve_while(
+    pub fn solve_until(
         &self,
+        ended: &Arc<AtomicBool>,
         ends: [&[Shape]; 2],
         request: &Request,
-        goes_on: &dyn Fn() -> bool,
     ) -> Found {
-        let go_on = || if goes_on() { Continue(()) } else { Break(()) };
-        let line = self.problem(ends)?.answer_watched(request, &mut |_| go_on())?;
+        let go_on = || if ended.load(Ordering::Relaxed) { Break(()) } else { Continue(()) };
+        let problem = self.problem(ends)?.ended_by(Arc::clone(ended));
+        let line = problem.answer_watched(request, &mut |_| go_on())?;
         Ok(Arc::new(line.into()))
     }
 

@@ -54,10 +54,15 @@ impl Question {
     /// [`Complaint`] if the solver finds no curve, for instance because the metric is not positive
     /// definite, or if a cost or a speed is negative at a point of the curve or in the middle of a chord.
     pub fn line(&self) -> Result<TautLine<Formula<2>, 2>, Complaint> {
-        let line = self.problem.answer(&Request::chords(self.chords));
-        let line = line.map_err(|error| Complaint::about(&error))?;
-        self.check_sign(line.sequence())?;
-        Ok(line)
+        let request = Request::chords(self.chords);
+        let line = self.problem.answer(&request).map_err(|error| Complaint::about(&error))?;
+        let Err(negative) = self.check_sign(line.sequence()) else { return Ok(line) };
+        // The search may have stepped over a pole. A second one refuses steps to where f is not positive.
+        let functions: Vec<_> = self.squared.iter().map(|(_, f)| f.clone()).collect();
+        let positive = self.problem.metric().where_positive(&functions).ok();
+        let ends = self.problem.ends().clone();
+        let line = positive.and_then(|metric| Problem::new(metric, ends).answer(&request).ok());
+        line.ok_or(negative)
     }
 
     /// The square does not show the sign.

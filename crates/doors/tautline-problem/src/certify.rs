@@ -31,10 +31,9 @@ impl Question {
                 self.dimension
             )));
         }
-        let problem = self.posed(Arc::new(Known::from(self.any_formula()?)))?;
+        let metric = Arc::new(Known::from(self.any_formula()?));
         let request = Request { rule: Rule::TRAPEZOIDAL, ..self.request() };
-        let line = self.line(&problem, &request, &mut |_: &Answer| ())?;
-        self.check_sign(line.sequence())?;
+        let line = self.line(metric, &request, &mut |_: &Answer| ())?;
         let found = CertifiedAnswer::of(&line, wanted, observe);
         let mut found = found.map_err(|error| self.refused(error))?;
         // The cubes of the first level hold those of all others.

@@ -4,7 +4,7 @@ use std::{ops::Range, sync::Arc};
 
 use tautline::{
     ANY, Formula, Table,
-    formula::{Form, Part, Written, WrittenError},
+    formula::{Form, Part, Weight, Written, WrittenError},
 };
 
 use crate::{
@@ -57,8 +57,8 @@ pub(crate) fn formula_of(
     let mut metric = texts.written(metric, &coordinates)?;
     if let Some(Obstacles { distances, factor, place }) = obstacles {
         let parts = distances.iter().map(|distance| match distance {
-            Distance::Own(text) => texts.numbered(text, place.clone()),
-            Distance::Given(text) => texts.part(text),
+            Distance::Own(text) => Weight::Text(texts.numbered(text, place.clone())),
+            Distance::Given(text) => Weight::Text(texts.part(text)),
         });
         let distances = parts.collect();
         let factor = texts.numbered(factor, place.clone());

@@ -1,6 +1,7 @@
 //! `Formula`: the Gram matrix of a metric as a list of operations.
 
 mod polynomial;
+mod where_positive;
 
 use std::sync::Arc;
 

@@ -70,7 +70,9 @@ pub use formula::Formula;
 pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step, Tabulation};
 pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use record_error::RecordError;
-pub use text::{Form, Part, Problem, TextError, Written, WrittenError, number, probably_meant};
+pub use text::{
+    Form, Part, Problem, TextError, Weight, Written, WrittenError, number, probably_meant,
+};
 
 /// The largest number of steps of a formula, a million. A longer formula comes from a loop that
 /// nobody meant to unroll.

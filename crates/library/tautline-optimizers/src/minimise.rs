@@ -9,7 +9,7 @@ use crate::{
     Iterate, Minimum, Scope, SolveError, Starts, Watcher, Workspace,
     newton::discrete_energy::DiscreteEnergy,
     solver::solve,
-    watch::{Unwatched, Watched},
+    watch::{Flagged, Unwatched, Watched},
 };
 
 /// Options of a search.
@@ -201,7 +201,10 @@ pub fn minimise_any<'w, const D: usize>(
             };
             solve(workspace, &energy, &pieces, n, &options, &Watched::by(&mut seen))
         }
-        None => solve(workspace, &energy, &pieces, n, &options, &Unwatched),
+        None => match workspace.ended.clone() {
+            Some(flag) => solve(workspace, &energy, &pieces, n, &options, &Flagged(&flag)),
+            None => solve(workspace, &energy, &pieces, n, &options, &Unwatched),
+        },
     }?;
     Ok(minimum.into_dimension().expect("the dimension of the metric"))
 }

@@ -3,6 +3,7 @@
 use std::{
     cell::{Cell, RefCell},
     ops::ControlFlow,
+    sync::atomic::{AtomicBool, Ordering},
 };
 
 use tautline_discretizations::ANY;
@@ -30,6 +31,19 @@ impl Watch for Unwatched {
 
     fn has_ended(&self) -> bool {
         false
+    }
+}
+
+/// A flag ends the solve once it is true.
+pub(crate) struct Flagged<'w>(pub(crate) &'w AtomicBool);
+
+impl Watch for Flagged<'_> {
+    fn goes_on<'i>(&self, _: &dyn Fn() -> Iterate<'i, ANY>) -> bool {
+        !self.has_ended()
+    }
+
+    fn has_ended(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
     }
 }
 

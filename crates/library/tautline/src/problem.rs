@@ -1,6 +1,6 @@
 //! `Problem`: a metric and the two sets to join.
 
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, atomic::AtomicBool};
 
 use tautline_discretizations::Rule;
 use tautline_formula::{AnyBatches, Known, Prepare, Prepared};
@@ -99,6 +99,13 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
     /// Returns the metric with its programs.
     pub fn prepared(&self) -> &Arc<M::Prepared> {
         &self.metric
+    }
+
+    /// Returns the same problem, whose searches end with [`SolveError::Interrupted`] once the flag is true.
+    #[must_use]
+    pub fn ended_by(self, flag: Arc<AtomicBool>) -> Self {
+        let workspace = Workspace::default().ended_by(flag);
+        Self { workspace: Arc::new(Mutex::new(workspace)), ..self }
     }
 
     /// Returns the sets, in a dimension that is a value.

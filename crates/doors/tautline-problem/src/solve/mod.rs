@@ -69,8 +69,8 @@ impl Question {
         watch: &dyn Watch,
         observe: &mut dyn FnMut(distance::Progress) -> ControlFlow<()>,
     ) -> Result<Answer, Failure> {
-        let line = self.line(&self.posed(metric)?, request, solved)?;
-        let answer = self.on_its_own(&line)?;
+        let line = self.line(metric, request, solved)?;
+        let answer = self.on_its_own(&line);
         let proving = self.bound.then(|| self.proving());
         let mut answer = answer.complete(&line, proving, watch, observe, solved);
         if let (Some(periods), Some(bounds)) = (&self.periods, &mut answer.bounds) {
@@ -122,20 +122,44 @@ impl Question {
         })
     }
 
-    /// Returns the line of a problem. With a tolerance, `solved` is told of each coarser grid.
+    /// Returns the line of the problem with a metric. With a tolerance, `solved` is told of each coarser
+    /// grid.
+    ///
+    /// A search may step over a pole of a cost to where the cost is negative, for its square is a metric
+    /// there too. A second search then refuses such steps.
     pub(crate) fn line(
         &self,
-        problem: &Problem<Known, ANY>,
+        metric: Arc<Known>,
         request: &Request,
         solved: &mut dyn FnMut(&Answer),
     ) -> Result<Line, Failure> {
-        let mut wrong = None;
+        let negative = match self.line_by(Arc::clone(&metric), request, solved)? {
+            Ok(line) => return Ok(line),
+            Err(negative) => negative,
+        };
+        let positive = self.where_positive(&metric)?.map(Arc::new);
+        match positive.map(|positive| self.line_by(positive, request, solved)) {
+            Some(Ok(Ok(line))) => Ok(line),
+            _ => Err(negative.into()),
+        }
+    }
+
+    /// Returns the line that a search finds, or where a cost or a speed is negative on it.
+    fn line_by(
+        &self,
+        metric: Arc<Known>,
+        request: &Request,
+        solved: &mut dyn FnMut(&Answer),
+    ) -> Result<Result<Line, Diagnostic>, Failure> {
+        let problem = self.posed(metric)?;
+        let mut wrong = Ok(());
         let line = problem.answer_watched(request, &mut |coarser| {
-            match self.on_its_own(coarser) {
-                Ok(answer) => solved(&answer),
-                Err(diagnostic) => wrong = Some(diagnostic),
+            wrong = self.check_sign(coarser.sequence());
+            if wrong.is_err() {
+                return ControlFlow::Break(());
             }
-            if wrong.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            solved(&self.on_its_own(coarser));
+            ControlFlow::Continue(())
         });
         let line = line.map_err(|error| match (error, &self.lattice) {
             (RequestError::Solve(error), _) => self.failure(problem.metric(), &error),
@@ -145,17 +169,16 @@ impl Question {
             }
             (error, None) => Failure::NotComputed(error.to_string()),
         })?;
-        wrong.map_or(Ok(line), |diagnostic| Err(diagnostic.into()))
+        Ok(wrong.and_then(|()| self.check_sign(line.sequence())).map(|()| line))
     }
 
     /// Returns the answer without other minima and without bounds.
-    fn on_its_own(&self, line: &Line) -> Result<Answer, Diagnostic> {
-        self.check_sign(line.sequence())?;
+    fn on_its_own(&self, line: &Line) -> Answer {
         let tolerance = match self.grid {
             Grid::Tolerance(tolerance) => Some(tolerance),
             Grid::Chords(_) => None,
         };
         let no_bounds = self.bound.then(|| "not finished".to_owned());
-        Ok(Answer { no_bounds, ..Answer::of(line, tolerance) })
+        Answer { no_bounds, ..Answer::of(line, tolerance) }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use tautline::{ANY, Formula, PointSequence, PreparedFormula, Short, formula::Form};
+use tautline::{ANY, Formula, Known, PointSequence, PreparedFormula, Short, formula::Form};
 use tautline_any::{least_at, least_entry};
 use tautline_picture::portrait::Cubes;
 
@@ -24,6 +24,13 @@ impl Question {
             }
         }
         Ok(())
+    }
+
+    /// Returns the metric, undefined where a cost or a speed is not positive; `None` if it has neither.
+    pub(crate) fn where_positive(&self, metric: &Known) -> Result<Option<Known>, Diagnostic> {
+        let functions: Vec<_> = self.squared()?.into_iter().map(|squared| squared.phi).collect();
+        let formula = metric.formula().ok().filter(|_| !functions.is_empty());
+        Ok(formula.and_then(|formula| formula.where_positive(&functions).ok()).map(Known::from))
     }
 
     /// Says where a cost or a speed is negative in some cubes, at one of their corners or in the middle of

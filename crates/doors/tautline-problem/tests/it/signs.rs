@@ -114,3 +114,23 @@ fn a_certificate_tells_that_a_cost_is_negative_beside_the_curve() {
         assert_eq!(certified(positive).note, None, "{positive}");
     }
 }
+
+/// In the half-plane from a thousandth above its edge a step of the search leads below it, where `1/x₂²` is a
+/// metric too. The distance is `arcosh(1 + 1/(2 · 10⁻⁶))`.
+#[test]
+fn a_search_that_steps_over_a_pole_is_sent_back() {
+    let exact = (1.0 + 0.5e6_f64).acosh();
+    for metric in ["cost = \"1/x2\"", "speed = \"x2\"", "formula = \"cost(1/x2)\""] {
+        for n in [64, 1024, 2048, 4096, 16384] {
+            let file = format!(
+                "[metric]\n{metric}\n[from]\npoint = [0, 1e-3]\n[to]\npoint = [1, 1e-3]\n\
+                 [solve]\nn = {n}\n[certify]\nbound = false\n"
+            );
+            let found = Question::read(&file).expect("a file").solve(&mut |_| ());
+            let found = found.unwrap_or_else(|error| panic!("{metric} {n}: {error}"));
+            let error = found.length.value / exact - 1.0;
+            assert!((0.0..1e-3).contains(&error), "{metric} {n}: {}", found.length.value);
+            assert!(found.curve.iter().all(|x| x[1] > 0.0), "{metric} {n}");
+        }
+    }
+}

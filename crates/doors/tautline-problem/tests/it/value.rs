@@ -2,7 +2,10 @@
 
 mod many_dimensions;
 
-use std::{ops::ControlFlow, sync::Arc};
+use std::{
+    ops::ControlFlow,
+    sync::{Arc, atomic::AtomicBool},
+};
 
 use tautline::{
     Ball, CertificateError, Constants, GraphPathError, HalfSpace, Point, RecordError, Rule, Sphere,
@@ -64,15 +67,26 @@ fn a_tolerance_of_values_is_that_of_a_file() {
     assert!(answer.n > 256 && answer.within_tolerance == Some(true) && curve.is_within(1e-9));
     let coarse = with(Grid::Chords(answer.n / 4)).expect("solved");
     assert!(!coarse.is_within(1e-9) && coarse.is_within(1e-7) && !coarse.is_within(f64::NAN));
-    // It may end after each grid, and then has the curve on it.
-    let request = Request { grid: Grid::Tolerance(1e-9), ..Request::default() };
-    let (from, to) = (point(&[-1.5, 0.05]), point(&[1.5, -0.1]));
-    let early = hill().solve_while([&from, &to], &request, &|| false).expect("solved");
-    let first = with(Grid::Chords(256)).expect("solved");
-    assert_eq!(early.points(), first.points());
     for tolerance in [0.0, 1e-14, 1.0, f64::NAN] {
         let refused = with(Grid::Tolerance(tolerance)).expect_err("no tolerance").to_string();
         assert!(refused.contains("must be at least 1e-13 and less than 1"), "{refused}");
+    }
+}
+
+/// A flag ends a search. While it is false, it changes no bit.
+#[test]
+fn a_flag_ends_a_search() {
+    let (from, to) = (point(&[-1.5, 0.05]), point(&[1.5, -0.1]));
+    for grid in [Grid::Chords(64), Grid::Tolerance(1e-9)] {
+        let request = Request { grid, ..Request::default() };
+        let until = |ended| {
+            let flag = Arc::new(AtomicBool::new(ended));
+            hill().solve_until(&flag, [&from, &to], &request)
+        };
+        let alone = hill().solve([&from, &to], &request).expect("solved");
+        assert_eq!(until(false).expect("solved").points(), alone.points());
+        let ended = until(true).expect_err("ended").to_string();
+        assert!(ended.contains("ended"), "{ended}");
     }
 }
 

@@ -15,4 +15,4 @@ mod written;
 pub use form::Form;
 pub use meant::probably_meant;
 pub use text_error::{Problem, TextError};
-pub use written::{Part, Written, WrittenError, number};
+pub use written::{Part, Weight, Written, WrittenError, number};

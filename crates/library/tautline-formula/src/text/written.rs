@@ -24,6 +24,15 @@ pub struct Part<'a> {
     pub id: usize,
 }
 
+/// A function of the coordinates, on which a weight depends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Weight<'a> {
+    /// An expression.
+    Text(Part<'a>),
+    /// The first entry of a recorded formula.
+    Recorded(Formula<ANY>),
+}
+
 /// What is wrong with one of several texts.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("in text {id}, {error}")]
@@ -50,9 +59,9 @@ pub enum Written<'a> {
     Sum(Vec<Written<'a>>),
     /// A metric times a positive function.
     Scaled(Part<'a>, Box<Written<'a>>),
-    /// A metric times a positive function of the values of expressions. The function calls them `u1`,
-    /// `u2`, …, and has no other names than these and the coordinates; no other text knows these names.
-    Weighted(Vec<Part<'a>>, Part<'a>, Box<Written<'a>>),
+    /// A metric times a positive function of the values of other functions. It calls them `u1`, `u2`, …, and has
+    /// no other names than these and the coordinates; no other text knows these names.
+    Weighted(Vec<Weight<'a>>, Part<'a>, Box<Written<'a>>),
     /// Metrics in blocks along the diagonal, each with the coordinates of its block, from 0. Every
     /// coordinate belongs to one block.
     Product(Vec<(Vec<usize>, Written<'a>)>),
@@ -300,7 +309,9 @@ impl Writer<'_> {
             }
             Written::Weighted(values, by, metric) => {
                 let named = |(i, value)| (format!("u{}", i + 1), Meaning::Value(value));
-                let own = self.expressions(values)?.into_iter().enumerate().map(named).collect();
+                let values = values.iter().map(|value| self.weight(value));
+                let values: Vec<Value> = values.collect::<Result<_, _>>()?;
+                let own = values.into_iter().enumerate().map(named).collect();
                 let names = std::mem::replace(&mut self.names, own);
                 let by = self.expression(*by);
                 self.names = names;
@@ -308,17 +319,35 @@ impl Writer<'_> {
                 Ok(self.entries(metric, coordinates)?.into_iter().map(|h| by * h).collect())
             }
             Written::Product(blocks) => self.product(blocks, coordinates),
-            Written::Recorded(formula) if formula.dimension() == dimension => {
-                let x: Vec<Symbol> = coordinates.iter().map(|&i| self.x[i]).collect();
-                let tape = formula.tape();
-                let values = tape.values(&x);
-                Ok(tape.entries.iter().map(|&entry| values[entry as usize]).collect())
-            }
-            Written::Recorded(formula) => {
-                let what = "coordinates of a recorded formula";
-                self.refuse(Problem::Shape { found: formula.dimension(), what, dimension })
+            Written::Recorded(formula) => self.recorded(formula, coordinates),
+        }
+    }
+
+    fn weight(&mut self, weight: &Weight<'_>) -> Result<Value, WrittenError> {
+        match weight {
+            Weight::Text(part) => self.expression(*part),
+            Weight::Recorded(formula) => {
+                let coordinates: Vec<usize> = (0..self.x.len()).collect();
+                Ok(Value::Symbol(self.recorded(formula, &coordinates)?[0]))
             }
         }
+    }
+
+    /// Returns the entries of a recorded formula on a block of coordinates, column by column.
+    fn recorded(
+        &self,
+        formula: &Formula<ANY>,
+        coordinates: &[usize],
+    ) -> Result<Vec<Symbol>, WrittenError> {
+        let (found, dimension) = (formula.dimension(), coordinates.len());
+        if found != dimension {
+            let what = "coordinates of a recorded formula";
+            return self.refuse(Problem::Shape { found, what, dimension });
+        }
+        let x: Vec<Symbol> = coordinates.iter().map(|&i| self.x[i]).collect();
+        let tape = formula.tape();
+        let values = tape.values(&x);
+        Ok(tape.entries.iter().map(|&entry| values[entry as usize]).collect())
     }
 
     fn product(

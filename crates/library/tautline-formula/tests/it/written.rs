@@ -1,7 +1,7 @@
 //! Metrics written as several texts.
 
 use nalgebra::vector;
-use tautline_formula::{Form, Formula, Part, Problem, Written, WrittenError, number};
+use tautline_formula::{Form, Formula, Part, Problem, Weight, Written, WrittenError, number};
 use tautline_metrics::{Metric, gallery};
 
 fn part(id: usize, text: &str) -> Part<'_> {
@@ -200,12 +200,29 @@ fn a_number_is_an_expression_without_coordinates() {
     }
 }
 
+/// A recorded function is its first entry, at all coordinates.
+#[test]
+fn a_weight_of_a_recorded_function_is_that_of_its_text() {
+    let compose = |weight| {
+        let metric = Box::new(Written::Whole(part(0, "(2 + x2) I")));
+        let weighted = Written::Weighted(vec![weight], part(1, "1 + u1^2"), metric);
+        Formula::<2>::compose(&[], &[], &[], &weighted)
+    };
+    let of = |text| Formula::parse_in(2, text, &[], &[]).expect("a formula");
+    let [text, recorded] = [Weight::Text(part(2, "x1*x2")), Weight::Recorded(of("x1*x2 I"))]
+        .map(|weight| compose(weight).expect("a metric").gram(&vector![1.5, -0.7]));
+    assert_eq!(text, recorded);
+    let line = Formula::parse_in(1, "x1 I", &[], &[]).expect("a formula");
+    let refused = compose(Weight::Recorded(line)).expect_err("another dimension");
+    assert!(matches!(refused.error.problem, Problem::Shape { found: 1, dimension: 2, .. }));
+}
+
 /// The values of a weight are named for the weight alone, which knows no other name.
 #[test]
 fn a_weight_has_names_of_its_own() {
     let compose = |weight: &'static str, value: &'static str, metric: &'static str| {
         let metric = Box::new(Written::Whole(part(3, metric)));
-        let values = vec![part(0, "2 + x1"), part(1, value)];
+        let values = vec![Weight::Text(part(0, "2 + x1")), Weight::Text(part(1, value))];
         let definitions = [[part(4, "u1"), part(5, "7*x2")]];
         let weighted = Written::Weighted(values, part(2, weight), metric);
         Formula::<2>::compose(&[("a", 0.5)], &[], &definitions, &weighted)

@@ -1,6 +1,9 @@
 //! `Workspace`: memory that is reused from search to search.
 
-use std::fmt;
+use std::{
+    fmt,
+    sync::{Arc, atomic::AtomicBool},
+};
 
 use crate::newton::twisted_factorization::TwistedFactorization;
 
@@ -14,6 +17,16 @@ use crate::newton::twisted_factorization::TwistedFactorization;
 pub struct Workspace {
     pub(crate) factorization: TwistedFactorization,
     pub(crate) spare: Spare,
+    pub(crate) ended: Option<Arc<AtomicBool>>,
+}
+
+impl Workspace {
+    /// Ends searches in this memory, with [`SolveError::Interrupted`](crate::SolveError::Interrupted), once the
+    /// flag is true. A search looks at it before each step.
+    #[must_use]
+    pub fn ended_by(self, flag: Arc<AtomicBool>) -> Self {
+        Self { ended: Some(flag), ..self }
+    }
 }
 
 impl fmt::Debug for Workspace {
