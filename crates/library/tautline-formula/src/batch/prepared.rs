@@ -43,7 +43,7 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     #[must_use]
     pub fn with(metric: M, instruction_set: InstructionSet, lanes: usize) -> Self {
         let formula = Formula::record(&metric);
-        let programs = Arc::new(Programs::new(instruction_set, lanes));
+        let programs = Arc::new(Programs::new(instruction_set, lanes, !M::IS_RECORDED));
         Self { plain: Plain::new(metric), formula, programs, black_box: None }
     }
 
@@ -54,7 +54,7 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
         Self {
             plain: Plain::new(metric),
             formula: Err(RecordError::BlackBox),
-            programs: Arc::new(Programs::new(InstructionSet::Widest, LANES)),
+            programs: Arc::new(Programs::new(InstructionSet::Widest, LANES, true)),
             black_box: Some(BlackBoxBatches::new(black_box.into_any())),
         }
     }
@@ -98,16 +98,19 @@ struct Programs {
     kernels: [OnceLock<Option<Kernel>>; 4],
     instruction_set: InstructionSet,
     lanes: usize,
+    /// Whether the formula is compiled too, so that a long program may be slower.
+    is_compiled: bool,
 }
 
 impl Programs {
-    fn new(instruction_set: InstructionSet, lanes: usize) -> Self {
-        Self { kernels: Default::default(), instruction_set, lanes }
+    fn new(instruction_set: InstructionSet, lanes: usize, is_compiled: bool) -> Self {
+        Self { kernels: Default::default(), instruction_set, lanes, is_compiled }
     }
 
-    /// Returns the program of a kind, or `None` if the formula is faster.
+    /// Returns the program of a kind, or `None` if there is none, or the formula is faster.
     fn kernel(&self, tape: Tape<'_>, kind: Kind) -> Option<&Kernel> {
-        self.kernels[kind as usize].get_or_init(|| Kernel::new(tape, kind)).as_ref()
+        let kernel = || Kernel::new(tape, kind, self.is_compiled);
+        self.kernels[kind as usize].get_or_init(kernel).as_ref()
     }
 
     /// Returns registers for a program.
@@ -119,8 +122,8 @@ impl Programs {
 
 /// A formula in a dimension that is a value, ready to be evaluated at many points at once.
 ///
-/// It runs programs that are derived from the formula on first use. If a program would be slow because
-/// it is very long, the formula is evaluated point by point. The results agree up to rounding.
+/// It runs programs that are derived from the formula on first use. If a program becomes too long, the
+/// formula is evaluated point by point. The results agree up to rounding.
 ///
 /// ```
 /// use tautline_formula::{AnyBatches, Formula, PreparedFormula};
@@ -147,7 +150,7 @@ impl PreparedFormula {
     /// Takes a formula.
     #[must_use]
     pub fn new(formula: Formula<ANY>) -> Self {
-        let programs = Arc::new(Programs::new(InstructionSet::Widest, LANES));
+        let programs = Arc::new(Programs::new(InstructionSet::Widest, LANES, false));
         Self { formula, programs, layouts: Default::default() }
     }
 

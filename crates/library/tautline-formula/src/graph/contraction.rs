@@ -56,13 +56,18 @@ pub(crate) struct Half {
 }
 
 /// Contracts a formula and its derivatives up to this order with a chord. Returns `None` if that
-/// takes too many operations.
+/// takes more than `most` operations.
 ///
 /// If `needs_gram` is set, the entries of `H` are computed anyway. If, in addition, only `dᵀHd` is
 /// wanted, it is cheaper to compute it from these entries than from squares of vectors.
-pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Option<Contracted> {
+pub(crate) fn contract(
+    formula: Tape<'_>,
+    order: Order,
+    needs_gram: bool,
+    most: usize,
+) -> Option<Contracted> {
     let dimension = formula.dimension;
-    let (mut graph, entries) = Graph::of(formula);
+    let (mut graph, entries) = Graph::of(formula, most);
     if graph.is_full() {
         return None;
     }

@@ -40,13 +40,11 @@ pub(crate) struct Graph {
     operations: Vec<Operation>,
     known: HashMap<Operation, Step>,
     identities: Identities,
+    /// The largest number of operations.
+    most: usize,
     /// Whether an operation did not fit. If so, the steps made since are meaningless.
     is_full: bool,
 }
-
-/// The largest number of operations, which take about a tenth of a second to derive. Longer
-/// formulas are evaluated as compiled.
-const MOST: usize = 1 << 18;
 
 impl Graph {
     pub(crate) fn operations(&self) -> &[Operation] {
@@ -67,11 +65,11 @@ impl Graph {
     }
 
     fn node(&mut self, operation: Operation) -> Step {
-        let Self { operations, known, is_full, .. } = self;
+        let Self { operations, known, is_full, most, .. } = self;
         if let Some(&step) = known.get(&operation) {
             return step;
         }
-        if operations.len() >= MOST {
+        if operations.len() >= *most {
             *is_full = true;
             return 0;
         }

@@ -9,13 +9,14 @@ use crate::{
 };
 
 impl Graph {
-    /// Returns the graph of a formula, and its entries `(i, j)` at `[i D + j]`.
-    pub(crate) fn of(formula: Tape<'_>) -> (Self, Vec<Step>) {
+    /// Returns the graph of a formula, with room for so many operations, and its entries `(i, j)` at `[i D + j]`.
+    pub(crate) fn of(formula: Tape<'_>, most: usize) -> (Self, Vec<Step>) {
         let mut graph = Self {
             tables: formula.tables.to_vec(),
             operations: Vec::new(),
             known: HashMap::new(),
             identities: Identities::Exact,
+            most,
             is_full: false,
         };
         let mut made: Vec<Step> = Vec::with_capacity(formula.operations.len());

@@ -2,7 +2,7 @@
 //! metrics.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::{AnyBatches, Batch, Kind, Plain, Prepared};
+use tautline_formula::{AnyBatches, Batch, Formula, Kind, Plain, Prepared};
 use tautline_metrics::{
     Metric,
     gallery::{SineProjection, SineProjections},
@@ -50,6 +50,28 @@ fn a_long_formula_is_evaluated_as_compiled() {
         rows(&batch, 20)
     });
     assert_eq!(found, expected);
+}
+
+/// Step by step the formula of a text is a hundred times as slow as a program of any length.
+#[test]
+fn a_long_formula_that_is_not_compiled_has_programs() {
+    let formula = Formula::<3>::record(&Sum(400)).expect("no branches");
+    let long = Prepared::<_, 3>::new(formula);
+    let kinds = [Kind::Square, Kind::Checked, Kind::Momentum, Kind::Contraction];
+    assert!(kinds.iter().all(|&kind| long.size(kind).is_some()));
+    let places = places::<3>(20);
+    let plain = Plain::new(Sum(400));
+    let [found, expected] = [&long as &dyn AnyBatches, &plain].map(|metric| {
+        let mut batch = Batch::new(metric, Kind::Contraction, 20, 1);
+        assert!(evaluate(&mut batch, &places));
+        rows(&batch, 20)
+    });
+    for (found, expected) in found.iter().zip(&expected) {
+        // Sums of 400 terms of size 1e-2, each with a dozen roundings.
+        let scale = expected.iter().fold(1.0_f64, |scale, x| scale.max(x.abs()));
+        let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-12 * scale;
+        assert!(found.iter().zip(expected).all(is_near));
+    }
 }
 
 /// In many dimensions programs of any length are used, because the compiled formula is evaluated
