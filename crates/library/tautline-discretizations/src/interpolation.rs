@@ -16,6 +16,20 @@ pub(crate) const TOLERANCE: f64 = FEW_ROUNDINGS;
 /// The number of nodes that a quadrature evaluates first.
 pub(crate) const FIRST: usize = FIRST_NODES.len();
 
+/// From how many times the mean length on, in `ℓ`, a chord is looked at at its ends too. Fewer than one in
+/// sixteen is so long.
+const LONG: f64 = 16.0;
+
+/// How many times as large as at the first nodes the integrand may be at an end of a long chord. Beyond that
+/// most of the integral is next to the end.
+const HIDDEN: f64 = 1e3;
+
+/// How close to an end of a chord, relative to its length, points may be rounded to the end.
+const ROUNDED: f64 = 1e-6;
+
+/// Which part of an integral may be left next to an end where it is taken to converge.
+const CONVERGED: f64 = 0.01;
+
 /// The curve `γᵖˡ` that interpolates a point sequence linearly.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias = "reconstruction")]
@@ -51,12 +65,14 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     ///
     /// The energy is computed by adaptive Gauss–Kronrod quadrature on each chord, to a few
     /// roundings. The error is an estimate: it misses what the first seven nodes on a chord miss,
-    /// such as a step of the metric in the last hundredth of a chord. The result is NaN if the
-    /// metric is NaN.
+    /// such as a step of the metric in the last hundredth of a chord. On a chord that is sixteen times as long
+    /// as the mean it also sees what is next to the ends, so that a point far out is no short way round. At the
+    /// ends of the curve the integrand may be infinite, like `1/√s`; the result is infinite if its integral is
+    /// not seen to converge. The result is NaN if the metric is NaN elsewhere.
     #[must_use]
     pub fn energy(&self, metric: &impl Metric<D>) -> Integral {
         let mut squares = self.squares(metric);
-        self.per_time(quadrature(self.chords(), 1, &mut squares, |square| square, TOLERANCE))
+        self.per_time(self.quadrature(1, &mut squares, |square| square, TOLERANCE))
     }
 
     /// Returns the energy like [`energy`](Interpolation::energy), for a metric that is evaluated in
@@ -70,7 +86,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     /// for the energy.
     #[must_use]
     pub fn length(&self, metric: &impl Metric<D>) -> Integral {
-        quadrature(self.chords(), 1, &mut self.squares(metric), f64::sqrt, TOLERANCE)
+        self.quadrature(1, &mut self.squares(metric), f64::sqrt, TOLERANCE)
     }
 
     /// Returns the length like [`length`](Interpolation::length), for a metric that is evaluated in
@@ -84,17 +100,18 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         self.sequence.n().get()
     }
 
-    /// Evaluates a batch at seven fractions of each of some chords. Returns whether `H` is a Gram matrix
+    /// Evaluates a batch at seven [fractions](Sevens) of each of some chords. Returns whether `H` is a Gram matrix
     /// at each of them, if the batch computes that.
     pub(crate) fn evaluate(&self, batch: &mut Batch<'_>, places: &[Sevens]) -> bool {
         let (dimension, points) = (self.sequence.dimension(), self.sequence.coordinates());
         for i in 0..dimension {
             let [x, d] = batch.input(i).map(|row| row.as_chunks_mut::<FIRST>().0.iter_mut());
             for ((x, d), (chord, fractions)) in x.zip(d).zip(places) {
-                let near = points[chord * dimension + i];
-                let step = points[(chord + 1) * dimension + i] - near;
+                let ends = [*chord, chord + 1].map(|point| points[point * dimension + i]);
+                let step = ends[1] - ends[0];
                 for k in 0..FIRST {
-                    x[k] = near + step * fractions[k];
+                    let is_from_the_second = fractions[k].is_sign_negative();
+                    x[k] = ends[usize::from(is_from_the_second)] + step * fractions[k];
                     d[k] = step;
                 }
             }
@@ -118,7 +135,9 @@ impl<'a, const D: usize> Interpolation<'a, D> {
             squares.clear();
             squares.extend(places.iter().map(|&(chord, fractions)| {
                 let (x, d) = self.sequence.chord(chord);
-                fractions.map(|s| norm_squared(&metric, &(x + d * s), &d))
+                let second = SVector::from_column_slice(self.sequence.row(chord + 1));
+                let end = |s: f64| if s.is_sign_negative() { &second } else { x };
+                fractions.map(|s| norm_squared(&metric, &(end(s) + d * s), &d))
             }));
         }
     }
@@ -133,54 +152,121 @@ impl<'a, const D: usize> Interpolation<'a, D> {
             squares.clear();
             squares.extend(&row[..places.len()]);
         };
-        quadrature(self.chords(), room, &mut squares, of, metric.quadrature_tolerance())
+        self.quadrature(room, &mut squares, of, metric.quadrature_tolerance())
+    }
+
+    /// Returns `Σ ∫₀¹ of(dᵀHd) ds`, summed over all chords. `squares` evaluates `dᵀHd` on up to `room`
+    /// chords at a time.
+    fn quadrature(
+        &self,
+        room: usize,
+        squares: &mut Squares<'_>,
+        of: fn(f64) -> f64,
+        tolerance: f64,
+    ) -> Integral {
+        let (n, long) = (self.chords(), self.long());
+        let (mut value, mut error) = (CompensatedSum::default(), 0.0);
+        let (mut places, mut first, mut finer) = (Vec::new(), Vec::new(), Vec::new());
+        for begin in (0..n).step_by(room) {
+            places.clear();
+            places.extend((begin..n.min(begin + room)).map(|chord| (chord, FIRST_NODES)));
+            squares(&places, &mut first);
+            for (&(chord, _), values) in places.iter().zip(&first) {
+                let values = values.map(of);
+                let mut at = |nodes| {
+                    squares(&[(chord, nodes)], &mut finer);
+                    finer[0].map(of)
+                };
+                let is_looked_at = long[chord] || chord == 0 || chord + 1 == n;
+                let hidden = || toward_ends(&mut at, &values, long[chord], tolerance);
+                let hidden = is_looked_at.then(hidden).flatten();
+                let seen = || integral_by_values(&values, tolerance);
+                let part = hidden.or_else(seen).unwrap_or_else(|| {
+                    // A part of a chord may be as wrong as the whole.
+                    let mean = values.iter().map(|value| value.abs()).sum::<f64>() / FIRST as f64;
+                    let least = if tolerance > TOLERANCE { tolerance * mean } else { 0.0 };
+                    integrate_by_sevens(&mut at, 0.0, 1.0, tolerance, least)
+                });
+                value.add(part.value);
+                error += part.error;
+            }
+        }
+        Integral { value: value.value(), error }
+    }
+
+    /// Returns whether each chord is [long](LONG).
+    fn long(&self) -> Vec<bool> {
+        let chords = self.sequence.coordinates().chunks_exact(self.sequence.dimension());
+        let chords = chords.clone().zip(chords.skip(1));
+        let length = |(x, y): (&[f64], &[f64])| {
+            x.iter().zip(y).map(|(x, y)| (y - x).abs()).fold(0.0, f64::max)
+        };
+        let lengths: Vec<f64> = chords.map(length).collect();
+        let mean = lengths.iter().map(|length| length / lengths.len() as f64).sum::<f64>();
+        lengths.iter().map(|&length| length > LONG * mean).collect()
     }
 }
 
-/// Seven fractions of a chord, and the chord's number.
+/// Seven fractions of a chord, and the chord's number. A negative fraction, such as −0, counts from the second
+/// point, so that points near to it are told apart however long the chord is.
 pub(crate) type Sevens = (usize, [f64; FIRST]);
 
 /// A function that evaluates `dᵀHd` at seven fractions of each of some chords.
 type Squares<'s> = dyn FnMut(&[Sevens], &mut Vec<[f64; FIRST]>) + 's;
 
-/// Returns `Σ ∫₀¹ of(dᵀHd) ds`, summed over `n` chords. `squares` evaluates `dᵀHd` on up to `room`
-/// chords at a time.
-fn quadrature(
-    n: usize,
-    room: usize,
-    squares: &mut Squares<'_>,
-    of: fn(f64) -> f64,
+/// Returns the integral over a chord on intervals that are halved toward both ends, if the integrand is not
+/// finite at one of them, such as `1/√s`, or most of the integral is [hidden](HIDDEN) next to one of them. `None`
+/// for another chord. The integral is infinite if the intervals do not show that it converges.
+fn toward_ends(
+    at: &mut dyn FnMut([f64; FIRST]) -> [f64; FIRST],
+    values: &[f64; FIRST],
+    is_long: bool,
     tolerance: f64,
-) -> Integral {
-    let (mut value, mut error) = (CompensatedSum::default(), 0.0);
-    let (mut places, mut first, mut finer) = (Vec::new(), Vec::new(), Vec::new());
-    for begin in (0..n).step_by(room) {
-        places.clear();
-        places.extend((begin..n.min(begin + room)).map(|chord| (chord, FIRST_NODES)));
-        squares(&places, &mut first);
-        for (&(chord, _), values) in places.iter().zip(&first) {
-            let part = integral_by_values(&values.map(of), tolerance).unwrap_or_else(|| {
-                let mut at = |nodes| {
-                    squares(&[(chord, nodes)], &mut finer);
-                    finer[0].map(of)
-                };
-                // A part of a chord may be as wrong as the whole.
-                let mean = values.iter().map(|&value| of(value).abs()).sum::<f64>() / FIRST as f64;
-                let least = if tolerance > TOLERANCE { tolerance * mean } else { 0.0 };
-                integrate_by_sevens(&mut at, 0.0, 1.0, tolerance, least)
-            });
-            value.add(part.value);
-            error += part.error;
-        }
+) -> Option<Integral> {
+    let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(*value));
+    let ends = [0.0, -0.0].map(|end| at([end; FIRST])[0]);
+    let is_hidden = |end: &f64| !end.is_finite() || is_long && *end > HIDDEN * largest;
+    if !ends.iter().any(is_hidden) {
+        return None;
     }
-    Integral { value: value.value(), error }
+    let mut total = Integral::default();
+    for (sign, end) in [1.0, -1.0].into_iter().zip(ends) {
+        let (mut far, mut last, mut rest) = (0.5, f64::NAN, f64::INFINITY);
+        while rest > tolerance * total.value && far > f64::MIN_POSITIVE {
+            let [near, beyond] = [0.5 * sign * far, sign * far];
+            let [a, b] = if sign > 0.0 { [near, beyond] } else { [beyond, near] };
+            let part = integrate_by_sevens(at, a, b, tolerance, 0.0);
+            if !part.value.is_finite() {
+                // So close to the end its nodes are rounded to it.
+                if far < ROUNDED {
+                    break;
+                }
+                return Some(part);
+            }
+            total += part;
+            far *= 0.5;
+            // What is left next to the end: as much as the integrand there says, or the rest of a
+            // geometric series.
+            let ratio = part.value / last;
+            rest = if end.is_finite() { end * far } else { part.value * ratio / (1.0 - ratio) };
+            rest = if rest >= 0.0 { rest } else { f64::INFINITY };
+            last = part.value;
+        }
+        let is_small = rest <= CONVERGED * total.value;
+        let rest = if is_small { rest } else { f64::INFINITY };
+        total += Integral { value: rest, error: rest };
+    }
+    Some(total)
 }
 
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
-    use nalgebra::vector;
-    use tautline_metrics::gallery::Valleys;
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_metrics::{
+        Metric, Scalar,
+        gallery::{Sphere, Valleys},
+    };
 
     use super::Interpolation;
     use crate::PointSequence;
@@ -216,5 +302,59 @@ mod tests {
         let squares = PointSequence::new(squares).expect("finite");
         let curve = Interpolation::new(&squares);
         assert_eq!([0.1, 0.9, 1.0].map(|t| curve.at(t)[0]), [0.5, 20.5, 25.0]);
+    }
+
+    /// The cost `1/√|x − a|`, or another power.
+    struct Pole(f64, i32);
+
+    impl Metric<1> for Pole {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+            SMatrix::from_element((x[0] - self.0).sqr().powi(self.1).sqrt().recip())
+        }
+    }
+
+    /// From a pole at either end, also where numbers next to it are rounded to it. `∫ dx/√x = 2 √x`.
+    #[test]
+    fn integrable_poles_at_the_ends_are_integrated() {
+        for (a, n, accuracy) in [(0.0, 1, 1e-14), (0.0, 7, 1e-14), (5.0, 1, 1e-7), (-5.0, 64, 1e-7)]
+        {
+            for [from, to] in [[a, a + 3.0], [a - 3.0, a]] {
+                let line = PointSequence::straight([from], [to], n).expect("finite");
+                let length = Interpolation::new(&line).length(&Pole(a, 1));
+                let exact = 2.0 * 3.0_f64.sqrt();
+                assert!((length.value - exact).abs() <= length.error, "{length:?}");
+                assert!(length.error < accuracy * exact, "{a} {n}: {length:?}");
+            }
+        }
+        for n in [1, 64] {
+            let line = PointSequence::straight([0.0], [1.0], n).expect("finite");
+            let [length, energy] = [
+                Interpolation::new(&line).length(&Pole(0.0, 2)),
+                Interpolation::new(&line).energy(&Pole(0.0, 1)),
+            ];
+            // ∫ dx/x.
+            assert_eq!([length.value, energy.value], [f64::INFINITY; 2]);
+        }
+    }
+
+    /// In stereographic coordinates far points are near to each other, and a chord to one of them is long next
+    /// to its other end only: `∫ 2 dx/(1 + x²)` from 0 to a far point is π.
+    #[test]
+    fn a_chord_to_a_far_point_is_no_short_way() {
+        for far in [1e3, 1e9, 1e54, 1e100] {
+            for turned in [false, true] {
+                // Many short chords beside the long ones.
+                let mut points: Vec<_> =
+                    (0..=64).map(|k| vector![f64::from(k) / 64.0 - 1.0]).collect();
+                points.extend([vector![far], vector![far * 1.5]]);
+                if turned {
+                    points.reverse();
+                }
+                let sequence = PointSequence::new(points).expect("finite");
+                let length = Interpolation::new(&sequence).length(&Sphere);
+                let exact = 2.0 * ((1.5 * far).atan() + 1.0_f64.atan());
+                assert_relative_eq!(length.value, exact, max_relative = 1e-12);
+            }
+        }
     }
 }

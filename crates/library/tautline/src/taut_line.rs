@@ -235,9 +235,17 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// energy differ by at most a hundredth, or by at most a tenth if that is not far more than the
     /// change of the discrete energy since the coarser grid. Otherwise the metric changes between the
     /// nodes of the rule, and more chords are needed.
+    ///
+    /// Where the metric is infinite at an end, the energy of the curve may be infinite and its length finite. The
+    /// square of the length, the energy at constant speed, then takes its place.
     #[must_use]
     pub fn is_resolved(&self) -> bool {
-        let energy = self.energy().value;
+        let Integral { value, error } = self.energy();
+        let energy = match value {
+            f64::INFINITY => self.length().value.powi(2),
+            energy if error > RESOLVED * energy => return false,
+            energy => energy,
+        };
         let difference = (energy - self.discrete_energy()).abs();
         let is_explained = match self.minimum.levels[..] {
             [.., coarse, fine] => difference <= SPREAD * (fine.energy - coarse.energy).abs(),

@@ -1,8 +1,11 @@
 //! Why there is no metric along any curve.
 
-use tautline::{Known, MetricError, Shape, SolveError};
+use tautline::{AnySet, Known, MetricError, Rule, Shape, Short, SolveError, are_gram};
 
-use crate::{Diagnostic, Failure, Question, formula::formula_of};
+use crate::{Diagnostic, Failure, Question, formula::formula_of, reading::shape::Piece};
+
+/// How far beside an end an end is advised, as a part of the way.
+const BESIDE: f64 = 1e-3;
 
 impl Question {
     /// Returns the failure of a search.
@@ -16,7 +19,44 @@ impl Question {
         };
         let place = self.problem.metric.get_ref().span();
         let place = place.unwrap_or(self.problem.metric.span());
-        Failure::BadInput(in_obstacle.unwrap_or(Diagnostic::new(error.to_string(), place)))
+        Failure::BadInput(in_obstacle.unwrap_or_else(|| {
+            let diagnostic = Diagnostic::new(error.to_string(), place);
+            match self.beside_an_end(metric, defect) {
+                Some(help) => diagnostic.help(help),
+                None => diagnostic,
+            }
+        }))
+    }
+
+    /// Advises what to do about an end that is a point without a metric.
+    fn beside_an_end(&self, metric: &Known, defect: &MetricError) -> Option<String> {
+        let (MetricError::NotFinite { point, .. } | MetricError::NotPositiveDefinite { point, .. }) =
+            defect
+        else {
+            return None;
+        };
+        let [from, to] = self.ends.as_ref()?;
+        let sides = [("[from]", from, to), ("[to]", to, from)];
+        sides.into_iter().find_map(|(name, own, other)| {
+            let [Piece { shape: Shape::Point(end), .. }] = &own[..] else { return None };
+            let end = end.position_slice();
+            if end != point {
+                return None;
+            }
+            if matches!(defect, MetricError::NotFinite { .. }) {
+                let is_node = self.rule != Rule::TRAPEZOIDAL;
+                let advice = "the trapezoidal rule has no node at an end";
+                return is_node.then(|| advice.to_owned());
+            }
+            let mut toward = end.to_vec();
+            other.first()?.shape.project(&mut toward);
+            let beside = end.iter().zip(toward).map(|(a, b)| a + BESIDE * (b - a));
+            let beside: Vec<f64> = beside.collect();
+            let is_there = are_gram(&metric.gram(&beside), end.len());
+            let beside: Vec<String> = beside.into_iter().map(|x| Short(x).to_string()).collect();
+            is_there
+                .then(|| format!("leave out the end, such as by {name} at [{}]", beside.join(", ")))
+        })
     }
 
     /// Explains why there is no metric at a point, if that is due to the obstacles alone.

@@ -102,9 +102,17 @@ impl<'m> DiscreteEnergy<'m> {
         Ok(())
     }
 
-    /// Also checks the Gram matrix between the nodes, by [`Interpolation::check`].
+    /// Also checks the Gram matrix between the nodes, by [`Interpolation::check`]. If an end has none, the
+    /// curve must have a finite length.
     pub(crate) fn check_between(&self, sequence: &PointSequence<ANY>) -> Result<(), MetricError> {
-        Interpolation::new(sequence).check_by_batches(self.metric)
+        let curve = Interpolation::new(sequence);
+        curve.check_by_batches(self.metric)?;
+        let mut at_ends =
+            [0, sequence.n().get()].map(|k| self.check_at(sequence.row(k))).into_iter();
+        at_ends
+            .find(Result::is_err)
+            .filter(|_| !curve.length_by_batches(self.metric).value.is_finite())
+            .unwrap_or(Ok(()))
     }
 }
 

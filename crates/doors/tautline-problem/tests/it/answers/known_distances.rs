@@ -244,3 +244,120 @@ fn what_is_no_period_is_underlined() {
         assert_eq!(&file[refused.at.clone()], at, "{refused:?}");
     }
 }
+
+/// A ball falls from rest along a cycloid `(r (φ − sin φ), r (1 − cos φ))`, and takes the time `φ √(r/g)`. Its
+/// speed is 0 where it starts, so that the cost is infinite there.
+#[test]
+fn a_start_from_rest_is_a_brachistochrone() {
+    for (metric, to, [x, y]) in [
+        ("speed = \"sqrt(2*9.81*x2)\"", "[10, 5]", [10.0_f64, 5.0]),
+        ("phi = \"1/(2*9.81*x2)\"", "[2, 2]", [2.0, 2.0]),
+    ] {
+        // The quotient of the coordinates increases with φ; after 60 halvings φ is exact.
+        let quotient = |phi: f64| (phi - phi.sin()) / (1.0 - phi.cos());
+        let (mut low, mut high) = (1e-3, 6.2);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if quotient(middle) < x / y { low = middle } else { high = middle }
+        }
+        let exact = low * (y / (1.0 - low.cos()) / 9.81).sqrt();
+        for from in ["[0, 0]", "[0, 1e-9]"] {
+            let found = answer(&format!("[metric]\n{metric}"), from, to, NO_BOUNDS);
+            let error = found.length.value / exact - 1.0;
+            assert!(
+                error.abs() < 3e-5 && found.doubts.is_empty(),
+                "{from} {} {exact}",
+                found.length.value
+            );
+        }
+    }
+}
+
+/// `∫ dx/√(x − 5) = 2 √3` converges from 5 on, although 1/√ is infinite there and numbers next to 5 are rounded
+/// to it. `∫ dx/x` does not.
+#[test]
+fn a_length_from_a_pole_is_finite_if_its_integral_is() {
+    for metric in ["cost = \"1/sqrt(x1 - 5)\"", "speed = \"sqrt(x1 - 5)\""] {
+        for [from, to] in [["[5]", "[8]"], ["[8]", "[5]"]] {
+            let found = answer(&format!("[metric]\n{metric}"), from, to, NO_BOUNDS);
+            let error = found.length.value - 2.0 * 3.0_f64.sqrt();
+            // Numbers are rounded to 5 within 9e-16 of it, and 2 √(9e-16) is 6e-8.
+            assert!(
+                error.abs() <= found.length.error && found.length.error < 3e-7,
+                "{:?}",
+                found.length
+            );
+        }
+    }
+    for [from, to] in [["[0, 0]", "[1, 1]"], ["[1, 1]", "[0, 0]"]] {
+        let file =
+            format!("[metric]\ncost = \"1/x2\"\n[from]\npoint = {from}\n[to]\npoint = {to}\n");
+        let refused = Question::read(&file).expect("a file").solve(&mut |_| ());
+        let refused = refused.expect_err("an infinite length").to_string();
+        assert!(refused.contains("H([0.0, 0.0]) has the entry inf"), "{refused}");
+        // Another rule has nodes at the ends.
+        let other = format!("{}[solve]\nrule = \"simpson\"\n", file.replace("1/x2", "1/sqrt(x2)"));
+        let refused = Question::read(&other).expect("a file").solve(&mut |_| ());
+        let Err(Failure::BadInput(refused)) = refused else { panic!("a node at an end") };
+        assert_eq!(refused.help.as_deref(), Some("the trapezoidal rule has no node at an end"));
+        let advised = Question::read(&other.replace("simpson", "trapezoidal")).expect("a file");
+        assert!(advised.solve(&mut |_| ()).is_ok());
+    }
+}
+
+/// A shell of radius 6371 from the pole, whose longitude is no number: a quarter of a great circle. On the first
+/// chord the longitude changes, as the rule sees it.
+#[test]
+fn a_curve_may_begin_at_a_pole_of_its_coordinates() {
+    let shell = "[metric]\ndiag = [\"6371^2\", \"(6371*sin(x1))^2\"]";
+    let found = answer(shell, "[0, 0]", "[\"pi/2\", 1]", NO_BOUNDS);
+    let exact = 6371.0 * std::f64::consts::FRAC_PI_2;
+    let error = found.length.value / exact - 1.0;
+    assert!((0.0..1e-3).contains(&error), "{} {exact}", found.length.value);
+}
+
+/// The cost |∇V| of rare events vanishes at both ends and at the saddle between them, so that a search may end
+/// there in one point. The advice is an end beside the one that was given.
+#[test]
+fn an_end_at_which_the_cost_vanishes_may_be_left_out() {
+    let metric = "[let]\nb1 = \"x1 - x1^3 - x1*x2^2\"\nb2 = \"-(1 + x1^2)*x2\"\n\
+                  [metric]\nphi = \"b1^2 + b2^2\"";
+    let file =
+        |from: &str| format!("{metric}\n[from]\npoint = {from}\n[to]\npoint = [1, 0]\n{NO_BOUNDS}");
+    let solve = |from: &str| Question::read(&file(from)).expect("a file").solve(&mut |_| ());
+    let Err(Failure::BadInput(refused)) = solve("[-1, 0]") else { panic!("refused") };
+    let advice = refused.help.expect("advice");
+    let beside = advice.strip_prefix("leave out the end, such as by [from] at ").expect(&advice);
+    let found = solve(beside).expect("the advice works");
+    // V falls by 1/4 twice, apart from what is left out.
+    assert!((found.length.value - 0.5).abs() < 1e-4, "{beside} {}", found.length.value);
+}
+
+/// The offset of projected coordinates changes neither the digits nor the work.
+#[test]
+fn an_offset_of_the_origin_costs_nothing() {
+    let file = |[x, y]: [f64; 2]| {
+        format!(
+            "[tables]\ng = {{ values = [[1,1.2,1.6,1.5,1.1],[1.1,2,3.5,2.6,1.3],[1.2,2.8,5,3.9,1.4],\
+             [1,2.1,4.2,2.2,1.2],[0.9,1.3,1.9,1.4,1]] }}\n\
+             [metric]\ncost = \"g((x1 - {x})/25, (x2 - {y})/25)\"\n[from]\npoint = [{x}, {}]\n\
+             [to]\npoint = [{}, {}]\n{NO_BOUNDS}",
+            y + 50.0,
+            x + 100.0,
+            y + 50.0
+        )
+    };
+    let solve = |offset| {
+        let question = Question::read(&file(offset)).expect("a file");
+        question.solve(&mut |_| ()).expect("solved")
+    };
+    let (near, far) = (solve([0.0, 0.0]), solve([600_000.0, 4_200_000.0]));
+    // 4 200 000 has roundings of 5e-10, and the cost is at most 5.
+    assert!(
+        (near.length.value - far.length.value).abs() < 1e-6,
+        "{:?} {:?}",
+        near.length,
+        far.length
+    );
+    assert!(far.search.newton_steps <= 2 * near.search.newton_steps && far.n == near.n);
+}
