@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tautline_discretizations::{Interpolation, PointSequence};
+use tautline_discretizations::{Integral, Interpolation, PointSequence};
 use tautline_formula::Prepare;
 use tautline_optimizers::{Minimum, Options, Starts, Workspace, are_apart, minimise_any};
 use tautline_sets::{AnyEnds, AnySet};
@@ -27,7 +27,14 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
     /// Returns whether this line is shorter than another one by more than a [tie](TIE).
     #[must_use]
     pub fn is_shorter_than(&self, other: &Self) -> bool {
-        self.length().value <= other.length().value * (1.0 - TIE)
+        self.length_at_most() <= other.length_at_most() * (1.0 - TIE)
+    }
+
+    /// Returns the length with its error, in `m`. Of a chord from far out to far out the quadrature may see
+    /// little, and then has a large error.
+    pub(crate) fn length_at_most(&self) -> f64 {
+        let Integral { value, error } = self.length();
+        value + error
     }
 
     /// Returns the shortest of the [other minima](TautLine::other_minima) if it is
@@ -40,7 +47,7 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
             return None;
         }
         let energy = self.discrete_energy().max(self.energy().value);
-        let bound = self.length().value * (1.0 - TIE);
+        let bound = self.length_at_most() * (1.0 - TIE);
         let may_be_shorter = if self.is_resolved() {
             // The polygons of the search are curves too. To follow them to the grid of this line takes as
             // long as to find it.
@@ -98,8 +105,8 @@ impl<M: Prepare<D>, const D: usize> TautLine<M, D> {
                 .or_else(|| from(Starts::OnTheGrid(is_on_the_grid.then(start)?)));
             if let Some(found) = found {
                 let line = Self::new(metric, rule, ends, found);
-                let length = line.length().value;
-                let is_shorter = |other: &Self| other.length().value.total_cmp(&length).is_le();
+                let length = line.length_at_most();
+                let is_shorter = |other: &Self| other.length_at_most().total_cmp(&length).is_le();
                 others.insert(others.partition_point(is_shorter), line);
             }
         }

@@ -85,7 +85,7 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
             return None;
         }
         let found = self.line(rule, found);
-        let is_shorter = found.length().value < line.length().value * (1.0 - SHORTER);
+        let is_shorter = found.length_at_most() < line.length_at_most() * (1.0 - SHORTER);
         (is_shorter && found.is_resolved() >= line.is_resolved()).then_some(found)
     }
 }

@@ -100,7 +100,7 @@ fn better_of<M: Prepare<D>, const D: usize>(
     second: TautLine<M, D>,
 ) -> TautLine<M, D> {
     let is_minimum = [&first, &second].map(|line| line.minimum().is_local_minimum());
-    let [one, other] = [&first, &second].map(|line| line.length().value);
+    let [one, other] = [&first, &second].map(TautLine::length_at_most);
     let is_second_better = match is_minimum {
         // Written so that NaN is not better.
         [true, false] => other < one * (1.0 - MUCH),

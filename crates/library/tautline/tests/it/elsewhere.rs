@@ -1,9 +1,11 @@
 //! Searches that look beyond what their starts led to.
 
 use tautline::{
-    Ends, Formula, Options, Problem, Rule, Scope, Starts, TautLine, are_apart,
-    gallery::{Obstacle, SoftObstacles, Valleys},
+    Ends, Formula, KnownDistance, Options, Problem, Request, Rule, SVector, Scope, Starts,
+    TautLine, are_apart,
+    gallery::{Obstacle, SoftObstacles, Sphere, Valleys},
 };
+use tautline_chance::{Random, seed};
 
 /// Seven hills: every start leads above the two on the left, where the shortest way leads below them.
 fn hills() -> Problem<SoftObstacles<2>, 2> {
@@ -119,5 +121,28 @@ fn a_line_of_a_few_roundings_is_not_looked_around() {
         let [near, line] = [local(), Options::default()]
             .map(|options| problem.solve_with(Rule::TRAPEZOIDAL, 64, &options).expect("a line"));
         assert_eq!(line.minimum(), near.minimum(), "{far}");
+    }
+}
+
+/// Far points of the stereographic plane are near to each other, so that a curve that runs away to 10⁵⁴ and back
+/// has little energy by the rule, and by the first nodes of a quadrature a length below the distance. 400 pairs
+/// are as far apart as on the sphere.
+#[test]
+fn no_pair_on_the_sphere_is_closer_than_its_angle() {
+    let mut random = Random(seed(400));
+    for case in 0..400 {
+        let mut point =
+            || -> SVector<f64, 2> { [random.between(-2.0, 2.0), random.between(-2.0, 2.0)].into() };
+        // The pair that was seen to run away is the first.
+        let [a, b]: [SVector<f64, 2>; 2] = match case {
+            0 => [[-0.947_295_75, -1.439_118_09].into(), [1.876_028_89, 1.492_029_39].into()],
+            _ => [point(), point()],
+        };
+        let exact = Sphere.distance(&a, &b).expect("known");
+        let problem = Problem::new(Sphere, Ends::points(a, b).expect("finite"));
+        let line = problem.answer(&Request::chords(256)).expect("solved");
+        let length = line.length();
+        let error = length.value / exact - 1.0;
+        assert!(error >= -1e-13 && error < 1e-3, "{a} {b}: {length:?} of {exact}");
     }
 }
