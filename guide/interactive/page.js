@@ -209,6 +209,8 @@ class Page {
       const [x, y] = this.picture.place(this[end]);
       const handle = by(end);
       handle.style.transform = `translate(${x}px, ${y}px)`;
+      const isInside = [x, y].every((place) => place >= 0 && place <= this.picture.size);
+      handle.style.visibility = isInside ? "" : "hidden";
       const [first, second] = this[end];
       handle.setAttribute("aria-valuemin", this.picture.view[0]);
       handle.setAttribute("aria-valuemax", this.picture.view[1]);

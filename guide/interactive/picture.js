@@ -20,7 +20,8 @@ class Picture {
     this.canvas = plot.querySelector("canvas");
     this.svg = plot.querySelector("svg");
     this.axes = element("g");
-    this.curves = element("g");
+    // An element of its own hides what is outside of it.
+    this.curves = element("svg", { class: "curves", width: "100%", height: "100%" });
     this.svg.append(this.axes, this.curves);
     this.background = { bands: [], undefined: "" };
     new ResizeObserver(() => this.resize()).observe(plot);

@@ -10,13 +10,15 @@ use crate::{
     table::{Spline, called},
 };
 
-/// A set, or an expression that is negative in the region.
+/// A set, or a function that is negative in the region.
 #[derive(FromPyObject)]
-pub(crate) enum SetOrText {
+pub(crate) enum Obstacle {
     /// The pieces of a set.
     Set(Set),
-    /// The expression.
+    /// An expression.
     Text(String),
+    /// The function `f` as the metric `f I`.
+    Function(Py<Program>),
 }
 
 /// The steps of a formula, the tables that it calls by their names, and the name and the steps of a cost
@@ -27,14 +29,15 @@ type Parts = (String, Vec<(String, Spline)>, Option<(String, String)>);
 #[pyfunction]
 pub(crate) fn avoiding(
     program: &Program,
-    obstacles: Vec<SetOrText>,
+    obstacles: Vec<Obstacle>,
     margin: f64,
 ) -> PyResult<Parts> {
     let regions: Vec<Region> = obstacles
         .into_iter()
         .flat_map(|obstacle| match obstacle {
-            SetOrText::Set(set) => set.pieces.iter().cloned().map(Region::Set).collect(),
-            SetOrText::Text(text) => vec![Region::Negative(text)],
+            Obstacle::Set(set) => set.pieces.iter().cloned().map(Region::Set).collect(),
+            Obstacle::Text(text) => vec![Region::Negative(text)],
+            Obstacle::Function(f) => vec![Region::NegativeOf(f.get().given.clone())],
         })
         .collect();
     let given = program.given.avoiding(&regions, margin).map_err(|error| raised(&error))?;

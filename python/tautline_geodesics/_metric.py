@@ -178,13 +178,20 @@ class Metric:
         metric.lattice = lattice
         return metric
 
-    def avoiding(self, *obstacles: Set | str, margin: float) -> Metric:
-        """The metric with obstacles, which no curve enters: balls, half-spaces, unions of these, or texts
-        that are positive outside of a region, such as "x1^2 + x2^2 - 1".
+    def avoiding(
+        self,
+        *obstacles: Set | str | Callable[..., Any] | Any,
+        margin: float,
+        variables: Sequence[Any] | None = None,
+    ) -> Metric:
+        """The metric with obstacles, which no curve enters: balls, half-spaces, boxes, unions of these, or what
+        is positive outside of a region: a text, such as "x1^2 + x2^2 - 1", a function of an array x of shape
+        (D,), or an expression of SymPy with `variables`. For masks there are the `walls` of `Metric.image`.
 
-        They repel. With the distance δₖ from each, or the value of its text, the metric is
+        They repel. With the distance δₖ from each, or the value of its function, the metric is
         (1 + Σₖ (margin/δₖ)²) H, and there is none in an obstacle. With a smaller margin curves run closer
-        to them. So a length is somewhat more than that of the same curve by H.
+        to them. So a length is somewhat more than that of the same curve by H. The edges of a box are
+        rounded by a part of the margin.
 
         >>> import numpy as np, tautline_geodesics as tautline
         >>> free = tautline.Metric.phi("1", 2)
@@ -196,7 +203,20 @@ class Metric:
         The shortest way round the disc is 6.34. Raises `MetricError` if an end is in an obstacle, or if
         every search runs into one: then a `lattice` or `starts` of `solve` name a way round.
         """
-        text, tables, sign = avoiding(self.program, list(obstacles), number(margin, "the margin"))
+
+        def obstacle(what: Any) -> Any:
+            if isinstance(what, (Set, str)):
+                return what
+            if not (callable(what) or is_sympy(what)):
+                raise ProblemError(f"{what!r} is no obstacle; expected a set, a text or a function")
+            metric = Metric.phi(what, self.dimension, variables=variables if is_sympy(what) else None)
+            if metric.program.tables:
+                raise ProblemError("an obstacle calls a table: use `walls` of Metric.image")
+            return metric.program
+
+        each = [obstacle(what) for what in obstacles]
+        margin = number(margin, "the margin")
+        text, tables, sign = avoiding(self.program, each, margin)
         parts: tuple[Any, ...] = (text, self.dimension, {}, dict(tables), 0, sign)
         free = self if self._free is None else self._free
         return _made(False, parts, self.lattice, free, self._crossing)

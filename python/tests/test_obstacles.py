@@ -28,6 +28,22 @@ class Obstacles(unittest.TestCase):
             last = float(curve.length)
         self.assertLess(last, shortest + 0.03)
 
+    def test_curves_go_round_a_box(self):
+        square = self.free.avoiding(tl.box([-1, -1], [1, 1]), margin=1e-4)
+        curve = tl.solve(square, [-2, 0], [2, 0], n=1024)
+        self.assertTrue(np.all(np.abs(curve.points).max(axis=1) > 1))
+        # Two sides of √2 and one of 2.
+        self.assertAlmostEqual(float(curve.length), 2 + 2 * math.sqrt(2), delta=0.01)
+        self.assertEqual(curve.doubts, [])
+
+    def test_the_way_round_a_pillar_thinner_than_a_chord_is_found(self):
+        pillar = self.free.avoiding(tl.ball([0, 0], 0.005), margin=1e-4)
+        curve = tl.solve(pillar, [-3, 0], [3, 0])
+        self.assertGreater(np.hypot(*curve.points.T).min(), 0.005)
+        self.assertAlmostEqual(float(curve.length), 6, delta=1e-4)
+        together = tl.distance_matrix(pillar, np.array([[-3.0, 0], [3, 0]]))
+        self.assertEqual(together[0, 1], float(curve.length))
+
     def test_a_text_and_a_set_are_the_same_obstacle(self):
         ball = self.free.avoiding(tl.ball([1, -2], 0.5), margin=0.1)
         text = self.free.avoiding("sqrt((x1 - 1)^2 + (x2 + 2)^2) - 0.5", margin=0.1)
@@ -36,6 +52,30 @@ class Obstacles(unittest.TestCase):
         # (1 + (m/δ)²) I at the distance 0.1, which is the margin.
         np.testing.assert_allclose(ball([1.0, -1.4]), 2 * np.eye(2), rtol=1e-12)
         self.assertTrue(np.isnan(ball([1.0, -2.0])).any())
+
+    def test_a_function_is_the_obstacle_of_its_text(self):
+        text = self.free.avoiding("x1^2 + x2^2 - 1", tl.ball([5, 5], 1), margin=0.1)
+        function = self.free.avoiding(lambda x: x @ x - 1, tl.ball([5, 5], 1), margin=0.1)
+        again = pickle.loads(pickle.dumps(function))
+        x = np.array([[2.0, 0.5], [-1.0, -1.4], [3.0, 5.0]])
+        np.testing.assert_allclose(function(x), text(x), rtol=1e-14)
+        np.testing.assert_array_equal(function(x), again(x))
+        table = tl.Table(np.ones((4, 4)))
+        for wrong, says in [(lambda x: table(x[0], x[1]), "walls"), (3.0, "3.0 is no obstacle")]:
+            with self.assertRaisesRegex(tl.ProblemError, says):
+                self.free.avoiding(wrong, margin=0.1)
+        with self.assertRaisesRegex(ValueError, "x3|index 2"):
+            self.free.avoiding(lambda x: x[2], margin=0.1)
+
+    def test_a_sympy_expression_is_an_obstacle(self):
+        try:
+            import sympy
+        except ImportError:
+            self.skipTest("no SymPy")
+        x, y = sympy.symbols("x y")
+        found = self.free.avoiding(x**2 + y**2 - 1, margin=0.1, variables=(x, y))
+        text = self.free.avoiding("x1^2 + x2^2 - 1", margin=0.1)
+        np.testing.assert_allclose(found([2.0, 0.5]), text([2.0, 0.5]), rtol=1e-14)
 
     def test_a_metric_with_obstacles_keeps_its_tables_and_goes_to_other_processes(self):
         image = tl.Metric.image(np.ones((12, 9))).avoiding(
@@ -82,7 +122,7 @@ class Obstacles(unittest.TestCase):
     def test_what_is_no_obstacle_is_refused(self):
         for obstacle, margin, says in [
             (tl.ball([0, 0], 0), 0.1, "no obstacle"),
-            (tl.box([0, 0], [1, 1]), 0.1, "no obstacle"),
+            (tl.sphere([0, 0], 1), 0.1, "no obstacle"),
             (tl.ball([0, 0, 0], 1), 0.1, "3 coordinates"),
             (tl.ball([0, 0], 1), 0.0, "the margin of the obstacles is 0"),
             (tl.ball([0, 0], 1), math.inf, "the margin of the obstacles is inf"),

@@ -96,6 +96,27 @@ class Doubts(unittest.TestCase):
         fine = tl.solve(WALL, *ENDS, n=512)
         self.assertAlmostEqual(float(one.length) / float(fine.length), 1, delta=0.02)
 
+    def test_no_pair_on_the_sphere_is_closer_than_its_angle(self):
+        sphere = tl.Metric.cost("2/(1 + x1^2 + x2^2)", 2)
+        x = np.random.default_rng(1).uniform(-2, 2, (40, 2))
+        squares = (x**2).sum(axis=1)
+        on_sphere = np.c_[2 * x, squares - 1] / (1 + squares)[:, None]
+        exact = np.arccos(np.clip(on_sphere @ on_sphere.T, -1, 1))
+        for n in (64, 256):
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                found = tl.distance_matrix(sphere, x, n=n)
+            error = (found - exact)[~np.eye(40, dtype=bool)] / exact[~np.eye(40, dtype=bool)]
+            self.assertTrue(np.all((error > -1e-12) & (error < 1e-2)), (error.min(), error.max()))
+
+    def test_a_search_that_steps_over_a_pole_is_sent_back(self):
+        exact = math.acosh(1 + 0.5e6)
+        for plane in (tl.Metric.cost("1/x2", 2), tl.Metric.speed(lambda x: x[1], 2)):
+            curve = tl.solve(plane, [0, 1e-3], [1, 1e-3], n=4096)
+            self.assertAlmostEqual(float(curve.length) / exact, 1, delta=1e-6)
+            (together,) = tl.solve_batch(plane, [[0, 1e-3]], [[1, 1e-3]], n=4096)
+            np.testing.assert_array_equal(together.points, curve.points)
+
     def test_a_longer_minimum_is_no_doubt(self):
         with warnings.catch_warnings():
             warnings.simplefilter("error")

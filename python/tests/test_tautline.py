@@ -117,8 +117,12 @@ class Solving(unittest.TestCase):
         hill = tl.Metric.cost("1 + 4*exp(-2*(x1^2 + x2^2))", 2)
         curve = tl.solve(hill, [-1.5, 0.05], [1.5, -0.1])
         far = tl.Metric.cost("1 + 4*exp(-2*((x1 - 1e6)^2 + x2^2))", 2)
+        rng = np.random.default_rng(0)
+        weights = rng.normal(size=(32, 8)) / 3, rng.normal(size=(40, 32)) / 6
+        decoder = tl.Metric.pullback(lambda z: weights[1] @ np.tanh(weights[0] @ z), 8)
         for search in (
             lambda: curve.certificate(1e-12, cubes=10**8),
+            lambda: tl.solve(decoder, -np.ones(8), np.linspace(0, 1, 8), n=5000),
             # Rounding is far above the tolerance.
             lambda: tl.solve(far, [1e6 - 1.5, 0.05], [1e6 + 1.5, -0.1], tolerance=1e-13),
             lambda: tl.Metric.phi("2 + sin(7*x1)*sin(5*x2)*sin(x3)*sin(x4)", 4).constants(

@@ -34,6 +34,8 @@ pub struct LatticeGraph<'m, const D: usize> {
     lattice: Lattice<D>,
     gram: Vec<Option<SMatrix<f64, D, D>>>,
     steps: Vec<Step<D>>,
+    /// How far apart a shortest path looks for the metric along its edges, in `ℓ`.
+    looks: Option<f64>,
 }
 
 /// An edge from a node.
@@ -160,7 +162,36 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
     ) -> Self {
         let steps = offsets(reach as isize);
         let steps = steps.into_iter().map(|offset| Step::new(offset, &lattice)).collect();
-        Self { metric, lattice, gram, steps }
+        Self { metric, lattice, gram, steps, looks: None }
+    }
+
+    /// Returns the graph whose [shortest](Self::shortest) path is one along which there is a metric at points
+    /// of this distance, in `ℓ`: it leaps over no wall that is thicker, however far apart the nodes are.
+    #[must_use]
+    pub fn looking(self, distance: f64) -> Self {
+        Self { looks: Some(distance), ..self }
+    }
+
+    /// Returns whether there is a metric along a chord at points of this distance.
+    fn is_free(
+        looks: &mut Option<(f64, Batch<'_>)>,
+        from: &SVector<f64, D>,
+        to: &SVector<f64, D>,
+    ) -> bool {
+        let Some((distance, batch)) = looks else { return true };
+        let chord = to - from;
+        let pieces = (chord.norm() / *distance).ceil() as usize;
+        let places: Vec<f64> = (1..pieces).map(|k| k as f64 / pieces as f64).collect();
+        let square = batch.layout().square[0];
+        places.chunks(batch.lanes()).all(|places| {
+            let mut inputs = batch.inputs::<D>(places.len());
+            for (lane, place) in places.iter().enumerate() {
+                inputs.set(lane, &(from + chord * *place), &chord);
+            }
+            batch.evaluate(places.len());
+            // NaN is no norm.
+            batch.row(square)[..places.len()].iter().all(|square| *square > 0.0)
+        })
     }
 
     /// Returns the graph whose edges reach two steps along each axis in the plane, and one step in space.
@@ -240,7 +271,14 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
             let gates = self.gates(set);
             if gates.is_empty() { Err(GraphPathError::FarFromEnd { end }) } else { Ok(gates) }
         };
-        let [first, second] = [near(&**ends.first(), "first")?, near(&**ends.second(), "second")?];
+        let [mut first, mut second] =
+            [near(&**ends.first(), "first")?, near(&**ends.second(), "second")?];
+        let batch = || Batch::new(self.metric, Kind::Square, 1, BATCH);
+        let mut looks = self.looks.map(|distance| (distance, batch()));
+        for gates in [&mut first, &mut second] {
+            let node = |gate: &Gate<D>| self.lattice.point(gate.0);
+            gates.retain(|gate| Self::is_free(&mut looks, &gate.1, &node(gate)));
+        }
         let points = first.iter().chain(&second).map(|gate| gate.1);
         let c1 = constants.map_or(Ok(0.0), |bound| self.checked_bound(bound.c1(), points))?;
         let count = self.lattice.nodes();
@@ -285,7 +323,11 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
                 }
                 let Some(edge) = self.edge(here, there, step) else { continue };
                 let longer = length + edge;
-                if longer < lengths[there] {
+                let mut is_free = || {
+                    let [here, there] = [here, there].map(|node| self.lattice.point(node));
+                    Self::is_free(&mut looks, &here, &there)
+                };
+                if longer < lengths[there] && is_free() {
                     (lengths[there], before[there]) = (longer, node);
                     heap.push(entry(key(there, longer), there));
                 }

@@ -8,6 +8,7 @@
 //! | [`graph_path`], [`graph()`], [`LatticeGraph`] | a shortest path along edges | some per cent, at any spacing: it runs in a few directions |
 //! | [`class_paths`] | one for each way around the peaks and holes of a metric, its [`Punctures`] | the same |
 //! | [`path_elsewhere`] | a shortest path, unless it runs along a known line | the same |
+//! | [`path_round`] | a shortest path round thin regions without a metric | the same |
 //! | [`eikonal()`], [`Eikonal`] | the distances from a set at the nodes, by fast marching, and paths that descend them | of the first or second order in the spacing |
 //! | [`pass_paths`] | curves through the passes between two distance fields | the same |
 //! | [`Front`] | the march itself, over nodes of any arrangement | |
@@ -24,6 +25,7 @@ mod lattice_path;
 mod nodes;
 mod ordered;
 mod passes;
+mod path_round;
 mod peaks;
 mod punctures;
 mod reduction;
@@ -41,5 +43,6 @@ pub use lattice_path::LatticePath;
 pub use nodes::Nodes;
 pub use ordered::Ordered;
 pub use passes::{PassPath, pass_paths};
+pub use path_round::path_round;
 pub use punctures::Punctures;
 pub use word::Word;

@@ -17,7 +17,9 @@ use crate::{
 pub enum Grid {
     /// The number of chords. Where the rule does not [see the metric](TautLine::is_resolved), or another
     /// minimum is shorter by the length of its curve, they are doubled, up to four times as many; if that
-    /// does not help, Simpson's rule is tried too. A search of [`Scope::Local`] does neither.
+    /// does not help, Simpson's rule is tried too. Where every line runs into a region without a metric, a
+    /// [path round it](crate::grid::path_round) is a start, with up to 256 times as many chords. A search
+    /// of [`Scope::Local`] does none of this.
     Chords(usize),
     /// The relative error of the length that extrapolation expects.
     Tolerance(f64),
@@ -182,7 +184,8 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
         let options = request.options(self.any_ends().dimension())?;
         Ok(match (request.grid, &request.lattice) {
             (Grid::Chords(n), None) => {
-                let line = self.solve_with(request.rule, n, &options)?;
+                let line = self.solve_with(request.rule, n, &options);
+                let line = self.or_round(line, request.rule, n, &options)?;
                 self.resolved(line, &options, coarser)
             }
             (Grid::Chords(n), Some(nodes)) => {
@@ -194,7 +197,8 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
                 if !(LEAST_TOLERANCE..1.0).contains(&tolerance) {
                     return Err(RequestError::Tolerance { tolerance });
                 }
-                let line = self.solve_with(request.rule, FIRST_GRID, &options)?;
+                let line = self.solve_with(request.rule, FIRST_GRID, &options);
+                let line = self.or_round(line, request.rule, FIRST_GRID, &options)?;
                 let line = self.resolved(line, &options, coarser);
                 refined(self, line, tolerance, &options, coarser)
             }
@@ -209,7 +213,8 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
         request: &Request,
     ) -> Result<TautLine<M, D>, RequestError> {
         let options = request.options(self.any_ends().dimension())?;
-        let line = self.solve_in(workspace, request.rule, n, &options)?;
+        let line = self.solve_in(workspace, request.rule, n, &options);
+        let line = self.or_round(line, request.rule, n, &options)?;
         Ok(self.resolved(line, &options, &mut |_| ControlFlow::Continue(())))
     }
 }

@@ -2,7 +2,7 @@
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, de::DeserializeSeed};
-use tautline::{ANY, Ball, HalfSpace};
+use tautline::{ANY, AxisBox, Ball, HalfSpace};
 
 use super::{
     expression::Text,
@@ -22,7 +22,7 @@ pub(crate) struct ObstaclesFile {
     pub(crate) margin: Text,
 }
 
-/// A region: one of the keys `ball`, `half_space` and `negative`.
+/// A region: one of the keys `ball`, `half_space`, `box` and `negative`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RegionFile {
@@ -34,6 +34,10 @@ pub(crate) enum RegionFile {
     #[serde(deserialize_with = "half_space")]
     #[schemars(schema_with = "half_space_schema")]
     HalfSpace(PieceFile),
+    /// The box between two corners. Its edges are rounded, by a part of the margin.
+    #[serde(deserialize_with = "axis_box")]
+    #[schemars(schema_with = "box_schema")]
+    Box(PieceFile),
     /// Where this expression of the coordinates is not positive; it takes the place of the distance.
     Negative(Text),
 }
@@ -52,4 +56,12 @@ fn half_space<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PieceFile, D
 
 fn half_space_schema(generator: &mut SchemaGenerator) -> Schema {
     described(HalfSpace::<ANY>::KIND, generator)
+}
+
+fn axis_box<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PieceFile, D::Error> {
+    Values(AxisBox::<ANY>::KIND).deserialize(deserializer)
+}
+
+fn box_schema(generator: &mut SchemaGenerator) -> Schema {
+    described(AxisBox::<ANY>::KIND, generator)
 }

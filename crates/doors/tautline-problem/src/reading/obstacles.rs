@@ -46,14 +46,16 @@ pub(crate) fn obstacles<'f>(
     let mut distances = Vec::new();
     for region in regions.get_ref() {
         let solid = match region {
-            RegionFile::Ball(solid) | RegionFile::HalfSpace(solid) => solid,
+            RegionFile::Ball(solid) | RegionFile::HalfSpace(solid) | RegionFile::Box(solid) => {
+                solid
+            }
             RegionFile::Negative(text) => {
                 distances.push(Distance::Given(text));
                 continue;
             }
         };
         let Draft { shape, places } = draft(solid, numbers, dimension)?;
-        let text = shape.ok().as_ref().and_then(distance).ok_or_else(|| {
+        let text = shape.ok().and_then(|shape| distance(&shape, margin)).ok_or_else(|| {
             let place = places.last().cloned().unwrap_or(regions.span());
             Diagnostic::new("an obstacle without inside", place)
                 .label("expected a positive radius, or a normal that is not 0")

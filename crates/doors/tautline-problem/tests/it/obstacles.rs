@@ -82,7 +82,7 @@ fn what_is_wrong_with_obstacles_is_underlined() {
         ("margin = 0.003\n", "", "[obstacles]", "margin is missing"),
         ("[0, 0]", "[0, 0, 0]", "[0, 0, 0]", "3 coordinates in dimension 2"),
         ("ball = { centre = [0, 0], radius = 1 }", "negative = \"y\"", "y", "unknown name y"),
-        ("ball = {", "box = {", "box", "unknown key box"),
+        ("ball = {", "cube = {", "cube", "unknown key cube"),
         // The names of the distances in the factor are those of no other text.
         ("phi = 1", "phi = \"obstacle1\"", "obstacle1", "unknown name obstacle1"),
         ("phi = 1", "phi = \"u1\"", "u1", "unknown name u1"),
@@ -118,5 +118,64 @@ fn definitions_do_not_meet_the_names_of_obstacles() {
         assert!((length - expected.0).abs() < 1e-12 && curve.len() == expected.1.len(), "{name}");
         let file = FILE.replace("phi = 1", &format!("formula = \"{name} = 1; {name} I\""));
         assert!((solved(&file).0 - expected.0).abs() < 1e-12, "{name}");
+    }
+}
+
+/// A pillar and a wall that are thinner than a chord, and a set that a pillar overlaps. Every automatic search
+/// runs into them.
+#[test]
+fn the_way_round_a_thin_obstacle_is_found() {
+    let file = |regions: &str, from: &str, to: &str| {
+        format!(
+            "[metric]\nphi = 1\n[obstacles]\nmargin = 0.0001\nregions = [{{ {regions} }}]\n\
+             [from]\n{from}\n[to]\n{to}\n[certify]\nbound = false\n"
+        )
+    };
+    let pillar =
+        file("ball = { centre = [0, 0], radius = 0.005 }", "point = [-3, 0]", "point = [3, 0]");
+    let (length, curve) = solved(&pillar);
+    // 2 √(9 + r²), to a millionth.
+    assert!((6.0..6.0001).contains(&length), "{length}");
+    let beside = curve.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
+    assert!(beside > 0.005, "{beside}");
+    let wall = "negative = \"(x1/0.002)^2 + exp(20*(x2 - 2)) - 1\"";
+    let wall = file(wall, "point = [-2, 0]", "point = [2, 0]");
+    let (length, _) = solved(&wall);
+    // Round the point (0, 2): 2 √8.
+    let error = length / (2.0 * 8.0_f64.sqrt()) - 1.0;
+    assert!((-1e-9..1e-4).contains(&error), "{length}");
+    let pillar = "ball = { centre = [1, 0], radius = 0.7 }";
+    let overlapped = file(pillar, "ball = { centre = [0, 0], radius = 1 }", "point = [4, 0]");
+    let (length, curve) = solved(&overlapped);
+    let start = curve.first().expect("points");
+    assert!(start[0].hypot(start[1]) <= 1.0 + 1e-12 && (start[0] - 1.0).hypot(start[1]) > 0.7);
+    // From where the circles meet along the pillar, and from there on along the tangent of length √(9 − 0.7²).
+    let angle = (0.245_f64 / 0.7).asin() + std::f64::consts::FRAC_PI_2 - (0.7_f64 / 3.0).acos();
+    let exact = 0.7 * angle + (9.0_f64 - 0.49).sqrt();
+    assert!((0.0..1e-3).contains(&(length / exact - 1.0)), "{length} {exact} {start:?}");
+    // In space too.
+    let space = "ball = { centre = [0, 0, 0], radius = 0.01 }";
+    let (length, _) = solved(&file(space, "point = [-3, 0.002, 0]", "point = [3, 0.002, 0.001]"));
+    assert!((6.0..6.001).contains(&length), "{length}");
+}
+
+/// Round a square: two sides of √2 and one of 2. The edges are rounded by a part of the margin, within which
+/// the repulsion costs more.
+#[test]
+fn a_box_is_an_obstacle() {
+    let exact = 2.0 + 2.0 * 2.0_f64.sqrt();
+    let mut last = f64::INFINITY;
+    for margin in [0.01_f64, 0.001, 0.0001] {
+        let file = format!(
+            "[metric]\nphi = 1\n[obstacles]\nmargin = {margin}\n\
+             regions = [{{ box = {{ lower = [-1, -1], upper = [1, 1] }} }}]\n\
+             [from]\npoint = [-2, 0]\n[to]\npoint = [2, 0]\n[solve]\nn = 2048\n[certify]\nbound = false\n"
+        );
+        let (length, curve) = solved(&file);
+        assert!(curve.iter().all(|x| x[0].abs() > 1.0 || x[1].abs() > 1.0), "{margin}");
+        assert!(exact < length && length < last, "{margin}: {length}");
+        // At the distance δ along a side of length 2 the way is longer by at most 2 δ, and by (m/δ)².
+        assert!(length < exact + 6.0 * (margin * margin).cbrt(), "{margin}: {length}");
+        last = length;
     }
 }

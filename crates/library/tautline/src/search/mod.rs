@@ -3,4 +3,5 @@
 mod elsewhere;
 mod lattice;
 mod resolution;
+mod round;
 pub(crate) mod tolerance;
