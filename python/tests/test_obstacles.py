@@ -64,8 +64,6 @@ class Obstacles(unittest.TestCase):
         for wrong, says in [(lambda x: table(x[0], x[1]), "walls"), (3.0, "3.0 is no obstacle")]:
             with self.assertRaisesRegex(tl.ProblemError, says):
                 self.free.avoiding(wrong, margin=0.1)
-        with self.assertRaisesRegex(ValueError, "x3|index 2"):
-            self.free.avoiding(lambda x: x[2], margin=0.1)
 
     def test_a_sympy_expression_is_an_obstacle(self):
         try:

@@ -1,7 +1,7 @@
 //! Metrics that are, or nearly are, sums of squares of vectors.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::{Kind, Prepared};
+use tautline_formula::{Formula, Kind, Prepared};
 use tautline_metrics::{Metric, gallery::TanhDecoder};
 use tautline_scalar::Scalar;
 
@@ -40,6 +40,18 @@ fn a_decoder_of_8_coordinates_has_a_program() {
     assert!(prepared.size(Kind::Contraction).is_some());
     let known = compare_one(&metric, &prepared, &places(20), "");
     assert_eq!(known, 20 * (1 + 1 + 3 * 8 + 3 * 8 * 8));
+}
+
+/// One output more makes a program by so much longer as 42 is more than 40, and a bit for its registers.
+#[test]
+fn no_program_is_much_longer_than_that_of_one_output_less() {
+    fn length<const OUT: usize>() -> usize {
+        let formula = Formula::<8>::record(&decoder::<8, 32, OUT>()).expect("no branches");
+        Prepared::<_, 8>::new(formula).size(Kind::Contraction).expect("a program")[0]
+    }
+    let [before, after, far] = [length::<40>(), length::<42>(), length::<120>()];
+    assert!(before < after && after < before * 11 / 10, "{before} {after}");
+    assert!(far < 4 * before, "{before} {far}");
 }
 
 /// `8 I + diag(sin x₀, 0, …) + Σₒ wₒ aₒ aₒᵀ` in five coordinates, possibly with a defect.
