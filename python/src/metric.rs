@@ -303,7 +303,8 @@ impl Program {
     /// steps to where it is not.
     fn where_positive(&self, ends: [&[Shape]; 2], request: &Request) -> Option<Arc<value::Curve>> {
         let positive = self.given.where_positive(&[&self.sign.as_ref()?.phi])?;
-        positive.solve(ends, request).ok()
+        let curve = positive.solve(ends, request).ok()?;
+        self.wrong_sign(&curve).is_none().then_some(curve)
     }
 
     /// Returns a curve between two sets, or why there is none.

@@ -190,8 +190,8 @@ class Metric:
 
         They repel. With the distance δₖ from each, or the value of its function, the metric is
         (1 + Σₖ (margin/δₖ)²) H, and there is none in an obstacle. With a smaller margin curves run closer
-        to them. So a length is somewhat more than that of the same curve by H. The edges of a box are
-        rounded by a part of the margin.
+        to them. So a length is somewhat more than that of the same curve by H. A box is rounded, and
+        grows by a part of the margin.
 
         >>> import numpy as np, tautline_geodesics as tautline
         >>> free = tautline.Metric.phi("1", 2)

@@ -28,8 +28,8 @@ pub struct Answer {
     /// its ends if the sets touch up to rounding.
     pub length: Estimated,
     /// The energy of the curve, an upper bound on the squared distance up to the error of its
-    /// quadrature.
-    pub energy: Estimated,
+    /// quadrature; none if it is infinite, as from a pole of the metric.
+    pub energy: Option<Estimated>,
     /// The energy of the points by the rule. It may be on either side of the squared distance.
     pub discrete_energy: f64,
     /// The distance by extrapolation over several grids: an estimate, not a bound.
@@ -87,7 +87,8 @@ impl Answer {
             rule: line.rule().name(),
             n,
             length: line.length().into(),
-            energy: line.energy().into(),
+            energy: Some(line.energy().into())
+                .filter(|energy: &Estimated| energy.value.is_finite()),
             discrete_energy: minimum.energy,
             extrapolated: extrapolated(line),
             search: search(line),

@@ -1,12 +1,13 @@
 //! The least value of the first entry of a metric along a curve.
 
-use tautline::{ANY, AnyBatches, Batch, Kind, PointSequence};
+use tautline::{ANY, AnyBatches, Batch, Interpolation, Kind, MetricError, PointSequence};
 
 /// A value, and the point where it is.
 pub type Least = (f64, Vec<f64>);
 
-/// Returns the least value of the first entry of `H` at the points of a sequence and in the middles of
-/// its chords, and where it is.
+/// Returns the least value of the first entry of `H = f I` at the points of a sequence and in the middles of
+/// its chords, and where it is. If it is not negative, the result is a negative value on a chord, if there is
+/// one where a quadrature would [look](Interpolation::check).
 #[must_use]
 pub fn least_entry(metric: &dyn AnyBatches, sequence: &PointSequence<ANY>) -> Option<Least> {
     let n = sequence.n().get();
@@ -16,7 +17,16 @@ pub fn least_entry(metric: &dyn AnyBatches, sequence: &PointSequence<ANY>) -> Op
     };
     let middles = (0..n).flat_map(middle);
     let points: Vec<f64> = sequence.coordinates().iter().copied().chain(middles).collect();
-    least_at(metric, &points)
+    let least = least_at(metric, &points);
+    if least.as_ref().is_some_and(|(value, _)| *value < 0.0) {
+        return least;
+    }
+    match Interpolation::new(sequence).check_by_batches(metric) {
+        Err(MetricError::NotPositiveDefinite { point, eigenvalue }) if eigenvalue < 0.0 => {
+            Some((eigenvalue, point))
+        }
+        _ => least,
+    }
 }
 
 /// Returns the least value of the first entry of `H` at points whose coordinates follow one another, and

@@ -68,7 +68,8 @@ pub fn factor(count: usize, margin: f64) -> String {
 ///
 /// The distance from a box has corners. Its text is smooth: with `s(t) = (t + √(t² + ε²))/2`, close to
 /// `max(t, 0)`, it is `√(Σᵢ (s(xᵢ − uᵢ) + s(lᵢ − xᵢ))²) − c`, where `c` is its root at a corner. Since `s` is
-/// convex, the root is at most `c` in the box. For a margin `m` and `ε = m/2` it differs from the distance by
+/// convex, the root is at most `c` in the box, and the region is the box, rounded and grown by about
+/// `m (D − 1)/(4 √D)`. For a margin `m` and `ε = m/2` it differs from the distance by
 /// at most `m √D/2`.
 #[must_use]
 pub fn distance(shape: &Shape, margin: f64) -> Option<String> {

@@ -1,7 +1,8 @@
 //! `Question`: a metric on the plane, two points, and the number of chords between them.
 
 use tautline::{
-    Ends, Formula, Metric, PointSequence, Problem, Request, Short, TautLine,
+    Ends, Formula, Interpolation, Metric, MetricError, PointSequence, Problem, Request, Short,
+    TautLine,
     formula::{Form, Part},
 };
 
@@ -62,7 +63,7 @@ impl Question {
         let positive = self.problem.metric().where_positive(&functions).ok();
         let ends = self.problem.ends().clone();
         let line = positive.and_then(|metric| Problem::new(metric, ends).answer(&request).ok());
-        line.ok_or(negative)
+        line.filter(|line| self.check_sign(line.sequence()).is_ok()).ok_or(negative)
     }
 
     /// The square does not show the sign.
@@ -73,9 +74,17 @@ impl Question {
         let mut points = sequence.points().iter().copied().chain(middles);
         let negative = points.find_map(|x| {
             let value = f.gram(&x)[(0, 0)];
-            (value < 0.0).then(|| format!("the {name} is {} at {:?}", Short(value), x.as_slice()))
+            (value < 0.0).then(|| (value, x.as_slice().to_vec()))
         });
-        negative.map_or(Ok(()), |negative| Err(Complaint::about(&negative)))
+        // Between these points, where a quadrature would look.
+        let on_a_chord = || match Interpolation::new(sequence).check(f) {
+            Err(MetricError::NotPositiveDefinite { point, eigenvalue }) if eigenvalue < 0.0 => {
+                Some((eigenvalue, point))
+            }
+            _ => None,
+        };
+        let Some((value, x)) = negative.or_else(on_a_chord) else { return Ok(()) };
+        Err(Complaint::about(&format!("the {name} is {} at {x:?}", Short(value))))
     }
 }
 

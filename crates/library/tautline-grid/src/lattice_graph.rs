@@ -172,7 +172,7 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
         Self { looks: Some(distance), ..self }
     }
 
-    /// Returns whether there is a metric along a chord at points of this distance.
+    /// Returns whether a chord has a length at points of this distance.
     fn is_free(
         looks: &mut Option<(f64, Batch<'_>)>,
         from: &SVector<f64, D>,
@@ -189,8 +189,9 @@ impl<'m, const D: usize> LatticeGraph<'m, D> {
                 inputs.set(lane, &(from + chord * *place), &chord);
             }
             batch.evaluate(places.len());
-            // NaN is no norm.
-            batch.row(square)[..places.len()].iter().all(|square| *square > 0.0)
+            // NaN and infinity are no norms.
+            let squares = &batch.row(square)[..places.len()];
+            squares.iter().all(|square| *square > 0.0 && square.is_finite())
         })
     }
 

@@ -35,12 +35,14 @@ pub struct Problem<M: Prepare<D>, const D: usize> {
     metric: Arc<M::Prepared>,
     ends: BothEnds<D>,
     workspace: Arc<Mutex<Workspace>>,
+    ended: Option<Arc<AtomicBool>>,
 }
 
 impl<M: Prepare<D>, const D: usize> Clone for Problem<M, D> {
     fn clone(&self) -> Self {
-        let Self { metric, ends, workspace } = self;
-        Self { metric: Arc::clone(metric), ends: ends.clone(), workspace: Arc::clone(workspace) }
+        let Self { metric, ends, workspace, ended } = self;
+        let (metric, workspace) = (Arc::clone(metric), Arc::clone(workspace));
+        Self { metric, ends: ends.clone(), workspace, ended: ended.clone() }
     }
 }
 
@@ -57,7 +59,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// Poses the problem with a metric whose programs other problems share. They are derived once, on
     /// first use.
     pub fn with_prepared(metric: Arc<Prepared<M, D>>, ends: Ends<D>) -> Self {
-        Self { metric, ends: ends.into(), workspace: Arc::default() }
+        Self { metric, ends: ends.into(), workspace: Arc::default(), ended: None }
     }
 
     /// Returns the sets.
@@ -86,7 +88,7 @@ impl Problem<Known, ANY> {
         if found != dimension {
             return Err(SolveError::Dimension { metric: dimension, found });
         }
-        Ok(Self { metric, ends: ends.into(), workspace: Arc::default() })
+        Ok(Self { metric, ends: ends.into(), workspace: Arc::default(), ended: None })
     }
 }
 
@@ -101,11 +103,12 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
         &self.metric
     }
 
-    /// Returns the same problem, whose searches end with [`SolveError::Interrupted`] once the flag is true.
+    /// Returns the same problem, whose searches end with [`SolveError::Interrupted`] before their next step once
+    /// the flag is true. What a line computes of itself afterwards, such as its other minima, goes on.
     #[must_use]
     pub fn ended_by(self, flag: Arc<AtomicBool>) -> Self {
-        let workspace = Workspace::default().ended_by(flag);
-        Self { workspace: Arc::new(Mutex::new(workspace)), ..self }
+        let workspace = Workspace::default().ended_by(Arc::clone(&flag));
+        Self { workspace: Arc::new(Mutex::new(workspace)), ended: Some(flag), ..self }
     }
 
     /// Returns the sets, in a dimension that is a value.
@@ -146,7 +149,10 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
         options: &Options<D>,
     ) -> Result<TautLine<M, D>, SolveError> {
         // Separate memory is used while another thread solves, and after a panic.
-        let mut own = Workspace::default();
+        let mut own = self
+            .ended
+            .clone()
+            .map_or_else(Workspace::default, |flag| Workspace::default().ended_by(flag));
         let mut kept = self.workspace.try_lock();
         let workspace = kept.as_deref_mut().unwrap_or(&mut own);
         self.solve_in(workspace, rule, n, options)

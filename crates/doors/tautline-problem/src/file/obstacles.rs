@@ -34,7 +34,7 @@ pub(crate) enum RegionFile {
     #[serde(deserialize_with = "half_space")]
     #[schemars(schema_with = "half_space_schema")]
     HalfSpace(PieceFile),
-    /// The box between two corners. Its edges are rounded, by a part of the margin.
+    /// The box between two corners. It is rounded, and grows by a part of the margin.
     #[serde(deserialize_with = "axis_box")]
     #[schemars(schema_with = "box_schema")]
     Box(PieceFile),

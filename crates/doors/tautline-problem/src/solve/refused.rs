@@ -43,9 +43,9 @@ impl Question {
             if end != point {
                 return None;
             }
-            if matches!(defect, MetricError::NotFinite { .. }) {
-                let is_node = self.rule != Rule::TRAPEZOIDAL;
-                let advice = "the trapezoidal rule has no node at an end";
+            if let MetricError::NotFinite { entry, .. } = defect {
+                let is_node = self.rule != Rule::TRAPEZOIDAL && entry.is_infinite();
+                let advice = "the trapezoidal rule has no node at an end, from where the length may be finite";
                 return is_node.then(|| advice.to_owned());
             }
             let mut toward = end.to_vec();

@@ -134,3 +134,28 @@ fn a_search_that_steps_over_a_pole_is_sent_back() {
         }
     }
 }
+
+/// The cost is negative on a strip around 0 that no curve on the line avoids. Between the ends and the middle of
+/// a chord the sign is looked at too, also of the second search. Few chords may leap over the strip from far out,
+/// and are in doubt.
+#[test]
+fn a_strip_where_a_cost_is_negative_is_not_leapt_over_without_a_doubt() {
+    let metrics = ["cost = \"x1^2 - 1e-6\"", "cost = \"x1^2 - 3e-5\"", "speed = \"x1^2 - 1e-4\""];
+    let mut refused = 0;
+    for metric in metrics {
+        for (n, to) in [16, 255, 256, 257, 1000].into_iter().flat_map(|n| [(n, "1"), (n, "1.1")]) {
+            let file = format!(
+                "[metric]\n{metric}\n[from]\npoint = [-1]\n[to]\npoint = [{to}]\n[solve]\nn = {n}\n"
+            );
+            match Question::read(&file).expect("a file").solve(&mut |_| ()) {
+                Ok(answer) => assert!(!answer.doubts.is_empty(), "{metric} {n} {to}"),
+                Err(failure) => {
+                    let message = failure.to_string();
+                    assert!(message.contains("is -"), "{metric} {n} {to}: {message}");
+                    refused += 1;
+                }
+            }
+        }
+    }
+    assert!(refused >= 20, "{refused} of 30");
+}

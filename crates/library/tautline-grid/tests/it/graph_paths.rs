@@ -2,10 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::PointSequence;
-use tautline_formula::Prepared;
-use tautline_grid::{GraphPathError, Lattice, graph_path};
+use tautline_formula::{Formula, Prepared};
+use tautline_grid::{GraphPathError, Lattice, graph_path, path_round};
 use tautline_metrics::{Metric, Scalar, gallery::Constant};
-use tautline_sets::{Ball, Ends, HalfSpace};
+use tautline_sets::{AnyEnds, Ball, Ends, HalfSpace};
 
 fn euclidean<const D: usize>() -> Constant<D> {
     Constant::new(SMatrix::identity()).expect("positive definite")
@@ -123,4 +123,29 @@ fn axes_may_have_spacings_of_their_own() {
     let ends = Ends::points([0.0, 0.0], [100.0, 1.0]).expect("finite");
     let path = graph_path(&metric, &ends, &lattice, 7).expect("a path");
     assert!((length(&path) - 10_001_f64.sqrt()).abs() < 1e-9);
+}
+
+/// A wall that ends far above the ends is passed round on the larger lattice. Whatever its place between the
+/// nodes, the path does not leap over it: it is thicker than 1/2048 of the way.
+#[test]
+fn a_path_goes_round_a_thin_wall() {
+    for height in [1.0, 2.0, 7.0] {
+        for place in [0.0, 0.013, 0.05, 0.31, 0.777, 1.234] {
+            let wall = format!("((x1 - {place})/0.00102)^2 + exp(20*(x2 - {height})) - 1");
+            let metric = format!("(1 + 0*ln({wall})) I");
+            let metric = Prepared::new(Formula::<2>::parse(&metric, &[]).expect("a formula"));
+            let ends = AnyEnds::points(&[-2.0, 0.0], &[2.0, 0.0]).expect("finite");
+            let path = path_round(&metric, &ends, 64).expect("a path");
+            // Above the wall, or below the lattice.
+            let points: Vec<&[f64]> = path.coordinates().chunks(2).collect();
+            let crossing = points.windows(2).find(|x| x[0][0] <= place && x[1][0] >= place);
+            let crossing = crossing.expect("from left to right");
+            let above = crossing.iter().map(|x| x[1]).fold(f64::NEG_INFINITY, f64::max);
+            assert!(above > height - 0.2, "{height} {place}: {above}");
+        }
+    }
+    // A closed wall.
+    let closed = Formula::<2>::parse("(1 + 0*ln((x1/0.00102)^2 - 1)) I", &[]).expect("a formula");
+    let ends = AnyEnds::points(&[-2.0, 0.0], &[2.0, 0.0]).expect("finite");
+    assert_eq!(path_round(&Prepared::new(closed), &ends, 64), None);
 }

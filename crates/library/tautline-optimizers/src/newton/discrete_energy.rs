@@ -102,17 +102,25 @@ impl<'m> DiscreteEnergy<'m> {
         Ok(())
     }
 
-    /// Also checks the Gram matrix between the nodes, by [`Interpolation::check`]. If an end has none, the
-    /// curve must have a finite length.
+    /// Also checks the Gram matrix between the nodes, by [`Interpolation::check`], and at the ends: there it
+    /// may be infinite, if the curve has a finite length, or singular, as at a pole of coordinates.
     pub(crate) fn check_between(&self, sequence: &PointSequence<ANY>) -> Result<(), MetricError> {
         let curve = Interpolation::new(sequence);
         curve.check_by_batches(self.metric)?;
-        let mut at_ends =
-            [0, sequence.n().get()].map(|k| self.check_at(sequence.row(k))).into_iter();
-        at_ends
-            .find(Result::is_err)
-            .filter(|_| !curve.length_by_batches(self.metric).value.is_finite())
-            .unwrap_or(Ok(()))
+        for k in [0, sequence.n().get()] {
+            let Err(defect) = self.check_at(sequence.row(k)) else { continue };
+            let is_allowed = match defect {
+                MetricError::NotFinite { entry, .. } => {
+                    entry.is_infinite() && curve.length_by_batches(self.metric).value.is_finite()
+                }
+                MetricError::NotPositiveDefinite { eigenvalue, .. } => eigenvalue >= 0.0,
+                _ => false,
+            };
+            if !is_allowed {
+                return Err(defect);
+            }
+        }
+        Ok(())
     }
 }
 

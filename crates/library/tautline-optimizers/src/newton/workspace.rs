@@ -22,7 +22,7 @@ pub struct Workspace {
 
 impl Workspace {
     /// Ends searches in this memory, with [`SolveError::Interrupted`](crate::SolveError::Interrupted), once the
-    /// flag is true. A search looks at it before each step.
+    /// flag is true. A search without a watcher looks at it before each step.
     #[must_use]
     pub fn ended_by(self, flag: Arc<AtomicBool>) -> Self {
         Self { ended: Some(flag), ..self }

@@ -1,6 +1,6 @@
 //! A way round, where every search runs into a region without a metric.
 
-use tautline_discretizations::Rule;
+use tautline_discretizations::{PointSequence, Rule};
 use tautline_formula::Prepare;
 use tautline_grid::path_round;
 use tautline_optimizers::{Options, Scope, SolveError, Starts};
@@ -31,25 +31,36 @@ impl<M: Prepare<D>, const D: usize> Problem<M, D> {
         let looks = is_free && options.scope != Scope::Local && M::formula(self.prepared()).is_ok();
         match found {
             Err(error @ SolveError::Metric(_)) if looks => {
-                self.round(rule, n, options).ok_or(error)
+                self.round(rule, n, options)?.ok_or(error)
             }
             found => found,
         }
     }
 
-    fn round(&self, rule: Rule, n: usize, options: &Options<D>) -> Option<TautLine<M, D>> {
-        let path = path_round(&**self.prepared(), self.any_ends(), PATH)?;
-        let start = path.into_dimension()?;
-        FINER.into_iter().map(|times| n.saturating_mul(times)).find_map(|finer| {
+    fn round(
+        &self,
+        rule: Rule,
+        n: usize,
+        options: &Options<D>,
+    ) -> Result<Option<TautLine<M, D>>, SolveError> {
+        let path = path_round(&**self.prepared(), self.any_ends(), PATH);
+        let Some(start) = path.and_then(PointSequence::into_dimension) else { return Ok(None) };
+        for finer in FINER.into_iter().map(|times| n.saturating_mul(times)) {
             if finer > n.max(FINEST) {
-                return None;
+                break;
             }
             let starts = Starts::OnTheGrid(vec![start.clone()]);
             let on_the_grid = Options { starts, ..options.clone() };
-            let line = self.solve_with(rule, finer, &on_the_grid).ok()?;
+            let line = match self.solve_with(rule, finer, &on_the_grid) {
+                Ok(line) => line,
+                Err(error @ SolveError::Interrupted { .. }) => return Err(error),
+                Err(_) => continue,
+            };
             // Of a chord that cuts a corner of a region the check may miss the corner.
-            let is_round = line.length().value.is_finite();
-            is_round.then(|| self.with_coarser_grids(line, options))
-        })
+            if line.length().value.is_finite() {
+                return Ok(Some(self.with_coarser_grids(line, options)));
+            }
+        }
+        Ok(None)
     }
 }
