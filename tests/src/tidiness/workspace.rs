@@ -19,7 +19,7 @@ const BELOW: &[(&str, &str)] = &[
     ("optimizers", "chance discretizations formula metrics sets"),
     (
         "tautline",
-        "bounds certify check discretizations distance formula grid metrics optimizers scalar sets",
+        "bounds certify chance check discretizations distance formula grid metrics optimizers scalar sets",
     ),
     ("baselines", "chance tautline"),
     ("minima", "chance tautline"),
