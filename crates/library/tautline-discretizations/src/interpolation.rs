@@ -203,19 +203,17 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     fn long(&self) -> Vec<bool> {
         let chords = self.sequence.coordinates().chunks_exact(self.sequence.dimension());
         let chords = chords.clone().zip(chords.skip(1));
-        let length = |(x, y): (&[f64], &[f64])| {
-            x.iter().zip(y).map(|(x, y)| (y - x).abs()).fold(0.0, f64::max)
-        };
-        let lengths: Vec<f64> = chords.map(length).collect();
+        let lengths: Vec<f64> = chords.map(|(x, y)| largest_step(x, y)).collect();
         let mean = lengths.iter().map(|length| length / lengths.len() as f64).sum::<f64>();
         let is_long = |length: &f64| lengths.len() <= FEW || *length > LONG * mean;
         lengths.iter().map(is_long).collect()
     }
 
-    /// Returns the fractions of a chord that are as close to its ends as points are told apart from them.
+    /// Returns how close to each end of a chord, as a fraction of it, rounding leaves the distance of a point
+    /// from that end right to a thousandth.
     fn closest(&self, chord: usize) -> [f64; 2] {
         let [x, y] = [chord, chord + 1].map(|point| self.sequence.row(point));
-        let length = x.iter().zip(y).map(|(x, y)| (y - x).abs()).fold(0.0, f64::max);
+        let length = largest_step(x, y);
         [x, y].map(|end| {
             let largest = end.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
             (ROUNDINGS * f64::EPSILON * largest / length).max(f64::MIN_POSITIVE)
@@ -223,8 +221,13 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     }
 }
 
+/// Returns the largest difference of the coordinates of two points, in `ℓ`.
+fn largest_step(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| (y - x).abs()).fold(0.0, f64::max)
+}
+
 /// Seven fractions of a chord, and the chord's number. A negative fraction, such as −0, counts from the second
-/// point, so that points near to it are told apart however long the chord is.
+/// point: so it reaches points as close to the second point as to the first, however long the chord is.
 pub(crate) type Sevens = (usize, [f64; FIRST]);
 
 /// A function that evaluates `dᵀHd` at seven fractions of each of some chords.
@@ -232,8 +235,8 @@ type Squares<'s> = dyn FnMut(&[Sevens], &mut Vec<[f64; FIRST]>) + 's;
 
 /// Returns the integral over a chord on intervals that are halved toward both ends, if the integrand is not
 /// finite at one of them, such as `1/√s`, or most of the integral is [hidden](HIDDEN) next to one of them. `None`
-/// for another chord. Points are told apart from the ends from the fractions `closest` on. The integral is
-/// infinite if the intervals do not show that it converges.
+/// for another chord. The intervals end at the fractions `closest`, where rounding moves points onto the ends. The
+/// integral is infinite if the intervals do not show that it converges.
 fn toward_ends(
     at: &mut dyn FnMut([f64; FIRST]) -> [f64; FIRST],
     values: &[f64; FIRST],
@@ -396,8 +399,12 @@ mod tests {
             let accuracy = if q < 0.0 { 1e-6 } else { 1e-12 };
             assert_relative_eq!(length.value, exact, max_relative = accuracy);
         }
-        let line = PointSequence::straight([0.0], [1.0], 8).expect("finite");
-        assert_eq!(Interpolation::new(&line).length(&Beta(0.0, -1.0, 0.0)).value, f64::INFINITY);
+        // The last diverges as far as numbers next to 5 show: of ∫ x^−0.99 = 100 they leave three quarters.
+        for (a, p) in [(0.0, -1.0), (5.0, -1.0), (0.0, -1.5), (5.0, -0.99)] {
+            let line = PointSequence::straight([a], [a + 1.0], 8).expect("finite");
+            let length = Interpolation::new(&line).length(&Beta(a, p, 0.0));
+            assert_eq!(length.value, f64::INFINITY, "{a} {p}");
+        }
     }
 
     /// In stereographic coordinates far points are near to each other, and a chord to one of them is long next

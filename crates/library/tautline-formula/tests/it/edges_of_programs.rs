@@ -11,7 +11,7 @@ use tautline_scalar::Scalar;
 
 use crate::{
     parsed,
-    programs::{all, compare_one, evaluate, places, rows},
+    programs::{Place, all, compare_one, evaluate, places, rows},
 };
 
 /// A sum of this many terms in `tanh(wₖ·x)`, none of which is a multiple of another.
@@ -61,16 +61,26 @@ fn a_long_formula_that_is_not_compiled_has_programs() {
     assert!(kinds.iter().all(|&kind| long.size(kind).is_some()));
     let places = places::<3>(20);
     let plain = Plain::new(Sum(400));
-    let [found, expected] = [&long as &dyn AnyBatches, &plain].map(|metric| {
-        let mut batch = Batch::new(metric, Kind::Contraction, 20, 1);
-        assert!(evaluate(&mut batch, &places));
-        rows(&batch, 20)
+    // Sums of 400 terms, each with a dozen roundings.
+    assert_near(&long, &plain, &places);
+}
+
+/// Compares all rows of the contractions of two metrics, relative to the largest number of a row.
+fn assert_near<const D: usize>(
+    found: &dyn AnyBatches,
+    expected: &dyn AnyBatches,
+    places: &[Place<D>],
+) {
+    let count = places.len();
+    let [found, expected] = [found, expected].map(|metric| {
+        let mut batch = Batch::new(metric, Kind::Contraction, count, 1);
+        assert!(evaluate(&mut batch, places));
+        rows(&batch, count)
     });
     for (found, expected) in found.iter().zip(&expected) {
-        // Sums of 400 terms of size 1e-2, each with a dozen roundings.
-        let scale = expected.iter().fold(1.0_f64, |scale, x| scale.max(x.abs()));
-        let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-12 * scale;
-        assert!(found.iter().zip(expected).all(is_near));
+        let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let off = found.iter().zip(expected).fold(0.0_f64, |off, (a, b)| off.max((a - b).abs()));
+        assert!(off <= 1e-12 * size, "{off:e} of {size}");
     }
 }
 
@@ -93,18 +103,8 @@ fn compare_in_32_coordinates() {
     let (plain, prepared) = (Plain::new(&metric), Prepared::new(&metric));
     assert!(prepared.size(Kind::Contraction).is_some_and(|[length, _]| length > 10_000));
     let places = places::<32>(6);
-    let [found, expected] = [&prepared as &dyn AnyBatches, &plain].map(|metric| {
-        let mut batch = Batch::new(metric, Kind::Contraction, 6, 1);
-        assert!(evaluate(&mut batch, &places));
-        rows(&batch, 6)
-    });
-    for (found, expected) in found.iter().zip(&expected) {
-        // There are sums of 8 · 32 products. The sines carry the rounding of their phases, which
-        // are about 10.
-        let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-        let off = found.iter().zip(expected).fold(0.0_f64, |off, (a, b)| off.max((a - b).abs()));
-        assert!(off <= 1e-12 * size, "{off:e} of {size}");
-    }
+    // There are sums of 8 · 32 products. The sines carry the rounding of their phases, which are about 10.
+    assert_near(&prepared, &plain, &places);
 }
 
 /// A formula may ask whether two numbers are equal. It then cannot be recorded.
